@@ -2,8 +2,8 @@
 
 #include "core/base/Version.h"
 #include "core/io/play/ReplayFile.h"
-#include "editor/actions/FilmActions.h"
 #include "editor/actions/TimelineActions.h"
+#include "editor/actions/VideoActions.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/dialogs/MessageBoxes.h"
 #include "editor/document/FilePath.h"
@@ -33,11 +33,11 @@ QString replayFilter() { return PlayActions::tr("Replays (*.replay)"); }
 
 }  // namespace
 
-PlayActions::PlayActions(Views& views, FilmActions& film)
+PlayActions::PlayActions(Views& views, VideoActions& video)
     : QObject(&views.window()),
       m_views(views),
       m_workspace(views.workspace()),
-      m_film(film),
+      m_video(video),
       m_menu(new QMenu(tr("&Play"), &views.window())) {
     addRun();
     m_menu->addSeparator();
@@ -156,7 +156,7 @@ void PlayActions::addReplays() {
     m_saveReplay = add({"play-save-replay", tr("Save Repla&y…"), tr("Save this simulation as a replay")},
                        &PlayActions::saveReplay);
     add({"play-open-replay", tr("&Open Replay…"), tr("Play a saved replay")}, &PlayActions::openReplay);
-    m_menu->addAction(m_film.action());
+    m_menu->addAction(m_video.action());
 }
 
 void PlayActions::startOrStop() {
@@ -251,7 +251,7 @@ void PlayActions::updateRecorded() {
     m_saveShot->setEnabled(isShown && controller().isInPlay() && controller().lastShot());
     const auto& frame = controller().frame();
     const bool isRecorded = isShown && controller().hasSession() && frame && frame->length > 0;
-    for (QAction* action : {m_saveReplay, m_film.action()}) action->setEnabled(isRecorded);
+    for (QAction* action : {m_saveReplay, m_video.action()}) action->setEnabled(isRecorded);
 }
 
 }  // namespace rubble

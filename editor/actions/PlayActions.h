@@ -8,17 +8,17 @@ class QMenu;
 
 namespace rubble {
 
-class FilmActions;
+class VideoActions;
 class PlayController;
 struct PlayScript;
 class Views;
 class Workspace;
 
-/// The Play menu: running the simulation, its shots, replays and films.
+/// The Play menu: running the simulation, its shots, replays and videos.
 class PlayActions : public QObject {
     Q_OBJECT
 public:
-    PlayActions(Views& views, FilmActions& film);
+    PlayActions(Views& views, VideoActions& video);
 
     QMenu* menu() const { return m_menu; }
     QList<QAction*> toolbarActions() const { return {m_play, m_pause, m_step, m_reset}; }
@@ -43,7 +43,7 @@ private:
 
     Views& m_views;
     Workspace& m_workspace;
-    FilmActions& m_film;
+    VideoActions& m_video;
     QMenu* m_menu;
     QAction* m_play = nullptr;
     QAction* m_pause = nullptr;

@@ -4,13 +4,13 @@
 #include "editor/actions/CompareActions.h"
 #include "editor/actions/EditActions.h"
 #include "editor/actions/FileActions.h"
-#include "editor/actions/FilmActions.h"
 #include "editor/actions/FragmentActions.h"
 #include "editor/actions/HelpActions.h"
 #include "editor/actions/InstanceActions.h"
 #include "editor/actions/MaterialActions.h"
 #include "editor/actions/PlayActions.h"
 #include "editor/actions/SelectActions.h"
+#include "editor/actions/VideoActions.h"
 #include "editor/actions/ViewActions.h"
 #include "editor/dialogs/FileFilters.h"
 #include "editor/document/FragmentSelection.h"
@@ -97,8 +97,8 @@ void MainWindow::addActions() {
     auto* instances = new InstanceActions(*m_views);
     auto* select = new SelectActions(*m_views, m_preferences);
     m_viewActions = new ViewActions(*m_views);
-    m_filmActions = new FilmActions(*m_views);
-    m_playActions = new PlayActions(*m_views, *m_filmActions);
+    m_videoActions = new VideoActions(*m_views);
+    m_playActions = new PlayActions(*m_views, *m_videoActions);
     auto* help = new HelpActions(*this);
     m_assetActions->menu()->addSeparator();
     m_assetActions->menu()->addActions(materials->actions());
@@ -246,7 +246,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         activateWindow();
         return event->ignore();
     }
-    if (!m_filmActions->confirmClose() || !m_fileActions->confirmClose()) return event->ignore();
+    if (!m_videoActions->confirmClose() || !m_fileActions->confirmClose()) return event->ignore();
     QSettings().setValue(kGeometryKey, saveGeometry());
     if (!isPristine()) m_views->saveLayout();
     event->accept();

@@ -169,26 +169,6 @@
     </message>
 </context>
 <context>
-    <name>rubble::FilmActions</name>
-    <message numerus="yes">
-        <source>Exported %n frame(s) to %1.</source>
-        <translation>
-            <numerusform>Exported %n frame to %1.</numerusform>
-            <numerusform>Exported %n frames to %1.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>rubble::FilmDialog</name>
-    <message numerus="yes">
-        <source>%Ln frame(s): %1 s of film from %2 s of simulation.</source>
-        <translation>
-            <numerusform>%Ln frame: %1 s of film from %2 s of simulation.</numerusform>
-            <numerusform>%Ln frames: %1 s of film from %2 s of simulation.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>rubble::FragmentActions</name>
     <message numerus="yes">
         <source>%Ln fragment(s) fractured · Double-click one, or select it and press %1, to edit its pattern</source>
@@ -381,6 +361,26 @@
         <translation>
             <numerusform>%Ln branch from here</numerusform>
             <numerusform>%Ln branches from here</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::VideoActions</name>
+    <message numerus="yes">
+        <source>Exported %n frame(s) to %1.</source>
+        <translation>
+            <numerusform>Exported %n frame to %1.</numerusform>
+            <numerusform>Exported %n frames to %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::VideoDialog</name>
+    <message numerus="yes">
+        <source>%Ln frame(s): %1 s of video from %2 s of simulation.</source>
+        <translation>
+            <numerusform>%Ln frame: %1 s of video from %2 s of simulation.</numerusform>
+            <numerusform>%Ln frames: %1 s of video from %2 s of simulation.</numerusform>
         </translation>
     </message>
 </context>

@@ -1,4 +1,4 @@
-#include "viewport/film/FrameWriter.h"
+#include "viewport/video/FrameWriter.h"
 
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/FileLimits.h"

@@ -1,7 +1,7 @@
 #include "tests/support/TestProgram.h"
-#include "viewport/film/Film.h"
+#include "viewport/video/Video.h"
 
-#include "core/io/media/FilmFile.h"
+#include "core/io/media/VideoFile.h"
 #include "tests/support/editor/Pictures.h"
 #include "tests/support/editor/Sessions.h"
 #include "tests/support/files/Ffmpeg.h"
@@ -26,14 +26,14 @@ std::vector<SessionPlayback> flights(int count = 1) {
     return playbacks;
 }
 
-FilmPlan plan(int pictures, double first = 0.0, double every = 1.0) {
+VideoPlan plan(int pictures, double first = 0.0, double every = 1.0) {
     RenderView view{.camera = {.target = {0.0, 6.0, 0.0}, .distance = 14.0}, .size = {160, 90}};
     return {.view = view, .samples = 0, .first = first, .stepsPerFrame = every, .frames = pictures, .frameRate = 30.0};
 }
 
 }  // namespace
 
-class FilmTest : public QObject {
+class VideoTest : public QObject {
     Q_OBJECT
 private slots:
     void init() { m_directory = std::make_unique<QTemporaryDir>(); }
@@ -46,22 +46,22 @@ private slots:
         QVERIFY(frameCount(0.0, 1e9, 1e-9) > 0);
     }
     void writesOneImagePerFrame() {
-        QVERIFY(film(flights(), plan(3, 4.0, 8.0)));
+        QVERIFY(video(flights(), plan(3, 4.0, 8.0)));
         QCOMPARE(names(), (QStringList{"frame-0000.png", "frame-0001.png", "frame-0002.png"}));
         QVERIFY(boxAt(0) > 0 && boxAt(0) < boxAt(1) && boxAt(1) < boxAt(2));
     }
     void posesAreInterpolatedBetweenSteps() {
-        QVERIFY(film(flights(), plan(5, 10.0, 0.25)));
+        QVERIFY(video(flights(), plan(5, 10.0, 0.25)));
         for (int k = 0; k < 4; ++k) QVERIFY(test::meanDifference(picture(k), picture(k + 1)) > 0.0);
         QVERIFY(boxAt(0) <= boxAt(2) && boxAt(2) <= boxAt(4) && boxAt(0) < boxAt(4));
     }
     void playbacksAreSideBySide() {
-        QVERIFY(film(flights(2), plan(1, 20.0)));
+        QVERIFY(video(flights(2), plan(1, 20.0)));
         const QImage both = picture(0);
         QCOMPARE(both.size(), QSize(160 + 8 + 160, 90));
         QVERIFY(test::meanDifference(both.copy(0, 0, 160, 90), both.copy(168, 0, 160, 90)) == 0.0);
     }
-    void cancelledFilmLeavesNoFiles() {
+    void cancelledVideoLeavesNoFiles() {
         QCOMPARE(cancelled(Unfinished::Removed).error().code, ErrorCode::Cancelled);
         QVERIFY(QDir(m_directory->path()).isEmpty());
         QCOMPARE(cancelled(Unfinished::Kept).error().code, ErrorCode::Cancelled);
@@ -75,13 +75,13 @@ private slots:
         QVERIFY2(shot.error().message.ends_with("File too large."), shot.error().message.c_str());
         QVERIFY(QDir(m_directory->path()).isEmpty());
     }
-    void encodesAFilmWithFfmpeg() {
+    void encodesAVideoWithFfmpeg() {
         const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
         std::vector<SessionPlayback> playbacks = flights();
         double last = 0.0;
         TaskContext task;
         task.progress = [&](double fraction) { last = fraction; };
-        const Status shot = renderFilm(playbacks, plan(2), m_directory->filePath("a.mp4").toStdString(), task);
+        const Status shot = renderVideo(playbacks, plan(2), m_directory->filePath("a.mp4").toStdString(), task);
         QVERIFY2(shot.hasValue(), shot ? "" : shot.error().message.c_str());
         QVERIFY(last > 0.5 && last < 1.0);  // after rendering the frames
         QCOMPARE(QDir(m_directory->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
@@ -90,15 +90,15 @@ private slots:
     void failedEncodingLeavesNoFiles() {
         const test::Ffmpeg ffmpeg(test::Ffmpeg::kFails);
         std::vector<SessionPlayback> playbacks = flights();
-        QCOMPARE(renderFilm(playbacks, plan(2), m_directory->filePath("a.mp4").toStdString()).error().code,
+        QCOMPARE(renderVideo(playbacks, plan(2), m_directory->filePath("a.mp4").toStdString()).error().code,
                  ErrorCode::Io);
         QVERIFY(QDir(m_directory->path()).isEmpty());
     }
 
 private:
-    std::string folder() const { return m_directory->filePath("film").toStdString(); }
-    QStringList names() const { return QDir(m_directory->filePath("film")).entryList(QDir::Files, QDir::Name); }
-    bool film(std::vector<SessionPlayback> playbacks, const FilmPlan& plan) {
+    std::string folder() const { return m_directory->filePath("video").toStdString(); }
+    QStringList names() const { return QDir(m_directory->filePath("video")).entryList(QDir::Files, QDir::Name); }
+    bool video(std::vector<SessionPlayback> playbacks, const VideoPlan& plan) {
         const Status shot = renderFrames(playbacks, plan, folder(), Unfinished::Removed);
         if (!shot) qWarning("%s", shot.error().message.c_str());
         return shot.hasValue();
@@ -112,7 +112,7 @@ private:
         return renderFrames(playbacks, plan(4), folder(), unfinished, task);
     }
     QImage picture(int k) const {
-        return QImage(m_directory->filePath(QString("film/frame-000%1.png").arg(k)))
+        return QImage(m_directory->filePath(QString("video/frame-000%1.png").arg(k)))
             .convertToFormat(QImage::Format_RGB888);
     }
     /// The column of the thrown box's centre, from the pixels that differ without it; 0 if it is not visible.
@@ -139,5 +139,5 @@ private:
     QImage m_empty;
 };
 
-RUBBLE_TEST_WITH(FilmTest, QCoreApplication)
-#include "FilmTest.moc"
+RUBBLE_TEST_WITH(VideoTest, QCoreApplication)
+#include "VideoTest.moc"

@@ -7,17 +7,17 @@ class QProgressBar;
 
 namespace rubble {
 
-struct FilmRequest;
+struct VideoRequest;
 class PlayController;
 class Views;
 class Workspace;
 
-/// The action that exports the simulation as a film, and the progress bar with its Cancel button in the status bar. The
-/// window stays usable during the export.
-class FilmActions : public QObject {
+/// The action that exports the simulation as a video, and the progress bar with its Cancel button in the status bar.
+/// The window stays usable during the export.
+class VideoActions : public QObject {
     Q_OBJECT
 public:
-    explicit FilmActions(Views& views);
+    explicit VideoActions(Views& views);
 
     QAction* action() const { return m_action; }
     /// Asks before closing the window stops an export. Returns false if the user lets it continue.
@@ -28,7 +28,7 @@ private:
     bool confirmStop(const QString& question, const QString& action);
     void addProgress();
     void updateProgress();
-    void showFinished(const FilmRequest& request);
+    void showFinished(const VideoRequest& request);
     void showFailed(const QString& sentence);
 
     Views& m_views;

@@ -1,4 +1,4 @@
-#include "viewport/film/ContactSheetPage.h"
+#include "viewport/video/ContactSheetPage.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "viewport/film/FrameWriter.h"
+#include "viewport/video/FrameWriter.h"
 
 #include "core/base/OutOfMemory.h"
 #include "core/base/limits/Threads.h"

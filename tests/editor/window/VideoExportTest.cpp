@@ -1,5 +1,5 @@
-// Tests editor/actions/FilmActions.cpp and editor/dialogs/FilmDialog.cpp.
-#include "editor/dialogs/FilmDialog.h"
+// Tests editor/actions/VideoActions.cpp and editor/dialogs/VideoDialog.cpp.
+#include "editor/dialogs/VideoDialog.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Dialogs.h"
 #include "tests/support/editor/EditorStory.h"
@@ -21,63 +21,63 @@
 
 using namespace rubble;
 
-/// Film export from the window: images with and without destruction, films with ffmpeg, cancelling and errors.
-class FilmExportTest : public EditorStory {
+/// Video export from the window: images with and without destruction, videos with ffmpeg, cancelling and errors.
+class VideoExportTest : public EditorStory {
     Q_OBJECT
 private slots:
     void initTestCase() {
         openFile(RUBBLE_SOURCE_DIR "/projects/house.rubble");
         play().thread().useSteppedClock();
-        QVERIFY(!film().isEnabled());  // nothing was simulated yet
+        QVERIFY(!video().isEnabled());  // nothing was simulated yet
         play().play();
         QTRY_VERIFY_WITH_TIMEOUT(play().isPlaying(), kPatience);
         play().fire(project().shots.front());
         for (int k = 0; k < 90; ++k) play().thread().advance(kStep);
         play().applyUpdate();
         QVERIFY(!play().breaks().empty());
-        QVERIFY(film().isEnabled());
+        QVERIFY(video().isEnabled());
     }
     void init() { m_folder = std::make_unique<QTemporaryDir>(); }
 
     void withoutFfmpegImagesAreExported() {
         const test::Ffmpeg none;
-        ask([](FilmDialog& dialog) {
-            QVERIFY(dialog.findChild<QLabel*>("film-without-ffmpeg")->isVisible());
-            QVERIFY(!dialog.options().isFilm);
+        ask([](VideoDialog& dialog) {
+            QVERIFY(dialog.findChild<QLabel*>("video-without-ffmpeg")->isVisible());
+            QVERIFY(!dialog.options().isVideo);
             dialog.reject();
         });
-        QVERIFY(!films().isBusy());
+        QVERIFY(!videos().isBusy());
     }
     void dialogShowsNumberOfFrames() {
         const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
-        ask([this](FilmDialog& dialog) {
-            QVERIFY(dialog.options().isFilm && dialog.options().path.endsWith("house film.mp4"));
+        ask([this](VideoDialog& dialog) {
+            QVERIFY(dialog.options().isVideo && dialog.options().path.endsWith("house video.mp4"));
             QCOMPARE(dialog.options().last, 90u);
-            dialog.findChild<QLineEdit*>("film-path")->setText(m_folder->filePath("hit"));
+            dialog.findChild<QLineEdit*>("video-path")->setText(m_folder->filePath("hit"));
             QCOMPARE(dialog.options().path, m_folder->filePath("hit.mp4"));
-            QCOMPARE(summary(dialog), QString("46 frames: 1.5 s of film from 1.5 s of simulation."));
+            QCOMPARE(summary(dialog), QString("46 frames: 1.5 s of video from 1.5 s of simulation."));
             setNumber(dialog, " frames per second", 60.0);
             setNumber(dialog, "×", 0.1);
-            QCOMPARE(summary(dialog), QString("901 frames: 15.0 s of film from 1.5 s of simulation."));
+            QCOMPARE(summary(dialog), QString("901 frames: 15.0 s of video from 1.5 s of simulation."));
             setNumber(dialog, "×", 0.01);
             setNumber(dialog, " frames per second", 240.0);
-            QVERIFY(summary(dialog).startsWith("The film would have 36,001 frames; at most 10,000 are possible."));
+            QVERIFY(summary(dialog).startsWith("The video would have 36,001 frames; at most 10,000 are possible."));
             QVERIFY(!okButton(dialog).isEnabled());
             dialog.reject();
         });
     }
     void imagesShowSimulationWithAndWithoutDestruction() {
         const test::Ffmpeg none;
-        ask([this](FilmDialog& dialog) {
-            fill(dialog, m_folder->filePath("film"), 0, 90, 2.0);
+        ask([this](VideoDialog& dialog) {
+            fill(dialog, m_folder->filePath("video"), 0, 90, 2.0);
             dialog.findChild<QCheckBox*>()->setChecked(true);
             QTest::mouseClick(&okButton(dialog), Qt::LeftButton);
         });
-        QVERIFY(films().isBusy() && progress().isVisible());
+        QVERIFY(videos().isBusy() && progress().isVisible());
         QVERIFY(window().isEnabled() && !QApplication::activeModalWidget());  // the window stays usable
-        QTRY_VERIFY_WITH_TIMEOUT(!films().isBusy(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(!videos().isBusy(), kPatience);
         QVERIFY(!progress().isVisible());
-        QCOMPARE(QDir(m_folder->filePath("film")).entryList(QDir::Files),
+        QCOMPARE(QDir(m_folder->filePath("video")).entryList(QDir::Files),
                  (QStringList{"frame-0000.png", "frame-0001.png", "frame-0002.png", "frame-0003.png"}));
         const QRect left(0, 0, 160, 90), right(168, 0, 160, 90);
         QCOMPARE(picture(0).size(), QSize(328, 90));
@@ -85,48 +85,48 @@ private slots:
         QVERIFY(test::meanDifference(picture(3).copy(left), picture(3).copy(right)) > 0.2);
         QVERIFY(window().statusBar()->currentMessage().startsWith("Exported 4 frames to "));
     }
-    void ffmpegEncodesAFilm() {
+    void ffmpegEncodesAVideo() {
         const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
-        exportFilm(m_folder->filePath("hit.mp4"), 60, 90, 15.0);
-        QTRY_VERIFY_WITH_TIMEOUT(!films().isBusy(), kPatience);
+        exportVideo(m_folder->filePath("hit.mp4"), 60, 90, 15.0);
+        QTRY_VERIFY_WITH_TIMEOUT(!videos().isBusy(), kPatience);
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
                  QStringList{"hit.mp4"});
-        QFile film(m_folder->filePath("hit.mp4"));
-        QVERIFY(film.open(QIODevice::ReadOnly));
-        QVERIFY(film.readAll().contains("-framerate\n15\n"));
+        QFile video(m_folder->filePath("hit.mp4"));
+        QVERIFY(video.open(QIODevice::ReadOnly));
+        QVERIFY(video.readAll().contains("-framerate\n15\n"));
     }
-    void cancelledFilmLeavesNoFiles() {
+    void cancelledVideoLeavesNoFiles() {
         const test::Ffmpeg none;
-        exportFilm(m_folder->filePath("film"), 0, 90, 200.0);
+        exportVideo(m_folder->filePath("video"), 0, 90, 200.0);
         QTRY_VERIFY_WITH_TIMEOUT(progress().value() > 0, kPatience);
-        QVERIFY(QFile::exists(m_folder->filePath("film/frame-0000.png")));
-        QTest::mouseClick(window().findChild<QToolButton*>("film-cancel"), Qt::LeftButton);
-        QVERIFY(!films().isBusy() && !progress().isVisible());
+        QVERIFY(QFile::exists(m_folder->filePath("video/frame-0000.png")));
+        QTest::mouseClick(window().findChild<QToolButton*>("video-cancel"), Qt::LeftButton);
+        QVERIFY(!videos().isBusy() && !progress().isVisible());
         QTRY_VERIFY_WITH_TIMEOUT(QDir(m_folder->path()).isEmpty(), kPatience);
     }
     void unwritableTargetIsReported() {
         const test::Ffmpeg none;
         QVERIFY(QFile(m_folder->filePath("file")).open(QIODevice::WriteOnly));
-        exportFilm(m_folder->filePath("file/film"), 0, 90, 2.0);
+        exportVideo(m_folder->filePath("file/video"), 0, 90, 2.0);
         const QString error = exportError();
         QVERIFY2(error.startsWith("Cannot create the folder"), qPrintable(error));
-        QVERIFY(!films().isBusy());
+        QVERIFY(!videos().isBusy());
     }
     void fullDiskIsReportedAndLeavesNoFiles() {
         const test::Ffmpeg none;
         const FileSizeLimit full(2000);
-        exportFilm(m_folder->filePath("film"), 0, 90, 2.0);
+        exportVideo(m_folder->filePath("video"), 0, 90, 2.0);
         const QString error = exportError();
         QVERIFY2(error.contains("File too large"), qPrintable(error));
         QVERIFY(QDir(m_folder->path()).isEmpty());
     }
     void closingTheWindowDuringExportAsksFirst() {
         const test::Ffmpeg none;
-        exportFilm(m_folder->filePath("film"), 0, 90, 200.0);
+        exportVideo(m_folder->filePath("video"), 0, 90, 200.0);
         test::onNextDialog<QMessageBox>([](QMessageBox& box) { box.reject(); });
         QVERIFY(!window().close());
-        QVERIFY(films().isBusy());
-        films().cancel();
+        QVERIFY(videos().isBusy());
+        videos().cancel();
         window().workspace().document().setSaved();
         QVERIFY(window().close());
         QTRY_VERIFY_WITH_TIMEOUT(QDir(m_folder->path()).isEmpty(), kPatience);
@@ -136,18 +136,18 @@ private slots:
 
 private:
     PlayController& play() { return window().workspace().play(); }
-    FilmExporter& films() { return window().workspace().films(); }
-    QAction& film() { return *action("play-film"); }
-    QProgressBar& progress() { return *window().findChild<QProgressBar*>("film-progress"); }
-    /// The film starts once the simulation has handed over its recording.
-    void ask(const std::function<void(FilmDialog&)>& answer) {
-        test::onNextDialog<FilmDialog>(answer);
-        film().trigger();
+    VideoExporter& videos() { return window().workspace().videos(); }
+    QAction& video() { return *action("play-video"); }
+    QProgressBar& progress() { return *window().findChild<QProgressBar*>("video-progress"); }
+    /// The video starts once the simulation has handed over its recording.
+    void ask(const std::function<void(VideoDialog&)>& answer) {
+        test::onNextDialog<VideoDialog>(answer);
+        video().trigger();
         play().thread().settle();
         QCoreApplication::sendPostedEvents(&play());
     }
-    void exportFilm(const QString& path, int first, int last, double rate) {
-        ask([path, first, last, rate](FilmDialog& dialog) {
+    void exportVideo(const QString& path, int first, int last, double rate) {
+        ask([path, first, last, rate](VideoDialog& dialog) {
             fill(dialog, path, first, last, rate);
             dialog.accept();
         });
@@ -162,21 +162,21 @@ private:
         (void)QTest::qWaitFor([&error] { return !error.isEmpty(); }, kPatience);
         return error;
     }
-    static QString summary(FilmDialog& dialog) { return dialog.findChild<QLabel*>("film-summary")->text(); }
-    static QPushButton& okButton(FilmDialog& dialog) {
+    static QString summary(VideoDialog& dialog) { return dialog.findChild<QLabel*>("video-summary")->text(); }
+    static QPushButton& okButton(VideoDialog& dialog) {
         for (QAbstractButton* button : dialog.findChild<QDialogButtonBox*>()->buttons()) {
             if (button->text() == "Export") return static_cast<QPushButton&>(*button);
         }
         qFatal("Export button not found.");
     }
-    static void setNumber(FilmDialog& dialog, const QString& suffix, double value) {
+    static void setNumber(VideoDialog& dialog, const QString& suffix, double value) {
         for (QDoubleSpinBox* box : dialog.findChildren<QDoubleSpinBox*>()) {
             if (box->suffix() == suffix) box->setValue(value);
         }
     }
-    /// Options of a small, fast film.
-    static void fill(FilmDialog& dialog, const QString& place, int first, int last, double rate) {
-        dialog.findChild<QLineEdit*>("film-path")->setText(place);
+    /// Options of a small, fast video.
+    static void fill(VideoDialog& dialog, const QString& place, int first, int last, double rate) {
+        dialog.findChild<QLineEdit*>("video-path")->setText(place);
         dialog.findChildren<QComboBox*>().last()->setCurrentIndex(0);
         for (QSpinBox* box : dialog.findChildren<QSpinBox*>()) {
             if (box->accessibleName() == "Width") box->setValue(160);
@@ -188,12 +188,12 @@ private:
         setNumber(dialog, "×", 1.0);
     }
     QImage picture(int k) const {
-        return QImage(m_folder->filePath(QString("film/frame-000%1.png").arg(k)))
+        return QImage(m_folder->filePath(QString("video/frame-000%1.png").arg(k)))
             .convertToFormat(QImage::Format_RGB888);
     }
 
     std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-RUBBLE_TEST_WITH(FilmExportTest, QApplication)
-#include "FilmExportTest.moc"
+RUBBLE_TEST_WITH(VideoExportTest, QApplication)
+#include "VideoExportTest.moc"

@@ -1,10 +1,10 @@
-#include "viewport/film/Film.h"
+#include "viewport/video/Video.h"
 
-#include "core/io/media/FilmFile.h"
 #include "core/io/media/PictureSequence.h"
+#include "core/io/media/VideoFile.h"
 #include "core/io/system/Temporary.h"
-#include "viewport/film/FrameWriter.h"
 #include "viewport/render/OffscreenRenderer.h"
+#include "viewport/video/FrameWriter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +17,10 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kPlaybackGap = 8;             // pixels between two playbacks
-constexpr double kRenderingFraction = 0.9;  // of the time that a film takes; the rest is ffmpeg's
+constexpr double kRenderingFraction = 0.9;  // of the time that a video takes; the rest is ffmpeg's
 
 /// The frame of all playbacks at a time in steps, side by side. A fractional time interpolates towards the later step.
-Result<Image> frameAt(std::span<SessionPlayback> playbacks, OffscreenRenderer& renderer, const FilmPlan& plan,
+Result<Image> frameAt(std::span<SessionPlayback> playbacks, OffscreenRenderer& renderer, const VideoPlan& plan,
                       double time, const TaskContext& task) {
     constexpr double kRounding = 1e-6;  // steps: rounding error of sums of fractions
     const double step = std::max(0.0, std::ceil(time - kRounding));
@@ -37,7 +37,7 @@ Result<Image> frameAt(std::span<SessionPlayback> playbacks, OffscreenRenderer& r
     return std::move(*frame);
 }
 
-Status renderTo(std::span<SessionPlayback> playbacks, const FilmPlan& plan, PictureSequence& sequence,
+Status renderTo(std::span<SessionPlayback> playbacks, const VideoPlan& plan, PictureSequence& sequence,
                 const TaskContext& task) {
     Result<OffscreenRenderer> renderer = OffscreenRenderer::create();
     if (!renderer) return renderer.error();
@@ -62,7 +62,7 @@ int frameCount(double first, double last, double stepsPerFrame) {
     return static_cast<int>(std::clamp(frames, 1.0, 1e9));
 }
 
-Status renderFrames(std::span<SessionPlayback> playbacks, const FilmPlan& plan, const fs::path& folder,
+Status renderFrames(std::span<SessionPlayback> playbacks, const VideoPlan& plan, const fs::path& folder,
                     Unfinished unfinished, const TaskContext& task) {
     const auto sequence = PictureSequence::create(folder);
     if (!sequence) return sequence.error();
@@ -71,17 +71,17 @@ Status renderFrames(std::span<SessionPlayback> playbacks, const FilmPlan& plan, 
     return rendered;
 }
 
-Status renderFilm(std::span<SessionPlayback> playbacks, const FilmPlan& plan, const fs::path& film,
-                  const TaskContext& task) {
-    if (const Status replaceable = checkFilmReplaceable(film); !replaceable) return replaceable;
-    removeLeftovers(film.parent_path());
-    const auto folder = TemporaryFolder::create(film.parent_path());
+Status renderVideo(std::span<SessionPlayback> playbacks, const VideoPlan& plan, const fs::path& video,
+                   const TaskContext& task) {
+    if (const Status replaceable = checkVideoReplaceable(video); !replaceable) return replaceable;
+    removeLeftovers(video.parent_path());
+    const auto folder = TemporaryFolder::create(video.parent_path());
     if (!folder) return folder.error();
     const fs::path pictures = (*folder)->path() / "pictures";  // the folder itself is locked already
-    const auto sequence = PictureSequence::create(pictures, film);
+    const auto sequence = PictureSequence::create(pictures, video);
     if (!sequence) return sequence.error();
     const Status rendered = renderTo(playbacks, plan, **sequence, task.stage(0.0, kRenderingFraction));
-    return rendered ? encodeFilm(pictures, plan.frameRate, film, task) : rendered;
+    return rendered ? encodeVideo(pictures, plan.frameRate, video, task) : rendered;
 }
 
 }  // namespace rubble

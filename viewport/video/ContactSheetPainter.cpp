@@ -1,4 +1,4 @@
-#include "viewport/film/ContactSheetPainter.h"
+#include "viewport/video/ContactSheetPainter.h"
 
 #include "core/base/OutOfMemory.h"
 #include "core/base/limits/Threads.h"

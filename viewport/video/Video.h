@@ -9,8 +9,8 @@
 
 namespace rubble {
 
-/// The frames of a film and its frame rate.
-struct FilmPlan {
+/// The frames of a video and its frame rate.
+struct VideoPlan {
     RenderView view;             // of each playback; its stepFraction is ignored
     int samples = 0;             // see renderImage(); 0: one pass, antialiased as `view` says
     double first = 0.0;          // step of the first frame, >= 0
@@ -22,21 +22,21 @@ struct FilmPlan {
 /// The number of frames from step `first` to step `last`.
 int frameCount(double first, double last, double stepsPerFrame);
 
-/// Whether the frames of a cancelled or failed film stay on disk.
+/// Whether the frames of a cancelled or failed video stay on disk.
 enum class Unfinished { Kept, Removed };
 
 /// Renders the frames of playbacks without a display, side by side if there are several, and writes them as images: see
 /// PictureSequence. The playbacks must not have started.
 ///
 /// Errors: those of OffscreenRenderer and of PictureSequence; Cancelled.
-Status renderFrames(std::span<SessionPlayback> playbacks, const FilmPlan& plan, const std::filesystem::path& folder,
+Status renderFrames(std::span<SessionPlayback> playbacks, const VideoPlan& plan, const std::filesystem::path& folder,
                     Unfinished unfinished, const TaskContext& task = {});
 
-/// The same, encoded as a film: see encodeFilm(). The images lie in a hidden folder beside it meanwhile and are always
-/// removed.
+/// The same, encoded as a video: see encodeVideo(). The images lie in a hidden folder beside it meanwhile and are
+/// always removed.
 ///
-/// Errors: those of renderFrames() and encodeFilm().
-Status renderFilm(std::span<SessionPlayback> playbacks, const FilmPlan& plan, const std::filesystem::path& film,
-                  const TaskContext& task = {});
+/// Errors: those of renderFrames() and encodeVideo().
+Status renderVideo(std::span<SessionPlayback> playbacks, const VideoPlan& plan, const std::filesystem::path& video,
+                   const TaskContext& task = {});
 
 }  // namespace rubble

@@ -1,5 +1,5 @@
 #include "tests/support/TestProgram.h"
-#include "viewport/film/ContactSheetPage.h"
+#include "viewport/video/ContactSheetPage.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Sessions.h"
-#include "viewport/film/ContactSheetPainter.h"
+#include "viewport/video/ContactSheetPainter.h"
 
 #include <QTest>
 

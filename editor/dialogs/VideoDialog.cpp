@@ -1,14 +1,14 @@
-#include "editor/dialogs/FilmDialog.h"
+#include "editor/dialogs/VideoDialog.h"
 
 #include "core/asset/project/Ranges.h"
-#include "core/io/media/FilmFile.h"
 #include "core/io/media/PictureSequence.h"
+#include "core/io/media/VideoFile.h"
 #include "editor/dialogs/OutputPath.h"
 #include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/ComboBox.h"
-#include "viewport/film/Film.h"
 #include "viewport/render/OffscreenRenderer.h"
+#include "viewport/video/Video.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
@@ -32,9 +32,9 @@ namespace rubble {
 namespace {
 
 constexpr int kSamples[] = {0, 8, 32};  // of each quality
-constexpr const char* kFilmSuffix = ".mp4";
-constexpr int kMinFilmDialogWidth = 480;  // pixels, so that a path fits
-constexpr int kMinImageSide = 16;         // pixels
+constexpr const char* kVideoSuffix = ".mp4";
+constexpr int kMinVideoDialogWidth = 480;  // pixels, so that a path fits
+constexpr int kMinImageSide = 16;          // pixels
 
 QHBoxLayout* createRow(const QList<QWidget*>& widgets) {
     auto* row = new QHBoxLayout;
@@ -66,22 +66,22 @@ QDoubleSpinBox* createNumberField(double min, double max, const QString& suffix,
     return box;
 }
 
-QString withoutFilmSuffix(const QString& path) {
-    if (!isFilmPath(toPath(path))) return path;
+QString withoutVideoSuffix(const QString& path) {
+    if (!isVideoPath(toPath(path))) return path;
     return path.left(path.lastIndexOf('.'));
 }
 
 }  // namespace
 
-FilmDialog::FilmDialog(const FilmSubject& subject, QWidget* parent)
+VideoDialog::VideoDialog(const VideoSubject& subject, QWidget* parent)
     : QDialog(parent), m_subject(subject), m_hasFfmpeg(findFfmpeg().has_value()) {
-    setWindowTitle(tr("Export Film"));
+    setWindowTitle(tr("Export Video"));
     auto* form = new QFormLayout(this);
     addTarget(*form);
     addFrames(*form);
     addTime(*form);
     m_summary = new QLabel;
-    m_summary->setObjectName("film-summary");
+    m_summary->setObjectName("video-summary");
     m_summary->setWordWrap(true);
     m_summary->setTextFormat(Qt::PlainText);
     form->addRow(m_summary);
@@ -89,26 +89,27 @@ FilmDialog::FilmDialog(const FilmSubject& subject, QWidget* parent)
     restoreOptions();
     connectFields();
     updateSummary();
-    resize(sizeHint().expandedTo({kMinFilmDialogWidth, 0}));
+    resize(sizeHint().expandedTo({kMinVideoDialogWidth, 0}));
 }
 
-void FilmDialog::addTarget(QFormLayout& form) {
-    m_kind = comboBox({tr("Film (MP4)"), tr("Numbered images (PNG)")}, tr("Select the output format"));
+void VideoDialog::addTarget(QFormLayout& form) {
+    m_kind = comboBox({tr("Video (MP4)"), tr("Numbered images (PNG)")}, tr("Select the output format"));
     form.addRow(tr("F&ormat:"), m_kind);
     if (!m_hasFfmpeg) {
         m_kind->setEnabled(false);
-        auto* note = new QLabel(tr("Films need ffmpeg, which is not installed. Install it, or export images instead."));
-        note->setObjectName("film-without-ffmpeg");
+        auto* note =
+            new QLabel(tr("Videos need ffmpeg, which is not installed. Install it, or export images instead."));
+        note->setObjectName("video-without-ffmpeg");
         note->setWordWrap(true);
         form.addRow(QString(), note);
     }
     m_path = new QLineEdit;
-    m_path->setObjectName("film-path");
-    m_path->setToolTip(tr("Set the file of the film or the folder for the images"));
+    m_path->setObjectName("video-path");
+    m_path->setToolTip(tr("Set the file of the video or the folder for the images"));
     form.addRow(createLabel(tr("&Target:"), m_path), createPathRow(*m_path, [this] { browse(); }));
 }
 
-void FilmDialog::addFrames(QFormLayout& form) {
+void VideoDialog::addFrames(QFormLayout& form) {
     m_width = createIntegerField(kMinImageSide, kMaxImageSide, tr(" px"), tr("Width"));
     m_height = createIntegerField(kMinImageSide, kMaxImageSide, tr(" px"), tr("Height"));
     auto* row = createRow({m_width, new QLabel("×"), m_height});
@@ -122,7 +123,7 @@ void FilmDialog::addFrames(QFormLayout& form) {
     form.addRow(QString(), m_compare);
 }
 
-void FilmDialog::addTime(QFormLayout& form) {
+void VideoDialog::addTime(QFormLayout& form) {
     const int length = static_cast<int>(std::min<std::uint64_t>(m_subject.length, 1'000'000'000));
     m_first = createIntegerField(0, length, {}, tr("First step"));
     m_last = createIntegerField(0, length, {}, tr("Last step"));
@@ -139,7 +140,7 @@ void FilmDialog::addTime(QFormLayout& form) {
     form.addRow(tr("S&peed:"), m_speed);
 }
 
-void FilmDialog::addButtons(QFormLayout& form) {
+void VideoDialog::addButtons(QFormLayout& form) {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     m_export = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -148,79 +149,80 @@ void FilmDialog::addButtons(QFormLayout& form) {
     m_export->setDefault(true);  // after the button was added to the dialog
 }
 
-void FilmDialog::connectFields() {
-    connect(m_kind, &QComboBox::currentIndexChanged, this, &FilmDialog::updateSuffix);
-    connect(m_path, &QLineEdit::textChanged, this, &FilmDialog::updateSummary);
-    connect(m_compare, &QCheckBox::toggled, this, &FilmDialog::updateSummary);
+void VideoDialog::connectFields() {
+    connect(m_kind, &QComboBox::currentIndexChanged, this, &VideoDialog::updateSuffix);
+    connect(m_path, &QLineEdit::textChanged, this, &VideoDialog::updateSummary);
+    connect(m_compare, &QCheckBox::toggled, this, &VideoDialog::updateSummary);
     for (QSpinBox* box : {m_width, m_height, m_first, m_last}) {
-        connect(box, &QSpinBox::valueChanged, this, &FilmDialog::updateSummary);
+        connect(box, &QSpinBox::valueChanged, this, &VideoDialog::updateSummary);
     }
     for (QDoubleSpinBox* box : {m_frameRate, m_speed}) {
-        connect(box, &QDoubleSpinBox::valueChanged, this, &FilmDialog::updateSummary);
+        connect(box, &QDoubleSpinBox::valueChanged, this, &VideoDialog::updateSummary);
     }
 }
 
-/// Shows the options of the last film.
-void FilmDialog::restoreOptions() {
+/// Shows the options of the last video.
+void VideoDialog::restoreOptions() {
     const QSettings settings;
-    m_kind->setCurrentIndex(m_hasFfmpeg ? settings.value("film/pictures", 0).toInt() : 1);
-    m_width->setValue(settings.value("film/width", 1280).toInt());
-    m_height->setValue(settings.value("film/height", 720).toInt());
-    m_quality->setCurrentIndex(settings.value("film/quality", 1).toInt());
-    m_frameRate->setValue(settings.value("film/rate", 30.0).toDouble());
-    const QString folder = pathOf(settings.value("film/folder"));
+    m_kind->setCurrentIndex(m_hasFfmpeg ? settings.value("video/pictures", 0).toInt() : 1);
+    m_width->setValue(settings.value("video/width", 1280).toInt());
+    m_height->setValue(settings.value("video/height", 720).toInt());
+    m_quality->setCurrentIndex(settings.value("video/quality", 1).toInt());
+    m_frameRate->setValue(settings.value("video/rate", 30.0).toDouble());
+    const QString folder = pathOf(settings.value("video/folder"));
     const bool exists = is_directory(statusOf(folder));
-    const QString path = unusedPath(exists ? folder : m_subject.folder, tr("%1 film").arg(m_subject.name), kFilmSuffix);
+    const QString path =
+        unusedPath(exists ? folder : m_subject.folder, tr("%1 video").arg(m_subject.name), kVideoSuffix);
     m_path->setText(QDir::toNativeSeparators(path));
     updateSuffix();
 }
 
-FilmOptions FilmDialog::options() const {
-    FilmOptions options{.path = QDir::fromNativeSeparators(m_path->text()),
-                        .isFilm = m_kind->currentIndex() == 0,
-                        .size = {m_width->value(), m_height->value()},
-                        .samples = kSamples[m_quality->currentIndex()],
-                        .frameRate = m_frameRate->value(),
-                        .speed = m_speed->value(),
-                        .first = static_cast<std::uint64_t>(m_first->value()),
-                        .last = static_cast<std::uint64_t>(m_last->value()),
-                        .isCompared = m_compare->isChecked()};
-    if (options.isFilm && !options.path.isEmpty() && !isFilmPath(toPath(options.path))) options.path += kFilmSuffix;
+VideoOptions VideoDialog::options() const {
+    VideoOptions options{.path = QDir::fromNativeSeparators(m_path->text()),
+                         .isVideo = m_kind->currentIndex() == 0,
+                         .size = {m_width->value(), m_height->value()},
+                         .samples = kSamples[m_quality->currentIndex()],
+                         .frameRate = m_frameRate->value(),
+                         .speed = m_speed->value(),
+                         .first = static_cast<std::uint64_t>(m_first->value()),
+                         .last = static_cast<std::uint64_t>(m_last->value()),
+                         .isCompared = m_compare->isChecked()};
+    if (options.isVideo && !options.path.isEmpty() && !isVideoPath(toPath(options.path))) options.path += kVideoSuffix;
     return options;
 }
 
-void FilmDialog::accept() {
-    const FilmOptions accepted = options();
+void VideoDialog::accept() {
+    const VideoOptions accepted = options();
     QSettings settings;
-    settings.setValue("film/pictures", m_kind->currentIndex());
-    settings.setValue("film/width", accepted.size.width);
-    settings.setValue("film/height", accepted.size.height);
-    settings.setValue("film/quality", m_quality->currentIndex());
-    settings.setValue("film/rate", accepted.frameRate);
-    settings.setValue("film/folder", settingOf(QFileInfo(accepted.path).absolutePath()));
+    settings.setValue("video/pictures", m_kind->currentIndex());
+    settings.setValue("video/width", accepted.size.width);
+    settings.setValue("video/height", accepted.size.height);
+    settings.setValue("video/quality", m_quality->currentIndex());
+    settings.setValue("video/rate", accepted.frameRate);
+    settings.setValue("video/folder", settingOf(QFileInfo(accepted.path).absolutePath()));
     QDialog::accept();
 }
 
-void FilmDialog::updateSuffix() {
-    const QString base = withoutFilmSuffix(m_path->text());
-    m_path->setText(m_kind->currentIndex() == 0 ? base + kFilmSuffix : base);
+void VideoDialog::updateSuffix() {
+    const QString base = withoutVideoSuffix(m_path->text());
+    m_path->setText(m_kind->currentIndex() == 0 ? base + kVideoSuffix : base);
     updateSummary();
 }
 
-void FilmDialog::browse() {
+void VideoDialog::browse() {
     const QString title = windowTitle();
     const QString path =
         m_kind->currentIndex() == 0
-            ? QFileDialog::getSaveFileName(this, title, m_path->text(), tr("Films (*.mp4 *.mkv *.mov *.webm)"))
+            ? QFileDialog::getSaveFileName(this, title, m_path->text(), tr("Videos (*.mp4 *.mkv *.mov *.webm)"))
             : QFileDialog::getExistingDirectory(this, title, QFileInfo(m_path->text()).path());
     if (!path.isEmpty()) m_path->setText(QDir::toNativeSeparators(path));
 }
 
 /// Shows what will be written, or what is wrong with the options.
-void FilmDialog::updateSummary() {
+void VideoDialog::updateSummary() {
     m_first->setMaximum(m_last->value());
     m_last->setMinimum(m_first->value());
-    const FilmOptions current = options();
+    const VideoOptions current = options();
     const int frames = frameCount(static_cast<double>(current.first), static_cast<double>(current.last),
                                   current.stepsPerFrame(m_subject.stepLength));
     const QString wrong = error(current, frames);
@@ -228,23 +230,23 @@ void FilmDialog::updateSummary() {
     m_export->setEnabled(wrong.isEmpty());
 }
 
-QString FilmDialog::error(const FilmOptions& options, int frames) const {
+QString VideoDialog::error(const VideoOptions& options, int frames) const {
     if (options.path.isEmpty()) return tr("The target is empty. Enter a path.");
-    if (!options.isFilm && isFilmPath(toPath(options.path)))
+    if (!options.isVideo && isVideoPath(toPath(options.path)))
         return tr("The target is a file. Enter a folder for the images.");
     if (frames <= kMaxPictures) return {};
-    return tr("The film would have %L1 frames; at most %L2 are possible. Use fewer steps, a lower frame rate or a "
+    return tr("The video would have %L1 frames; at most %L2 are possible. Use fewer steps, a lower frame rate or a "
               "higher speed.")
         .arg(frames)
         .arg(kMaxPictures);
 }
 
-QString FilmDialog::summary(const FilmOptions& options, int frames) const {
+QString VideoDialog::summary(const VideoOptions& options, int frames) const {
     const auto seconds = [](double time) { return QLocale().toString(time, 'f', 1); };
     const double simulated = static_cast<double>(options.last - options.first) * m_subject.stepLength;
-    QString text = tr("%Ln frame(s): %1 s of film from %2 s of simulation.", nullptr, frames)
+    QString text = tr("%Ln frame(s): %1 s of video from %2 s of simulation.", nullptr, frames)
                        .arg(seconds(static_cast<double>(frames) / options.frameRate), seconds(simulated));
-    if (options.isFilm && exists(statusOf(options.path))) {
+    if (options.isVideo && exists(statusOf(options.path))) {
         text += ' ' + tr("%1 will be replaced.").arg(fileNameText(options.path));
     }
     return text;
@@ -252,4 +254,4 @@ QString FilmDialog::summary(const FilmOptions& options, int frames) const {
 
 }  // namespace rubble
 
-#include "moc_FilmDialog.cpp"
+#include "moc_VideoDialog.cpp"

@@ -19,19 +19,19 @@ class QSpinBox;
 namespace rubble {
 
 /// The recorded simulation that is to be exported.
-struct FilmSubject {
+struct VideoSubject {
     QString name;              // of the project; the default file name
-    QString folder;            // the default folder, if no film was exported before
+    QString folder;            // the default folder, if no video was exported before
     std::uint64_t length = 0;  // steps
     double stepLength = 0.0;   // s
     double speed = 1.0;        // the playback speed
 };
 
-struct FilmOptions {
-    QString path;         // of a film with its suffix, or of the folder of its images
-    bool isFilm = false;  // otherwise a sequence of images
+struct VideoOptions {
+    QString path;          // of a video with its suffix, or of the folder of its images
+    bool isVideo = false;  // otherwise a sequence of images
     ImageSize size;
-    int samples = 0;                    // see FilmPlan
+    int samples = 0;                    // see VideoPlan
     double frameRate = 30.0;            // frames per second
     double speed = 1.0;                 // 1: real time
     std::uint64_t first = 0, last = 0;  // steps
@@ -40,12 +40,12 @@ struct FilmOptions {
     double stepsPerFrame(double stepLength) const { return speed / (frameRate * stepLength); }
 };
 
-/// Asks how to export a film, and shows how many frames it will have. Starts with the options of the last film.
-class FilmDialog : public QDialog {
+/// Asks how to export a video, and shows how many frames it will have. Starts with the options of the last video.
+class VideoDialog : public QDialog {
     Q_OBJECT
 public:
-    FilmDialog(const FilmSubject& subject, QWidget* parent);
-    FilmOptions options() const;
+    VideoDialog(const VideoSubject& subject, QWidget* parent);
+    VideoOptions options() const;
 
     void accept() override;
 
@@ -59,10 +59,10 @@ private:
     void updateSuffix();
     void browse();
     void updateSummary();
-    QString error(const FilmOptions& options, int frames) const;
-    QString summary(const FilmOptions& options, int frames) const;
+    QString error(const VideoOptions& options, int frames) const;
+    QString summary(const VideoOptions& options, int frames) const;
 
-    FilmSubject m_subject;
+    VideoSubject m_subject;
     bool m_hasFfmpeg;
     QComboBox* m_kind;
     QLineEdit* m_path;

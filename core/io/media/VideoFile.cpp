@@ -1,4 +1,4 @@
-#include "core/io/media/FilmFile.h"
+#include "core/io/media/VideoFile.h"
 
 #include "core/io/media/PictureSequence.h"
 #include "core/io/system/AtomicFile.h"
@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Practically unlimited: time and memory depend on film and codec, and the user can cancel.
-constexpr ChildLimits kFilmLimits{.memory = ChildLimits::kUnlimited, .seconds = 24.0 * 3600.0};
+/// Practically unlimited: time and memory depend on video and codec, and the user can cancel.
+constexpr ChildLimits kVideoLimits{.memory = ChildLimits::kUnlimited, .seconds = 24.0 * 3600.0};
 
 /// Returns the pattern of a folder's pictures for ffmpeg, in the syntax of printf.
 std::string pictureNames(const fs::path& folder) {
@@ -28,8 +28,8 @@ std::string pictureNames(const fs::path& folder) {
     return names + PictureSequence::kFileNameFormat;
 }
 
-/// `pictures` and `film` are absolute: others could be read as options.
-std::vector<std::string> argumentsFor(const fs::path& pictures, double rate, const fs::path& film) {
+/// `pictures` and `video` are absolute: others could be read as options.
+std::vector<std::string> argumentsFor(const fs::path& pictures, double rate, const fs::path& video) {
     std::string rateText;
     appendNumber(rateText, rate);
     return {"-nostdin",
@@ -46,7 +46,7 @@ std::vector<std::string> argumentsFor(const fs::path& pictures, double rate, con
             "pad=ceil(iw/2)*2:ceil(ih/2)*2",
             "-pix_fmt",
             "yuv420p",
-            film.string()};
+            video.string()};
 }
 
 /// Returns the last line that is not empty: ffmpeg's final error.
@@ -59,55 +59,55 @@ std::string lastLine(const std::string& text) {
 }
 
 /// `part` is the hidden file that ffmpeg writes.
-Status toStatus(const ChildResult& result, const fs::path& part, const fs::path& film) {
+Status toStatus(const ChildResult& result, const fs::path& part, const fs::path& video) {
     if (result.exit == ChildExit::Exited && result.exitCode == 0) return success();
     std::string message = lastLine(result.error);
     if (const std::size_t at = message.find(part.string()); at != std::string::npos)
-        message.replace(at, part.string().size(), film.string());
-    return Error{ErrorCode::Io, "ffmpeg could not encode the film" + (message.empty() ? "." : ": " + message)};
+        message.replace(at, part.string().size(), video.string());
+    return Error{ErrorCode::Io, "ffmpeg could not encode the video" + (message.empty() ? "." : ": " + message)};
 }
 
 }  // namespace
 
-bool isFilmPath(const fs::path& path) {
+bool isVideoPath(const fs::path& path) {
     constexpr std::array kSuffixes{".mp4", ".mkv", ".mov", ".webm"};
     return std::ranges::find(kSuffixes, path.extension().string()) != kSuffixes.end();
 }
 
 std::optional<fs::path> findFfmpeg() { return findExecutable("ffmpeg"); }
 
-Status checkFilmReplaceable(const fs::path& film) {
+Status checkVideoReplaceable(const fs::path& video) {
     struct stat old {};
-    if (::stat(film.c_str(), &old) != 0) return errno == ENOENT ? success() : Status(cannotWrite(film, errno));
+    if (::stat(video.c_str(), &old) != 0) return errno == ENOENT ? success() : Status(cannotWrite(video, errno));
     if (!S_ISREG(old.st_mode))
-        return Error{ErrorCode::Io, "Cannot write \"" + film.string() + "\": it exists and is not a file."};
-    if (::faccessat(AT_FDCWD, film.c_str(), W_OK, AT_EACCESS) != 0) return cannotWrite(film, errno);
+        return Error{ErrorCode::Io, "Cannot write \"" + video.string() + "\": it exists and is not a file."};
+    if (::faccessat(AT_FDCWD, video.c_str(), W_OK, AT_EACCESS) != 0) return cannotWrite(video, errno);
     return success();
 }
 
-Status encodeFilm(const fs::path& pictures, double rate, const fs::path& film, const TaskContext& task) {
+Status encodeVideo(const fs::path& pictures, double rate, const fs::path& video, const TaskContext& task) {
     const std::optional<fs::path> ffmpeg = findFfmpeg();
-    if (!ffmpeg) return Error{ErrorCode::NotFound, "Encoding a film needs ffmpeg, which is not installed."};
-    if (const Status replaceable = checkFilmReplaceable(film); !replaceable) return replaceable;
+    if (!ffmpeg) return Error{ErrorCode::NotFound, "Encoding a video needs ffmpeg, which is not installed."};
+    if (const Status replaceable = checkVideoReplaceable(video); !replaceable) return replaceable;
     std::error_code error;
-    const fs::path target = fs::absolute(linkTarget(film), error);
+    const fs::path target = fs::absolute(linkTarget(video), error);
     const fs::path from = error ? fs::path() : fs::absolute(pictures, error);
-    if (error) return cannotWrite(film, error.value());
+    if (error) return cannotWrite(video, error.value());
     removeLeftovers(target.parent_path());
     const auto folder = TemporaryFolder::create(target.parent_path());  // ffmpeg would follow a link to a file
     if (!folder) return folder.error();
-    const fs::path part = (*folder)->path() / ("film" + film.extension().string());
-    const Result<ChildResult> outcome = runChild(*ffmpeg, argumentsFor(from, rate, part), kFilmLimits, task);
-    const Status status = outcome ? toStatus(*outcome, part, film) : Status(outcome.error());
+    const fs::path part = (*folder)->path() / ("video" + video.extension().string());
+    const Result<ChildResult> outcome = runChild(*ffmpeg, argumentsFor(from, rate, part), kVideoLimits, task);
+    const Status status = outcome ? toStatus(*outcome, part, video) : Status(outcome.error());
     if (!status) return status;
     const OpenFile written(part, O_RDONLY);
-    if (!written.isOpen()) return cannotWrite(film, errno);
+    if (!written.isOpen()) return cannotWrite(video, errno);
     struct stat old {};
     const int code = ::stat(target.c_str(), &old) == 0 ? inheritFrom(old, written.descriptor()) : 0;
-    if (code != 0) return cannotWrite(film, code);
+    if (code != 0) return cannotWrite(video, code);
     if (::fsync(written.descriptor()) != 0 || ::rename(part.c_str(), target.c_str()) != 0)
-        return cannotWrite(film, errno);
-    return flushRenamed(target, film);
+        return cannotWrite(video, errno);
+    return flushRenamed(target, video);
 }
 
 }  // namespace rubble

@@ -7,9 +7,9 @@
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/project/Ranges.h"
 #include "core/base/QuantityText.h"
-#include "core/io/media/FilmFile.h"
 #include "core/io/media/PictureSequence.h"
-#include "viewport/film/Film.h"
+#include "core/io/media/VideoFile.h"
+#include "viewport/video/Video.h"
 
 #include <algorithm>
 #include <memory>
@@ -18,21 +18,21 @@
 namespace rubble {
 namespace {
 
-constexpr int kFilmMsaa = 4;  // samples per pixel
+constexpr int kVideoMsaa = 4;  // samples per pixel
 
-constexpr const char* kFilmFooter =
+constexpr const char* kVideoFooter =
     R"(Plays a project and draws it every few steps, from a fixed view. The pictures are FOLDER/frame-0000.png and so
 on; a sequence that is stopped keeps those that are complete. A folder that already holds such pictures is
-rejected. With ffmpeg installed, FILM.mp4 (or .mkv, .mov, .webm) encodes them as a film. With --compare each
+rejected. With ffmpeg installed, VIDEO.mp4 (or .mkv, .mov, .webm) encodes them as a video. With --compare each
 picture shows the same step twice, side by side, without destruction on the left and with it on the right, each
 of the given --size.
 
 Examples:
-  rubble-cli film house.rubble hit.mp4 --steps 300 --shot "block under the roof"
-  rubble-cli film house.rubble slow.mp4 --from 40 --steps 120 --rate 12 --shot "block under the roof"
-  rubble-cli film house.rubble both --steps 120 --every 2 --compare --size 640x480 --shot "box at the door")";
+  rubble-cli video house.rubble hit.mp4 --steps 300 --shot "block under the roof"
+  rubble-cli video house.rubble slow.mp4 --from 40 --steps 120 --rate 12 --shot "block under the roof"
+  rubble-cli video house.rubble both --steps 120 --every 2 --compare --size 640x480 --shot "box at the door")";
 
-struct FilmOptions {
+struct VideoOptions {
     std::string file;
     std::string output;
     PictureOptions picture{.samples = 0};
@@ -46,7 +46,7 @@ struct FilmOptions {
 };
 
 /// Returns two playbacks, without and with destruction, if they are compared; else one.
-Result<std::vector<SessionPlayback>> playbacksOf(const PreparedProject& play, const FilmOptions& options) {
+Result<std::vector<SessionPlayback>> playbacksOf(const PreparedProject& play, const VideoOptions& options) {
     std::vector<SessionPlayback> playbacks;
     std::vector<PlayOptions> plays{options.play};
     if (options.isCompared) {
@@ -62,32 +62,32 @@ Result<std::vector<SessionPlayback>> playbacksOf(const PreparedProject& play, co
     return playbacks;
 }
 
-Result<FilmPlan> planOf(const FilmOptions& options) {
+Result<VideoPlan> planOf(const VideoOptions& options) {
     if (options.first > options.steps) {
-        return Error{ErrorCode::BadInput, "The film would start at step " + std::to_string(options.first) +
+        return Error{ErrorCode::BadInput, "The video would start at step " + std::to_string(options.first) +
                                               " and end at step " + std::to_string(options.steps) + "."};
     }
     const int pictures = frameCount(options.first, options.steps, options.every);
     if (pictures > kMaxPictures) {
-        return Error{ErrorCode::BadInput, "The film would have " + std::to_string(pictures) +
+        return Error{ErrorCode::BadInput, "The video would have " + std::to_string(pictures) +
                                               " pictures; the maximum is " + std::to_string(kMaxPictures) +
                                               ". Use --every to render fewer."};
     }
     const double asPlayed = 1.0 / (options.play.stepLength * options.every);
-    return FilmPlan{.samples = options.picture.samples,
-                    .first = static_cast<double>(options.first),
-                    .stepsPerFrame = static_cast<double>(options.every),
-                    .frames = pictures,
-                    .frameRate = options.rate.value_or(std::min(asPlayed, rangeOf(ProjectNumber::FrameRate).max))};
+    return VideoPlan{.samples = options.picture.samples,
+                     .first = static_cast<double>(options.first),
+                     .stepsPerFrame = static_cast<double>(options.every),
+                     .frames = pictures,
+                     .frameRate = options.rate.value_or(std::min(asPlayed, rangeOf(ProjectNumber::FrameRate).max))};
 }
 
-Status film(const FilmOptions& options, const CliContext& context) {
-    Result<FilmPlan> plan = planOf(options);
+Status video(const VideoOptions& options, const CliContext& context) {
+    Result<VideoPlan> plan = planOf(options);
     if (!plan) return plan.error();
-    const bool isFilm = isFilmPath(options.output);
-    if (isFilm && !findFfmpeg()) {
+    const bool isVideo = isVideoPath(options.output);
+    if (isVideo && !findFfmpeg()) {
         return Error{ErrorCode::NotFound,
-                     "A film needs ffmpeg, which is not installed; give a folder instead to write its pictures."};
+                     "A video needs ffmpeg, which is not installed; give a folder instead to write its pictures."};
     }
     TaskContext task{.cancel = context.cancel, .threads = options.threads};
     const Result<Project> project = openProject(options.file, context);
@@ -95,16 +95,16 @@ Status film(const FilmOptions& options, const CliContext& context) {
     const Result<PreparedProject> play = prepareProject(*project, options.play, context, task);
     if (!play) return play.error();
     if (play->scene->project.instances.empty()) {
-        return Error{ErrorCode::NotFound, "The project has no instances to film."};
+        return Error{ErrorCode::NotFound, "The project has no instances to render."};
     }
     Result<std::vector<SessionPlayback>> playbacks = playbacksOf(*play, options);
     if (!playbacks) return playbacks.error();
     plan->view = pictureView(options.picture, withSpaceForDebris(boundsOf(*playbacks->front().scene())));
-    plan->view.settings.msaa = kFilmMsaa;
-    ProgressLine line(context, "Filming");
+    plan->view.settings.msaa = kVideoMsaa;
+    ProgressLine line(context, "Rendering");
     task.progress = [&line](double fraction) { line.show(fraction); };
-    const Status shot = isFilm ? renderFilm(*playbacks, *plan, options.output, task)
-                               : renderFrames(*playbacks, *plan, options.output, Unfinished::Kept, task);
+    const Status shot = isVideo ? renderVideo(*playbacks, *plan, options.output, task)
+                                : renderFrames(*playbacks, *plan, options.output, Unfinished::Kept, task);
     line.clear();
     for (SessionPlayback& playback : *playbacks) printWarnings(playback, context);
     if (!shot) return shot;
@@ -115,11 +115,11 @@ Status film(const FilmOptions& options, const CliContext& context) {
 
 }  // namespace
 
-Verb addFilm(CLI::App& program) {
-    Command command(program, "film", "Render a simulation as a sequence of PNG pictures or as a film", kFilmFooter);
-    const auto options = std::make_shared<FilmOptions>();
+Verb addVideo(CLI::App& program) {
+    Command command(program, "video", "Render a simulation as a sequence of PNG pictures or as a video", kVideoFooter);
+    const auto options = std::make_shared<VideoOptions>();
     addProjectArgument(command, options->file);
-    command.argument("FOLDER", options->output, "The folder for the pictures, or the film to write: FILM.mp4")
+    command.argument("FOLDER", options->output, "The folder for the pictures, or the video to write: VIDEO.mp4")
         .required();
     command.option("--from", options->first, "The step of the first picture (default: 0)")
         .wholeInRange(ProjectNumber::Step)
@@ -131,7 +131,7 @@ Verb addFilm(CLI::App& program) {
     command.option("--every", options->every, "Steps between pictures (default: 1)")
         .wholeInRange(ProjectNumber::Steps)
         .valueName("K");
-    command.option("--rate", options->rate, "Pictures per second of a film (default: real time)")
+    command.option("--rate", options->rate, "Pictures per second of a video (default: real time)")
         .inRange(ProjectNumber::FrameRate)
         .valueName("N");
     addPlayOptions(command, options->play);
@@ -143,7 +143,7 @@ Verb addFilm(CLI::App& program) {
     addOverlayOption(command, options->picture);
     addSamplesOption(command, options->picture);
     addThreadsOption(command, options->threads);
-    return {command, [options](const CliContext& context) { return film(*options, context); }};
+    return {command, [options](const CliContext& context) { return video(*options, context); }};
 }
 
 }  // namespace rubble

@@ -1,6 +1,6 @@
-#include "editor/background/FilmExporter.h"
+#include "editor/background/VideoExporter.h"
 
-#include "core/io/media/FilmFile.h"
+#include "core/io/media/VideoFile.h"
 
 #include <utility>
 
@@ -8,7 +8,7 @@ namespace rubble {
 
 namespace {
 
-Result<SessionPlayback> playbackOf(const FilmRequest& request, const SessionSettings& settings,
+Result<SessionPlayback> playbackOf(const VideoRequest& request, const SessionSettings& settings,
                                    std::vector<TimedInput> inputs) {
     Result<Session> session = Session::start(request.scene, settings);
     if (!session) return session.error();
@@ -17,7 +17,7 @@ Result<SessionPlayback> playbackOf(const FilmRequest& request, const SessionSett
 }
 
 /// The session as recorded; or, to compare, twice: without destruction and with it, whatever the recording switched.
-Result<std::vector<SessionPlayback>> playbacksOf(const FilmRequest& request) {
+Result<std::vector<SessionPlayback>> playbacksOf(const VideoRequest& request) {
     SessionSettings settings = request.script.settings;
     std::vector<TimedInput> inputs = request.script.inputs;
     std::vector<SessionPlayback> playbacks;
@@ -38,28 +38,28 @@ Result<std::vector<SessionPlayback>> playbacksOf(const FilmRequest& request) {
     return playbacks;
 }
 
-Status exportFilm(const FilmRequest& request, const TaskContext& task) {
+Status exportVideo(const VideoRequest& request, const TaskContext& task) {
     Result<std::vector<SessionPlayback>> playbacks = playbacksOf(request);
     if (!playbacks) return playbacks.error();
-    if (isFilmPath(request.path)) return renderFilm(*playbacks, request.plan, request.path, task);
+    if (isVideoPath(request.path)) return renderVideo(*playbacks, request.plan, request.path, task);
     return renderFrames(*playbacks, request.plan, request.path, Unfinished::Removed, task);
 }
 
 }  // namespace
 
-FilmExporter::FilmExporter(QObject* parent) : QObject(parent) {
-    connect(&m_job, &BackgroundJob::progressed, this, &FilmExporter::progressed);
+VideoExporter::VideoExporter(QObject* parent) : QObject(parent) {
+    connect(&m_job, &BackgroundJob::progressed, this, &VideoExporter::progressed);
 }
 
-void FilmExporter::cancel() {
+void VideoExporter::cancel() {
     if (!isBusy()) return;
     m_job.cancel();
     emit changed();
 }
 
-void FilmExporter::start(FilmRequest request) {
+void VideoExporter::start(VideoRequest request) {
     cancel();
-    m_job.start([request](const TaskContext& task) { return exportFilm(request, task); },
+    m_job.start([request](const TaskContext& task) { return exportVideo(request, task); },
                 [this, request](const Status& status) {
                     emit changed();
                     status ? emit finished(request) : emit failed(QString::fromStdString(status.error().message));
@@ -70,4 +70,4 @@ void FilmExporter::start(FilmRequest request) {
 
 }  // namespace rubble
 
-#include "moc_FilmExporter.cpp"
+#include "moc_VideoExporter.cpp"
