@@ -48,9 +48,9 @@ PlayActions::PlayActions(Views& views, VideoActions& video)
     addShots();
     m_menu->addSeparator();
     addReplays();
-    for (QAction* action : m_menu->actions()) action->setEnabled(views.isProjectShown());
+    for (QAction* action : ownActions()) action->setEnabled(views.isProjectShown());
     connect(&views, &Views::projectShown, this, [this] {
-        for (QAction* action : m_menu->actions()) action->setEnabled(true);
+        for (QAction* action : ownActions()) action->setEnabled(true);
         updateState();
     });
     connect(&controller(), &PlayController::stateChanged, this, &PlayActions::updateState);
@@ -58,6 +58,13 @@ PlayActions::PlayActions(Views& views, VideoActions& video)
     connect(&controller(), &PlayController::frameChanged, this, &PlayActions::updateRecorded);
     connect(&controller(), &PlayController::statusMessage, &views, &Views::showStatus);
     updateState();
+}
+
+/// The actions of the menu but that for videos, which enables itself.
+QList<QAction*> PlayActions::ownActions() const {
+    QList<QAction*> actions = m_menu->actions();
+    actions.removeOne(m_video.action());
+    return actions;
 }
 
 PlayController& PlayActions::controller() const { return m_workspace.play(); }
@@ -251,7 +258,7 @@ void PlayActions::updateRecorded() {
     m_saveShot->setEnabled(isShown && controller().isInPlay() && controller().lastShot());
     const auto& frame = controller().frame();
     const bool isRecorded = isShown && controller().hasSession() && frame && frame->length > 0;
-    for (QAction* action : {m_saveReplay, m_video.action()}) action->setEnabled(isRecorded);
+    m_saveReplay->setEnabled(isRecorded);
 }
 
 }  // namespace rubble

@@ -39,6 +39,7 @@ private:
     void openReplay();
     void updateState();
     void updateRecorded();
+    QList<QAction*> ownActions() const;
     PlayController& controller() const;
 
     Views& m_views;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 
 class QAction;
@@ -7,13 +8,14 @@ class QProgressBar;
 
 namespace rubble {
 
+struct VideoOptions;
 struct VideoRequest;
 class PlayController;
 class Views;
 class Workspace;
 
-/// The action that exports the simulation as a video, and the progress bar with its Cancel button in the status bar.
-/// The window stays usable during the export.
+/// The action that exports what was simulated, or a saved throw, as a video, and the progress bar with its Cancel
+/// button in the status bar. The window stays usable during the export.
 class VideoActions : public QObject {
     Q_OBJECT
 public:
@@ -26,7 +28,12 @@ public:
 private:
     void exportWithDialog();
     bool confirmStop(const QString& question, const QString& action);
+    void exportRecording(const VideoOptions& options);
+    void exportThrow(const VideoOptions& options);
+    bool isRecorded() const;
+    void updateEnabled();
     void addProgress();
+    void showProgress(double fraction);
     void updateProgress();
     void showFinished(const VideoRequest& request);
     void showFailed(const QString& sentence);
@@ -36,6 +43,7 @@ private:
     QAction* m_action;
     QProgressBar* m_progress = nullptr;
     QList<QWidget*> m_progressWidgets;
+    QElapsedTimer m_elapsed;  // since the export started
 };
 
 }  // namespace rubble

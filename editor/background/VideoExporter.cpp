@@ -38,7 +38,15 @@ Result<std::vector<SessionPlayback>> playbacksOf(const VideoRequest& request) {
     return playbacks;
 }
 
-Status exportVideo(const VideoRequest& request, const TaskContext& task) {
+constexpr double kBakingFraction = 0.05;  // of the time of an export, if there is no scene yet
+
+Status exportVideo(VideoRequest request, TaskContext task) {
+    if (!request.scene) {
+        Result<std::shared_ptr<const PlayScene>> scene = playScene(request.project, task.stage(0.0, kBakingFraction));
+        if (!scene) return scene.error();
+        request.scene = std::move(*scene);
+        task = task.stage(kBakingFraction, 1.0);
+    }
     Result<std::vector<SessionPlayback>> playbacks = playbacksOf(request);
     if (!playbacks) return playbacks.error();
     if (isVideoPath(request.path)) return renderVideo(*playbacks, request.plan, request.path, task);

@@ -9,9 +9,10 @@
 
 namespace rubble {
 
-/// A recorded session and how it is rendered.
+/// A session, recorded or yet to be played, and how it is rendered.
 struct VideoRequest {
-    std::shared_ptr<const PlayScene> scene;
+    std::shared_ptr<const PlayScene> scene;  // null: that of the project, which is baked first
+    Project project;
     PlayScript script;
     PlayOverlays overlays;
     VideoPlan plan;

@@ -7,13 +7,15 @@
 #include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/ComboBox.h"
+#include "editor/widgets/NumberField.h"
+#include "editor/widgets/ProjectRange.h"
+#include "editor/widgets/TypedFields.h"
 #include "viewport/render/OffscreenRenderer.h"
 #include "viewport/video/Video.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -23,7 +25,6 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QSettings>
-#include <QSpinBox>
 
 #include <cmath>
 
@@ -35,6 +36,7 @@ constexpr int kSamples[] = {0, 8, 32};  // of each quality
 constexpr const char* kVideoSuffix = ".mp4";
 constexpr int kMinVideoDialogWidth = 480;  // pixels, so that a path fits
 constexpr int kMinImageSide = 16;          // pixels
+constexpr double kDefaultDuration = 3.0;   // s, of a saved throw
 
 QHBoxLayout* createRow(const QList<QWidget*>& widgets) {
     auto* row = new QHBoxLayout;
@@ -48,23 +50,16 @@ QLabel* createLabel(const QString& text, QWidget* buddy) {
     return label;
 }
 
-QSpinBox* createIntegerField(int min, int max, const QString& suffix, const QString& name) {
-    auto* box = new QSpinBox;
-    box->setRange(min, max);
-    box->setSuffix(suffix);
-    box->setAccessibleName(name);
-    return box;
+NumberField* createField(const FieldRange& range, const QString& unit, const QString& name, const QString& hint) {
+    auto* field = new NumberField;
+    field->setRange(range);
+    field->setFormat({.unit = unit});
+    field->setAccessibleName(name);
+    field->setHint(hint);
+    return field;
 }
 
-QDoubleSpinBox* createNumberField(double min, double max, const QString& suffix, const QString& tip) {
-    auto* box = new QDoubleSpinBox;
-    box->setRange(min, max);
-    box->setDecimals(2);
-    box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    box->setSuffix(suffix);
-    box->setToolTip(tip);
-    return box;
-}
+std::uint64_t stepsOf(const NumberField& field) { return static_cast<std::uint64_t>(field.value()); }
 
 QString withoutVideoSuffix(const QString& path) {
     if (!isVideoPath(toPath(path))) return path;
@@ -110,13 +105,15 @@ void VideoDialog::addTarget(QFormLayout& form) {
 }
 
 void VideoDialog::addFrames(QFormLayout& form) {
-    m_width = createIntegerField(kMinImageSide, kMaxImageSide, tr(" px"), tr("Width"));
-    m_height = createIntegerField(kMinImageSide, kMaxImageSide, tr(" px"), tr("Height"));
+    const FieldRange sides = FieldRange::whole(kMinImageSide, kMaxImageSide);
+    m_width = createField(sides, tr("px"), tr("Width"), tr("Set the width of the frames"));
+    m_height = createField(sides, tr("px"), tr("Height"), tr("Set the height of the frames"));
     auto* row = createRow({m_width, new QLabel("×"), m_height});
     row->addStretch(1);
     form.addRow(createLabel(tr("&Size:"), m_width), row);
     m_quality = comboBox({tr("As in the 3D view"), tr("Soft light"), tr("Softest light (slow)")},
                          tr("Select the quality of light and edges"));
+    m_quality->setObjectName("video-quality");
     form.addRow(tr("&Quality:"), m_quality);
     m_compare = new QCheckBox(tr("&Compare without destruction"));
     m_compare->setToolTip(tr("Show the same simulation without destruction on the left"));
@@ -124,18 +121,22 @@ void VideoDialog::addFrames(QFormLayout& form) {
 }
 
 void VideoDialog::addTime(QFormLayout& form) {
-    const int length = static_cast<int>(std::min<std::uint64_t>(m_subject.length, 1'000'000'000));
-    m_first = createIntegerField(0, length, {}, tr("First step"));
-    m_last = createIntegerField(0, length, {}, tr("Last step"));
-    m_last->setValue(length);
+    if (m_subject.length == 0) {
+        m_throw = comboBox(m_subject.throws, tr("Select the saved throw to simulate"));
+        form.addRow(tr("Saved &throw:"), m_throw);
+    }
+    const FieldRange steps = stepRange();
+    m_first = createField(steps, {}, tr("First step"), tr("Set the step of the first frame"));
+    m_last = createField(steps, {}, tr("Last step"), tr("Set the step of the last frame"));
+    m_last->setValue(m_subject.length > 0 ? steps.max : std::round(kDefaultDuration / m_subject.stepLength));
     auto* row = createRow({m_first, new QLabel(tr("to")), m_last});
     row->addStretch(1);
     form.addRow(createLabel(tr("St&eps:"), m_first), row);
-    const NumberRange& rates = rangeOf(ProjectNumber::FrameRate);
-    m_frameRate = createNumberField(rates.min, rates.max, tr(" frames per second"),
-                                    tr("Set the frame rate; 24 to 60 look smooth"));
+    m_frameRate = createField(fieldRange(ProjectNumber::FrameRate), tr("fps"), tr("Frame rate"),
+                              tr("Set the frames per second; 24 to 60 look smooth"));
     form.addRow(tr("Frame &rate:"), m_frameRate);
-    m_speed = createNumberField(0.01, 100.0, tr("×"), tr("Set the playback speed; values below 1 give slow motion"));
+    m_speed = createField({.min = 0.01, .max = 100.0}, tr("×"), tr("Speed"),
+                          tr("Set the playback speed; values below 1 give slow motion"));
     m_speed->setValue(m_subject.speed);
     form.addRow(tr("S&peed:"), m_speed);
 }
@@ -146,18 +147,16 @@ void VideoDialog::addButtons(QFormLayout& form) {
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     form.addRow(buttons);
-    m_export->setDefault(true);  // after the button was added to the dialog
+    m_export->setFocusPolicy(Qt::TabFocus);  // a click leaves the focus in a field, so that its text can be refused
+    m_export->setDefault(true);              // after the button was added to the dialog
 }
 
 void VideoDialog::connectFields() {
     connect(m_kind, &QComboBox::currentIndexChanged, this, &VideoDialog::updateSuffix);
     connect(m_path, &QLineEdit::textChanged, this, &VideoDialog::updateSummary);
     connect(m_compare, &QCheckBox::toggled, this, &VideoDialog::updateSummary);
-    for (QSpinBox* box : {m_width, m_height, m_first, m_last}) {
-        connect(box, &QSpinBox::valueChanged, this, &VideoDialog::updateSummary);
-    }
-    for (QDoubleSpinBox* box : {m_frameRate, m_speed}) {
-        connect(box, &QDoubleSpinBox::valueChanged, this, &VideoDialog::updateSummary);
+    for (NumberField* field : {m_width, m_height, m_first, m_last, m_frameRate, m_speed}) {
+        connect(field, &NumberField::edited, this, &VideoDialog::updateSummary);
     }
 }
 
@@ -177,24 +176,36 @@ void VideoDialog::restoreOptions() {
     updateSuffix();
 }
 
+ImageSize VideoOptions::frameSize() const {
+    return {isCompared ? 2 * size.width + kPlaybackGap : size.width, size.height};
+}
+
+/// The steps that can be exported.
+FieldRange VideoDialog::stepRange() const {
+    if (m_subject.length == 0) return wholeFieldRange(ProjectNumber::Step);
+    return FieldRange::whole(0.0, static_cast<double>(m_subject.length));
+}
+
 VideoOptions VideoDialog::options() const {
     VideoOptions options{.path = QDir::fromNativeSeparators(m_path->text()),
                          .isVideo = m_kind->currentIndex() == 0,
-                         .size = {m_width->value(), m_height->value()},
+                         .size = {static_cast<int>(m_width->value()), static_cast<int>(m_height->value())},
                          .samples = kSamples[m_quality->currentIndex()],
                          .frameRate = m_frameRate->value(),
                          .speed = m_speed->value(),
-                         .first = static_cast<std::uint64_t>(m_first->value()),
-                         .last = static_cast<std::uint64_t>(m_last->value()),
+                         .first = stepsOf(*m_first),
+                         .last = stepsOf(*m_last),
+                         .savedThrow = m_throw ? m_throw->currentIndex() : 0,
                          .isCompared = m_compare->isChecked()};
     if (options.isVideo && !options.path.isEmpty() && !isVideoPath(toPath(options.path))) options.path += kVideoSuffix;
     return options;
 }
 
 void VideoDialog::accept() {
+    if (!commitFields(*this) || !m_export->isEnabled()) return;
     const VideoOptions accepted = options();
     QSettings settings;
-    settings.setValue("video/pictures", m_kind->currentIndex());
+    if (m_hasFfmpeg) settings.setValue("video/pictures", m_kind->currentIndex());
     settings.setValue("video/width", accepted.size.width);
     settings.setValue("video/height", accepted.size.height);
     settings.setValue("video/quality", m_quality->currentIndex());
@@ -220,8 +231,9 @@ void VideoDialog::browse() {
 
 /// Shows what will be written, or what is wrong with the options.
 void VideoDialog::updateSummary() {
-    m_first->setMaximum(m_last->value());
-    m_last->setMinimum(m_first->value());
+    const FieldRange steps = stepRange();
+    m_first->setRange(FieldRange::whole(0, m_last->value()));
+    m_last->setRange(FieldRange::whole(m_first->value(), steps.max));
     const VideoOptions current = options();
     const int frames = frameCount(static_cast<double>(current.first), static_cast<double>(current.last),
                                   current.stepsPerFrame(m_subject.stepLength));
@@ -244,7 +256,10 @@ QString VideoDialog::error(const VideoOptions& options, int frames) const {
 QString VideoDialog::summary(const VideoOptions& options, int frames) const {
     const auto seconds = [](double time) { return QLocale().toString(time, 'f', 1); };
     const double simulated = static_cast<double>(options.last - options.first) * m_subject.stepLength;
-    QString text = tr("%Ln frame(s): %1 s of video from %2 s of simulation.", nullptr, frames)
+    const ImageSize size = options.frameSize();
+    QString text = tr("%Ln frame(s) of %1 × %2 pixels: %3 s of video from %4 s of simulation.", nullptr, frames)
+                       .arg(size.width)
+                       .arg(size.height)
                        .arg(seconds(static_cast<double>(frames) / options.frameRate), seconds(simulated));
     if (options.isVideo && exists(statusOf(options.path))) {
         text += ' ' + tr("%1 will be replaced.").arg(fileNameText(options.path));

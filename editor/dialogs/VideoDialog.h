@@ -3,26 +3,28 @@
 #include "viewport/scene/Camera.h"
 
 #include <QDialog>
-#include <QString>
+#include <QStringList>
 
 #include <cstdint>
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
-class QSpinBox;
 
 namespace rubble {
 
-/// The recorded simulation that is to be exported.
+class NumberField;
+struct FieldRange;
+
+/// The simulation that is to be exported.
 struct VideoSubject {
     QString name;              // of the project; the default file name
     QString folder;            // the default folder, if no video was exported before
-    std::uint64_t length = 0;  // steps
+    std::uint64_t length = 0;  // steps that were simulated; 0: none, a saved throw is to be simulated
+    QStringList throws;        // the names of the saved throws
     double stepLength = 0.0;   // s
     double speed = 1.0;        // the playback speed
 };
@@ -35,7 +37,10 @@ struct VideoOptions {
     double frameRate = 30.0;            // frames per second
     double speed = 1.0;                 // 1: real time
     std::uint64_t first = 0, last = 0;  // steps
+    int savedThrow = 0;                 // index in VideoSubject::throws, where nothing was simulated
     bool isCompared = false;            // beside a simulation without destruction
+    /// The size of a frame.
+    ImageSize frameSize() const;
     /// Simulation steps from one frame to the next.
     double stepsPerFrame(double stepLength) const { return speed / (frameRate * stepLength); }
 };
@@ -59,6 +64,7 @@ private:
     void updateSuffix();
     void browse();
     void updateSummary();
+    FieldRange stepRange() const;
     QString error(const VideoOptions& options, int frames) const;
     QString summary(const VideoOptions& options, int frames) const;
 
@@ -66,14 +72,15 @@ private:
     bool m_hasFfmpeg;
     QComboBox* m_kind;
     QLineEdit* m_path;
-    QSpinBox* m_width;
-    QSpinBox* m_height;
+    QComboBox* m_throw = nullptr;  // only where nothing was simulated
+    NumberField* m_width;
+    NumberField* m_height;
     QComboBox* m_quality;
     QCheckBox* m_compare;
-    QDoubleSpinBox* m_frameRate;
-    QDoubleSpinBox* m_speed;
-    QSpinBox* m_first;
-    QSpinBox* m_last;
+    NumberField* m_frameRate;
+    NumberField* m_speed;
+    NumberField* m_first;
+    NumberField* m_last;
     QLabel* m_summary;
     QPushButton* m_export = nullptr;
 };

@@ -377,10 +377,10 @@
 <context>
     <name>rubble::VideoDialog</name>
     <message numerus="yes">
-        <source>%Ln frame(s): %1 s of video from %2 s of simulation.</source>
+        <source>%Ln frame(s) of %1 × %2 pixels: %3 s of video from %4 s of simulation.</source>
         <translation>
-            <numerusform>%Ln frame: %1 s of video from %2 s of simulation.</numerusform>
-            <numerusform>%Ln frames: %1 s of video from %2 s of simulation.</numerusform>
+            <numerusform>%Ln frame of %1 × %2 pixels: %3 s of video from %4 s of simulation.</numerusform>
+            <numerusform>%Ln frames of %1 × %2 pixels: %3 s of video from %4 s of simulation.</numerusform>
         </translation>
     </message>
 </context>

@@ -16,7 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kPlaybackGap = 8;             // pixels between two playbacks
 constexpr double kRenderingFraction = 0.9;  // of the time that a video takes; the rest is ffmpeg's
 
 /// The frame of all playbacks at a time in steps, side by side. A fractional time interpolates towards the later step.
@@ -45,10 +44,11 @@ Status renderTo(std::span<SessionPlayback> playbacks, const VideoPlan& plan, Pic
     FrameWriter writer(sequence);
     for (int frame = 0; frame < plan.frames; ++frame) {
         Result<Image> image = frameAt(playbacks, *renderer, plan, plan.first + frame * plan.stepsPerFrame, part);
-        if (!image) return image.error();
-        const Result<std::string> png = pngOf(*image);
-        if (!png) return png.error();
-        if (const Status added = sequence.add(*png); !added) return added;
+        if (!image) {
+            (void)writer.finish();  // those before it are complete
+            return image.error();
+        }
+        if (const Status added = writer.add(std::move(*image)); !added) return added;
         task.report(static_cast<double>(frame + 1) / plan.frames);
     }
     return writer.finish();

@@ -19,6 +19,8 @@ struct VideoPlan {
     double frameRate = 30.0;     // frames per second
 };
 
+inline constexpr int kPlaybackGap = 8;  // pixels between two playbacks side by side
+
 /// The number of frames from step `first` to step `last`.
 int frameCount(double first, double last, double stepsPerFrame);
 

@@ -1,5 +1,6 @@
 // Tests editor/actions/VideoActions.cpp and editor/dialogs/VideoDialog.cpp.
 #include "editor/dialogs/VideoDialog.h"
+#include "editor/widgets/NumberField.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Dialogs.h"
 #include "tests/support/editor/EditorStory.h"
@@ -10,11 +11,9 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
-#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QMessageBox>
 #include <QProgressBar>
-#include <QSpinBox>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -28,7 +27,8 @@ private slots:
     void initTestCase() {
         openFile(RUBBLE_SOURCE_DIR "/projects/house.rubble");
         play().thread().useSteppedClock();
-        QVERIFY(!video().isEnabled());  // nothing was simulated yet
+        exportSavedThrowBeforePlay();
+        QSettings().remove("video");
         play().play();
         QTRY_VERIFY_WITH_TIMEOUT(play().isPlaying(), kPatience);
         play().fire(project().shots.front());
@@ -55,12 +55,14 @@ private slots:
             QCOMPARE(dialog.options().last, 90u);
             dialog.findChild<QLineEdit*>("video-path")->setText(m_folder->filePath("hit"));
             QCOMPARE(dialog.options().path, m_folder->filePath("hit.mp4"));
-            QCOMPARE(summary(dialog), QString("46 frames: 1.5 s of video from 1.5 s of simulation."));
-            setNumber(dialog, " frames per second", 60.0);
-            setNumber(dialog, "×", 0.1);
-            QCOMPARE(summary(dialog), QString("901 frames: 15.0 s of video from 1.5 s of simulation."));
-            setNumber(dialog, "×", 0.01);
-            setNumber(dialog, " frames per second", 240.0);
+            QCOMPARE(summary(dialog),
+                     QString("46 frames of 1280 × 720 pixels: 1.5 s of video from 1.5 s of simulation."));
+            setNumber(dialog, "Frame rate", 60.0);
+            setNumber(dialog, "Speed", 0.1);
+            QCOMPARE(summary(dialog),
+                     QString("901 frames of 1280 × 720 pixels: 15.0 s of video from 1.5 s of simulation."));
+            setNumber(dialog, "Speed", 0.01);
+            setNumber(dialog, "Frame rate", 240.0);
             QVERIFY(summary(dialog).startsWith("The video would have 36,001 frames; at most 10,000 are possible."));
             QVERIFY(!okButton(dialog).isEnabled());
             dialog.reject();
@@ -84,6 +86,7 @@ private slots:
         QVERIFY(test::meanDifference(picture(0).copy(left), picture(0).copy(right)) == 0.0);
         QVERIFY(test::meanDifference(picture(3).copy(left), picture(3).copy(right)) > 0.2);
         QVERIFY(window().statusBar()->currentMessage().startsWith("Exported 4 frames to "));
+        QVERIFY(takeOffer().startsWith("Exported 4 frames to "));
     }
     void ffmpegEncodesAVideo() {
         const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
@@ -132,16 +135,68 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(QDir(m_folder->path()).isEmpty(), kPatience);
     }
 
+    void typedNumbersAreCheckedBeforeExport() {
+        const test::Ffmpeg none;
+        ask([this](VideoDialog& dialog) {
+            fill(dialog, m_folder->filePath("video"), 0, 90, 2.0);
+            for (NumberField* field : dialog.findChildren<NumberField*>()) {
+                if (field->accessibleName() != "Width") continue;
+                field->setFocus();
+                field->selectAll();
+                QTest::keyClicks(field, "3 kg");
+            }
+            dialog.accept();
+            QVERIFY(dialog.isVisible());
+            dialog.reject();
+        });
+        QVERIFY(!videos().isBusy());
+    }
+    void remainingTimeIsShown() {
+        const test::Ffmpeg none;
+        exportVideo(m_folder->filePath("video"), 0, 90, 60.0);
+        QTRY_VERIFY_WITH_TIMEOUT(progress().format().contains(" left"), kPatience);
+        videos().cancel();
+    }
+
     void cleanupTestCase() { close(); }
 
 private:
+    /// Nothing was simulated yet: a saved throw of the project is.
+    void exportSavedThrowBeforePlay() {
+        init();
+        const test::Ffmpeg none;
+        QVERIFY(video().isEnabled());
+        test::onNextDialog<VideoDialog>([this](VideoDialog& dialog) {
+            fill(dialog, m_folder->filePath("throw"), 0, 60, 1.0);
+            dialog.accept();
+        });
+        video().trigger();
+        QVERIFY(videos().isBusy());
+        QTRY_VERIFY_WITH_TIMEOUT(!videos().isBusy(), kPatience);
+        QVERIFY(!play().isInPlay());
+        QVERIFY2(takeOffer().startsWith("Exported 2 frames to "), "no offer");
+        const QImage first(m_folder->filePath("throw/frame-0000.png")),
+            last(m_folder->filePath("throw/frame-0001.png"));
+        QVERIFY(test::meanDifference(first.convertToFormat(QImage::Format_RGB888),
+                                     last.convertToFormat(QImage::Format_RGB888)) > 0.1);
+    }
+    /// Closes the box that offers the folder, and returns its sentence.
+    QString takeOffer() {
+        auto* box = window().findChild<QMessageBox*>();
+        const QString sentence = box ? box->text() : QString();
+        delete box;
+        return sentence;
+    }
     PlayController& play() { return window().workspace().play(); }
     VideoExporter& videos() { return window().workspace().videos(); }
     QAction& video() { return *action("play-video"); }
     QProgressBar& progress() { return *window().findChild<QProgressBar*>("video-progress"); }
     /// The video starts once the simulation has handed over its recording.
     void ask(const std::function<void(VideoDialog&)>& answer) {
-        test::onNextDialog<VideoDialog>(answer);
+        test::onNextDialog<VideoDialog>([answer](VideoDialog& dialog) {
+            answer(dialog);
+            if (dialog.isVisible()) dialog.reject();  // a check failed
+        });
         video().trigger();
         play().thread().settle();
         QCoreApplication::sendPostedEvents(&play());
@@ -169,23 +224,23 @@ private:
         }
         qFatal("Export button not found.");
     }
-    static void setNumber(VideoDialog& dialog, const QString& suffix, double value) {
-        for (QDoubleSpinBox* box : dialog.findChildren<QDoubleSpinBox*>()) {
-            if (box->suffix() == suffix) box->setValue(value);
+    static void setNumber(VideoDialog& dialog, const QString& name, double value) {
+        for (NumberField* field : dialog.findChildren<NumberField*>()) {
+            if (field->accessibleName() != name) continue;
+            field->setValue(value);
+            emit field->edited(value);
         }
     }
     /// Options of a small, fast video.
     static void fill(VideoDialog& dialog, const QString& place, int first, int last, double rate) {
         dialog.findChild<QLineEdit*>("video-path")->setText(place);
-        dialog.findChildren<QComboBox*>().last()->setCurrentIndex(0);
-        for (QSpinBox* box : dialog.findChildren<QSpinBox*>()) {
-            if (box->accessibleName() == "Width") box->setValue(160);
-            if (box->accessibleName() == "Height") box->setValue(90);
-            if (box->accessibleName() == "First step") box->setValue(first);
-            if (box->accessibleName() == "Last step") box->setValue(last);
-        }
-        setNumber(dialog, " frames per second", rate);
-        setNumber(dialog, "×", 1.0);
+        dialog.findChild<QComboBox*>("video-quality")->setCurrentIndex(0);
+        setNumber(dialog, "Width", 160);
+        setNumber(dialog, "Height", 90);
+        setNumber(dialog, "Last step", last);
+        setNumber(dialog, "First step", first);
+        setNumber(dialog, "Frame rate", rate);
+        setNumber(dialog, "Speed", 1.0);
     }
     QImage picture(int k) const {
         return QImage(m_folder->filePath(QString("video/frame-000%1.png").arg(k)))
