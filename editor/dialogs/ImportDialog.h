@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+class QCheckBox;
 class QComboBox;
 class QHBoxLayout;
 class QLabel;
@@ -63,9 +64,11 @@ private:
     void offerFallbacks();
     void use(const WorkingFallback& fallback);
     void fillTable();
+    void fitTable();
     void showRow(int row);
 
     QString m_path;
+    Units m_units;
     const Project& m_project;
     std::shared_ptr<const SourceScene> m_scene;
     bool m_isModelOutdated = true;  // the meshes shown have another unit or up axis
@@ -75,6 +78,7 @@ private:
     QComboBox* m_up;
     QComboBox* m_axis;
     QComboBox* m_fallback;
+    QCheckBox* m_mergeEqual;
     QTableWidget* m_table;
     ImportView* m_view;
     OutlinePreview* m_preview;
