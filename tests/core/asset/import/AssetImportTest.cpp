@@ -176,7 +176,7 @@ private slots:
         const TriangleMesh both = joined(wallMesh(), gableMesh());
         const ImportOutcome outcome = imported({}, sceneOf({objectOf("Set", both)}));
         QCOMPARE(outcome.project.assets.size(), std::size_t{2});
-        QCOMPARE(outcome.assets[0].notes[0], std::string("The object has 2 unconnected parts; each becomes an asset."));
+        QCOMPARE(outcome.assets[0].notes[0], std::string("The object has 2 unconnected parts, imported one by one."));
         QCOMPARE(importFault(sceneOf({objectOf("Set", both)}), {.asset = "Set"}),
                  QString("\"Set\" would have 2 unconnected parts; an asset has one."));
     }
