@@ -45,7 +45,7 @@ foreach(file IN LISTS files)
 
   file(STRINGS ${ROOT}/${file} includes REGEX "^ *# *include")
   foreach(include IN LISTS includes)
-    if(include MATCHES "<Q[A-Z]" AND folder MATCHES "^(core|app/|viewport/(scene|render|film))")
+    if(include MATCHES "<Q[A-Z]" AND folder MATCHES "^(core|app/|viewport/(scene|render|video))")
       fault("${file}: ${folder} may not use Qt: ${include}")
     elseif(include MATCHES "[\"<]((core|viewport|editor|app)(/[^\">]+)?)/[^/\">]+[\">]")
       if(NOT CMAKE_MATCH_1 IN_LIST allowed_${folder})

@@ -57,7 +57,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Qt loads it as a plugin, too, which no library names.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS libqt6svg6)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libgl1-mesa-dri, qt6-wayland")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS ffmpeg)  # for films
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS ffmpeg)  # for videos
 # Desktop entry, MIME type and icons become known without scripts of ours: the packages that keep those databases watch
 # their folders by triggers of dpkg.
 include(CPack)

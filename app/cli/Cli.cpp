@@ -54,6 +54,12 @@ std::string usageError(const CLI::App& program, const CLI::ParseError& error) {
     return sentence + "; see " + help + " --help.";
 }
 
+/// Returns arguments with the present name of a verb that had another one.
+std::vector<std::string> withPresentVerb(std::vector<std::string> arguments) {
+    if (!arguments.empty() && arguments.front() == "film") arguments.front() = "video";
+    return arguments;
+}
+
 int finish(const Status& status, const CliContext& context) {
     if (status) return kExitSuccess;
     context.err << status.error().message << '\n';
@@ -63,6 +69,7 @@ int finish(const Status& status, const CliContext& context) {
 }  // namespace
 
 int runCli(const std::vector<std::string>& arguments, const CliContext& context) {
+    const std::vector<std::string> present = withPresentVerb(arguments);
     CLI::App program(kDescription, "rubble-cli");
     program.footer(kProgramFooter);
     program.set_version_flag("--version", std::string("rubble-cli ") + programVersion(), "Print the version and exit");
@@ -72,12 +79,12 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
     program.get_formatter()->label("SUBCOMMAND", "VERB");
     const std::vector<Verb> verbs = {
         addNew(program),    addImport(program), addSeeds(program),    addFracture(program), addExport(program),
-        addCheck(program),  addDraw(program),   addRender(program),   addFilm(program),     addSimulate(program),
+        addCheck(program),  addDraw(program),   addRender(program),   addVideo(program),    addSimulate(program),
         addReplay(program), addTest(program),   addStrength(program), addAudit(program),    addMaterials(program),
         addDiff(program),   addSheet(program)};
     try {
         program.parse(
-            std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // CLI11 expects them in reverse order
+            std::vector<std::string>(present.rbegin(), present.rend()));  // CLI11 expects them in reverse order
     } catch (const CLI::Success& request) {
         program.exit(request, context.out, context.err);
         return finish(printText("", context), context);

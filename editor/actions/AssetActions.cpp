@@ -124,7 +124,7 @@ void AssetActions::addPrism(const QString& name, const Polygon& outline, double 
     Addition added = addAsset(m_workspace.project(), name.toStdString(), {outline, depth});
     if (!m_workspace.document().push(std::move(added.edit))) return;
     m_workspace.selection().setAsset(added.id);
-    m_views.frameAsset();
+    m_views.frameInstancesOf({{added.id}});
 }
 
 void AssetActions::addLayerAction(QMenu& menu, const PatternKind& kind) {

@@ -4,6 +4,7 @@
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/ProgramFolder.h"
 #include "editor/actions/LockQuestion.h"
+#include "editor/actions/PictureActions.h"
 #include "editor/dialogs/ExportDialog.h"
 #include "editor/dialogs/FileFilters.h"
 #include "editor/dialogs/ImportDialog.h"
@@ -16,13 +17,11 @@
 #include "editor/workspace/RecentFiles.h"
 #include "editor/workspace/Workspace.h"
 
-#include <QDesktopServices>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMenu>
 #include <QStandardPaths>
-#include <QUrl>
 
 namespace rubble {
 
@@ -55,6 +54,7 @@ FileActions::FileActions(Views& views, const PreferenceStore& preferences, Recen
     m_exportAgain = add({"file-export-again", tr("Export A&gain"), tr("Repeat the last export of this project"),
                          QKeySequence("Ctrl+E")},
                         &FileActions::exportAgain);
+    m_menu->addAction((new PictureActions(views))->action());
     m_menu->addSeparator();
     add({"file-close", tr("&Close Window"), tr("Close this window"), QKeySequence::Close}, &FileActions::closeWindow);
     add({"file-quit", tr("&Quit"), tr("Close all windows and quit"), QKeySequence("Ctrl+Q")},
@@ -242,8 +242,9 @@ void FileActions::importMesh(const QString& path) {
     m_views.showProject();
     for (Message& message : dialog.messages()) m_views.messages().add(std::move(message));
     if (!m_workspace.document().push(dialog.edit())) return;
-    m_workspace.selection().setAsset(dialog.firstAsset());
-    m_views.frameAsset();
+    const std::vector<Id> assets = dialog.assets();
+    m_workspace.selection().setAsset(assets.front());
+    m_views.frameInstancesOf(assets);
     m_views.showStatus(tr("Imported %1.").arg(fileNameText(path)));
 }
 
@@ -252,8 +253,7 @@ void FileActions::exportWithDialog() {
     if (dialog.exec() != QDialog::Accepted) return;
     const ExportOptions options = dialog.options();
     if (const ExportSummary summary = exportWith(options); summary.isExported) {
-        offer(&m_views.window(), summary.sentence, tr("&Open Folder"),
-              [folder = options.folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
+        offerFolder(&m_views.window(), summary.sentence, options.folder);
     }
 }
 

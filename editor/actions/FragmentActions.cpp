@@ -49,7 +49,7 @@ FragmentActions::FragmentActions(Views& views)
     connect(m_fracture, &QAction::triggered, this, &FragmentActions::fractureSelected);
     m_menu->addAction(m_fracture);
     m_keepWhole =
-        addEdit({"fragment-whole", tr("&Keep Whole"), tr("Exclude the selected fragments from deeper levels")},
+        addEdit({"fragment-whole", tr("&Keep Intact"), tr("Exclude the selected fragments from deeper levels")},
                 keepFragmentsWhole);
     m_menu->addSeparator();
     m_merge = makeAction(

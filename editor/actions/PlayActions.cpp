@@ -2,8 +2,8 @@
 
 #include "core/base/Version.h"
 #include "core/io/play/ReplayFile.h"
-#include "editor/actions/FilmActions.h"
 #include "editor/actions/TimelineActions.h"
+#include "editor/actions/VideoActions.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/dialogs/MessageBoxes.h"
 #include "editor/document/FilePath.h"
@@ -35,12 +35,12 @@ QString replayFilter() { return PlayActions::tr("Replays (*.replay)"); }
 
 }  // namespace
 
-PlayActions::PlayActions(Views& views, PreferenceStore& preferences, FilmActions& film)
+PlayActions::PlayActions(Views& views, PreferenceStore& preferences, VideoActions& video)
     : QObject(&views.window()),
       m_views(views),
       m_workspace(views.workspace()),
       m_preferences(preferences),
-      m_film(film),
+      m_video(video),
       m_menu(new QMenu(tr("&Play"), &views.window())) {
     addRun();
     m_menu->addSeparator();
@@ -53,9 +53,9 @@ PlayActions::PlayActions(Views& views, PreferenceStore& preferences, FilmActions
     addShots();
     m_menu->addSeparator();
     addReplays();
-    for (QAction* action : m_menu->actions()) action->setEnabled(views.isProjectShown());
+    for (QAction* action : ownActions()) action->setEnabled(views.isProjectShown());
     connect(&views, &Views::projectShown, this, [this] {
-        for (QAction* action : m_menu->actions()) action->setEnabled(true);
+        for (QAction* action : ownActions()) action->setEnabled(true);
         updateState();
     });
     connect(&controller(), &PlayController::stateChanged, this, &PlayActions::updateState);
@@ -63,6 +63,13 @@ PlayActions::PlayActions(Views& views, PreferenceStore& preferences, FilmActions
     connect(&controller(), &PlayController::frameChanged, this, &PlayActions::updateRecorded);
     connect(&controller(), &PlayController::statusMessage, &views, &Views::showStatus);
     updateState();
+}
+
+/// The actions of the menu but that for videos, which enables itself.
+QList<QAction*> PlayActions::ownActions() const {
+    QList<QAction*> actions = m_menu->actions();
+    actions.removeOne(m_video.action());
+    return actions;
 }
 
 PlayController& PlayActions::controller() const { return m_workspace.play(); }
@@ -122,7 +129,7 @@ void PlayActions::addTimeSteps() {
         action->setCheckable(true);
         action->setData(1.0 / rate);
         const QString cost = QLocale().toString(rate / 60.0);
-        const QString tip = rate == 60 ? tr("Simulate 60 steps a second, as play-tests and the command line do")
+        const QString tip = rate == 60 ? tr("Simulate 60 steps a second, as tests and the command line do")
                                        : tr("Simulate %L1 steps a second, at %2 times the computing time of 60 Hz; "
                                             "restarts the simulation")
                                              .arg(rate)
@@ -182,11 +189,11 @@ void PlayActions::addStatistics(QMenu& menu) {
 }
 
 void PlayActions::addShots() {
-    m_shots = m_menu->addMenu(iconNamed("play-shot"), tr("&Fire Shot"));
+    m_shots = m_menu->addMenu(iconNamed("play-shot"), tr("Repeat Saved Thro&w"));
     connect(m_shots, &QMenu::aboutToShow, this, &PlayActions::fillShots);
     m_saveShot =
-        actionAdder(*m_menu, this)({"play-save-shot", tr("&Keep Last Shot"),
-                                    tr("Add the last throw to the shots of the project"), QKeySequence("Ctrl+K")},
+        actionAdder(*m_menu, this)({"play-save-shot", tr("Sa&ve Last Throw"),
+                                    tr("Save the last throw, hit or blast in the project"), QKeySequence("Ctrl+K")},
                                    &PlayActions::saveShot);
 }
 
@@ -195,7 +202,7 @@ void PlayActions::addReplays() {
     m_saveReplay = add({"play-save-replay", tr("Save Repla&y…"), tr("Save this simulation as a replay")},
                        &PlayActions::saveReplay);
     add({"play-open-replay", tr("&Open Replay…"), tr("Play a saved replay")}, &PlayActions::openReplay);
-    m_menu->addAction(m_film.action());
+    m_menu->addAction(m_video.action());
 }
 
 void PlayActions::startOrStop() {
@@ -211,13 +218,13 @@ void PlayActions::fillShots() {
     m_shots->clear();
     for (const Shot& shot : m_workspace.project().shots) {
         QAction* action = m_shots->addAction(menuText(nameText(shot.name)));
-        action->setStatusTip(tr("Fire this shot"));
+        action->setStatusTip(tr("Repeat this throw"));
         connect(action, &QAction::triggered, this, [this, shot] {
             if (!controller().isInPlay()) startOrStop();
             controller().fire(shot);
         });
     }
-    if (m_shots->isEmpty()) m_shots->addAction(tr("No Shots in This Project"))->setEnabled(false);
+    if (m_shots->isEmpty()) m_shots->addAction(tr("No Saved Throws in This Project"))->setEnabled(false);
 }
 
 void PlayActions::saveShot() {
@@ -225,7 +232,7 @@ void PlayActions::saveShot() {
     const ShotInput& shot = *controller().lastShot();
     Addition added = addShot(m_workspace.project(), shot.name, shot.action);
     if (!m_workspace.document().push(std::move(added.edit))) return;
-    m_views.showStatus(tr("Added the last throw to the shots of the project."));
+    m_views.showStatus(tr("Saved the last throw in the project."));
 }
 
 void PlayActions::saveReplay() {
@@ -292,7 +299,7 @@ void PlayActions::updateRecorded() {
     m_saveShot->setEnabled(isShown && controller().isInPlay() && controller().lastShot());
     const auto& frame = controller().frame();
     const bool isRecorded = isShown && controller().hasSession() && frame && frame->length > 0;
-    for (QAction* action : {m_saveReplay, m_film.action()}) action->setEnabled(isRecorded);
+    m_saveReplay->setEnabled(isRecorded);
 }
 
 }  // namespace rubble

@@ -8,18 +8,18 @@ class QMenu;
 
 namespace rubble {
 
-class FilmActions;
+class VideoActions;
 class PlayController;
 class PreferenceStore;
 struct PlayScript;
 class Views;
 class Workspace;
 
-/// The Play menu: running the simulation, its shots, replays and films.
+/// The Play menu: running the simulation, its shots, replays and videos.
 class PlayActions : public QObject {
     Q_OBJECT
 public:
-    PlayActions(Views& views, PreferenceStore& preferences, FilmActions& film);
+    PlayActions(Views& views, PreferenceStore& preferences, VideoActions& video);
 
     QMenu* menu() const { return m_menu; }
     QList<QAction*> toolbarActions() const { return {m_play, m_pause, m_step, m_reset}; }
@@ -42,12 +42,13 @@ private:
     void openReplay();
     void updateState();
     void updateRecorded();
+    QList<QAction*> ownActions() const;
     PlayController& controller() const;
 
     Views& m_views;
     Workspace& m_workspace;
     PreferenceStore& m_preferences;
-    FilmActions& m_film;
+    VideoActions& m_video;
     QMenu* m_menu;
     QAction* m_play = nullptr;
     QAction* m_pause = nullptr;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "editor/background/BackgroundJob.h"
-#include "viewport/film/ContactSheetPainter.h"
+#include "viewport/video/ContactSheetPainter.h"
 
 #include <QImage>
 

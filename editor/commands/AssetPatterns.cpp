@@ -109,12 +109,12 @@ Box2 domainBounds(const Asset& asset, std::size_t index) {
 }
 
 QString patternName(const Asset& asset, std::size_t index) {
-    if (index == 0) return AssetPatternsTexts::tr("Whole asset");
+    if (index == 0) return AssetPatternsTexts::tr("Intact asset");
     if (index <= asset.levels.size()) return AssetPatternsTexts::tr("Fragments, level %1").arg(index);
     const FragmentLevel& leaf = asset.leaves[leafAt(asset, index)];
     const QString name = nameText(leaf.fragment);
     return leaf.level ? AssetPatternsTexts::tr("Fragment %1").arg(name)
-                      : AssetPatternsTexts::tr("Fragment %1, kept whole").arg(name);
+                      : AssetPatternsTexts::tr("Fragment %1, kept intact").arg(name);
 }
 
 }  // namespace rubble

@@ -112,7 +112,7 @@ Edit fractureFragments(const Project& project, Id asset, const std::vector<Selec
 Edit keepFragmentsWhole(const Project& project, Id asset, const std::vector<SelectedPiece>& pieces) {
     Asset changed = *findAsset(project, asset);
     for (const SelectedPiece& piece : pieces) leafOf(changed, piece.path).level.reset();
-    return modify(FragmentEditsTexts::tr("Keep Fragments Whole"), std::move(changed));
+    return modify(FragmentEditsTexts::tr("Keep Fragments Intact"), std::move(changed));
 }
 
 Edit mergeFragments(const Project& project, Id asset, const std::vector<SelectedPiece>& pieces) {

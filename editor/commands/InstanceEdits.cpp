@@ -16,8 +16,6 @@ namespace rubble {
 
 namespace {
 
-constexpr double kGapBetweenImports = 0.25;  // m
-
 struct InstanceEditsTexts {
     Q_DECLARE_TR_FUNCTIONS(InstanceEdits)
 };
@@ -180,35 +178,6 @@ Edit moveInstances(const QString& text, const Project& project, std::span<const 
     });
     edit.mergeKey = mergeKey;
     return edit;
-}
-
-Box3 boundsOf(const Project& project, std::span<const Id> instances) {
-    const AssetHulls hulls = assetHulls(project);
-    Box3 box;
-    for (const Instance& instance : project.instances) {
-        const auto found = hulls.find(instance.asset);
-        if (found == hulls.end() || !isAmong(instances, instance.id)) continue;
-        for (const Polytope& hull : found->second) {
-            for (const Vec3& vertex : hull.vertices)
-                box.include(instance.pose.position + instance.pose.orientation * vertex);
-        }
-    }
-    return box;
-}
-
-void moveBesideOthers(Project& project, std::span<const Id> instances) {
-    std::vector<Id> others;
-    for (const Instance& instance : project.instances) {
-        if (!isAmong(instances, instance.id)) others.push_back(instance.id);
-    }
-    const Box3 moved = boundsOf(project, instances), kept = boundsOf(project, others);
-    if (moved.isEmpty() || kept.isEmpty()) return;
-    const bool isBeside =
-        glm::any(glm::lessThanEqual(moved.max, kept.min)) || glm::any(glm::lessThanEqual(kept.max, moved.min));
-    if (isBeside) return;
-    for (Instance& instance : project.instances) {
-        if (isAmong(instances, instance.id)) instance.pose.position.x += kept.max.x + kGapBetweenImports - moved.min.x;
-    }
 }
 
 const Instance* findInstance(const Project& project, Id id) { return findById(project.instances, id); }

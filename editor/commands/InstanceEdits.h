@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/geometry/search/Box3.h"
 #include "editor/commands/ProjectEdits.h"
 
 #include <array>
@@ -46,13 +45,6 @@ Edit unlockAllInstances(const Project& project);
 /// Sets the pose of each instance. `mergeKey`: see Edit::mergeKey.
 Edit moveInstances(const QString& text, const Project& project, std::span<const Id> instances,
                    std::span<const Pose> poses, quint64 mergeKey);
-
-/// The bounding box of instances in the world, m; empty if there are none.
-Box3 boundsOf(const Project& project, std::span<const Id> instances);
-
-/// Moves instances together along x until they stand beside all others, if their bounding box overlaps that of the
-/// others.
-void moveBesideOthers(Project& project, std::span<const Id> instances);
 
 /// The instance with an id, or null.
 const Instance* findInstance(const Project& project, Id id);

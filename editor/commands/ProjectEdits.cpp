@@ -255,13 +255,13 @@ Edit removeInstances(const Project& project, std::span<const Id> instances) {
 }
 
 Addition addShot(const Project& project, const std::string& name, const ShotAction& action) {
-    Addition added{.edit = {.text = ProjectEditsTexts::tr("Add Shot")}};
+    Addition added{.edit = {.text = ProjectEditsTexts::tr("Save Throw")}};
     added.id = appendShot(project, name, action, added.edit);
     return added;
 }
 
 Addition addPlayTest(const Project& project, const std::optional<ShotInput>& shot) {
-    Addition added{.edit = {.text = ProjectEditsTexts::tr("Add Play-Test")}};
+    Addition added{.edit = {.text = ProjectEditsTexts::tr("Add Test")}};
     PlayTest test{.name = uniqueName(project.playTests, shot ? shot->name : "stands")};
     if (shot) {
         test.shots = {appendShot(project, shot->name, shot->action, added.edit)};
@@ -275,7 +275,7 @@ Addition addPlayTest(const Project& project, const std::optional<ShotInput>& sho
 }
 
 Edit removePlayTest(Id test) {
-    return {.text = ProjectEditsTexts::tr("Delete Play-Test"), .swaps = {Swap<PlayTest>{test, std::nullopt}}};
+    return {.text = ProjectEditsTexts::tr("Delete Test"), .swaps = {Swap<PlayTest>{test, std::nullopt}}};
 }
 
 Addition addLayer(const Project& project, Id asset, const LayerParameters& parameters, std::size_t pattern) {

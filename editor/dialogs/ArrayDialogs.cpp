@@ -1,5 +1,6 @@
 #include "editor/dialogs/ArrayDialogs.h"
 
+#include "core/asset/placement/InstancePlacement.h"
 #include "editor/widgets/NumberField.h"
 #include "editor/widgets/TypedFields.h"
 

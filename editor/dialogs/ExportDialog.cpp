@@ -1,6 +1,7 @@
 #include "editor/dialogs/ExportDialog.h"
 
 #include "core/io/pack/PackExport.h"
+#include "editor/dialogs/OutputPath.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/ComboBox.h"
 
@@ -64,17 +65,15 @@ void ExportDialog::addFields() {
     m_place = comboBox({tr("Assembled"), tr("Centred on the centre of mass")},
                        tr("Select the position of the fragments in the mesh files"));
     m_faces = comboBox({tr("Polygons"), tr("Triangles")}, tr("Select the faces of OBJ files"));
+    m_up = comboBox({tr("Y up"), tr("Z up")}, tr("Select the up axis of OBJ files; GLB files always have y up"));
+    m_unit = comboBox({tr("Metres"), tr("Centimetres"), tr("Millimetres")},
+                      tr("Select the unit of OBJ files; GLB files are always in metres"));
     m_summary = new QLabel;
     m_summary->setWordWrap(true);
     m_summary->setTextFormat(Qt::PlainText);
 }
 
 void ExportDialog::addForm() {
-    auto* browse = new QPushButton(tr("Browse…"));
-    connect(browse, &QPushButton::clicked, this, &ExportDialog::browse);
-    auto* folderRow = new QHBoxLayout;
-    folderRow->addWidget(m_folder, 1);
-    folderRow->addWidget(browse);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     m_export = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -83,12 +82,14 @@ void ExportDialog::addForm() {
     form->addRow(tr("&Assets:"), m_assets);
     auto* folderLabel = new QLabel(tr("&Folder:"));
     folderLabel->setBuddy(m_folder);
-    form->addRow(folderLabel, folderRow);
+    form->addRow(folderLabel, createPathRow(*m_folder, [this] { browse(); }));
     form->addRow(tr("Meshes:"), m_obj);
     form->addRow(QString(), m_glb);
     form->addRow(tr("Frag&ments:"), m_split);
     form->addRow(tr("&Position:"), m_place);
     form->addRow(tr("OBJ fa&ces:"), m_faces);
+    form->addRow(tr("OBJ a&xes:"), m_up);
+    form->addRow(tr("OBJ &unit:"), m_unit);
     form->addRow(m_summary);
     form->addRow(buttons);
     m_export->setDefault(true);  // after the button was added to the dialog
@@ -109,6 +110,8 @@ void ExportDialog::showOptions(const ExportOptions& options) {
     m_split->setCurrentIndex(options.meshes.split == FileSplit::PerFragment);
     m_place->setCurrentIndex(options.meshes.place == PartPlacement::Centred);
     m_faces->setCurrentIndex(options.meshes.faces == FaceShape::Triangles);
+    m_up->setCurrentIndex(options.meshes.objFrame.up == UpAxis::Z);
+    m_unit->setCurrentIndex(static_cast<int>(options.meshes.objFrame.unit));
 }
 
 std::vector<Id> ExportDialog::selectedAssets() const {
@@ -130,6 +133,8 @@ ExportOptions ExportDialog::options() const {
     options.meshes.split = m_split->currentIndex() == 1 ? FileSplit::PerFragment : FileSplit::Single;
     options.meshes.place = m_place->currentIndex() == 1 ? PartPlacement::Centred : PartPlacement::Assembled;
     options.meshes.faces = m_faces->currentIndex() == 1 ? FaceShape::Triangles : FaceShape::Polygons;
+    options.meshes.objFrame.up = m_up->currentIndex() == 1 ? UpAxis::Z : UpAxis::Y;
+    options.meshes.objFrame.unit = static_cast<ObjUnit>(m_unit->currentIndex());
     return options;
 }
 
@@ -144,7 +149,7 @@ void ExportDialog::updateSummary() {
     const std::vector<Id> assets = selectedAssets();
     m_split->setEnabled(meshes.obj || meshes.glb);
     m_place->setEnabled(meshes.obj || meshes.glb);
-    m_faces->setEnabled(meshes.obj);
+    for (QComboBox* box : {m_faces, m_up, m_unit}) box->setEnabled(meshes.obj);
     m_export->setEnabled(!assets.empty() && !m_folder->text().isEmpty());
     if (assets.empty()) return m_summary->setText(tr("No asset is selected."));
     QStringList folders;

@@ -36,6 +36,8 @@ private:
     QComboBox* m_split;
     QComboBox* m_place;
     QComboBox* m_faces;
+    QComboBox* m_up;
+    QComboBox* m_unit;
     QLabel* m_summary;
     QPushButton* m_export = nullptr;
 };

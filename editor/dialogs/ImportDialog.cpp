@@ -1,6 +1,6 @@
 #include "editor/dialogs/ImportDialog.h"
 
-#include "editor/commands/InstanceEdits.h"
+#include "core/asset/placement/InstancePlacement.h"
 #include "editor/dialogs/ImportView.h"
 #include "editor/dialogs/MeshReading.h"
 #include "editor/dialogs/OutlinePreview.h"
@@ -9,6 +9,7 @@
 #include "editor/widgets/ComboBox.h"
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 
+#include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QHeaderView>
@@ -18,7 +19,10 @@
 #include <QScrollArea>
 #include <QTableWidget>
 
+#include <QLocale>
+
 #include <algorithm>
+#include <cmath>
 
 namespace rubble {
 
@@ -26,10 +30,21 @@ namespace {
 
 constexpr QSize kImportDialogSize{920, 700};
 constexpr int kRefusedLines = 5;  // shown without scrolling
+constexpr int kShownRows = 8;     // of the table, likewise
 
 enum PrismColumn { kName, kSize, kDepth, kAxis, kTolerance, kColumns };
 
 QString metresText(double metres) { return localizedQuantity(QuantityKind::Length, metres); }
+
+/// A small distance, rounded up to thousandths of a millimetre, or ten-thousandths of an inch where feet are preferred.
+QString smallDistanceText(double metres, const Units& units) {
+    const bool isFoot = units.length == LengthUnit::Foot;
+    const double unit = isFoot ? 0.0254 : 0.001, digits = isFoot ? 1e4 : 1e3;  // m, and steps in one of them
+    const QString name = isFoot ? ImportDialog::tr("in") : ImportDialog::tr("mm");
+    constexpr double kRounding = 1e-9;  // steps
+    const double shown = std::ceil(metres / unit * digits - kRounding) / digits;
+    return QLocale().toString(shown, 'g', 6) + QChar::Nbsp + name;
+}
 
 QString sizeText(const PrismFit& prism) {
     const Vec2 size = boundsOf(prism.outline.outer).size();
@@ -64,14 +79,11 @@ QString fallbackText(const WorkingFallback& working, PrismAxis selected) {
         .arg(axis);
 }
 
-/// Moves what is imported beside the scene where it would stand in it.
-void moveImported(const Project& before, ImportOutcome& outcome) {
-    std::vector<Id> added;
-    for (const Instance& instance : outcome.project.instances) {
-        if (std::ranges::find(before.instances, instance.id, &Instance::id) == before.instances.end())
-            added.push_back(instance.id);
-    }
-    moveBesideOthers(outcome.project, added);
+/// What can be imported, before the reasons for which something cannot.
+QLabel* createPossible() {
+    auto* label = new QLabel(ImportDialog::tr("Only straight extrusions can be fractured yet: prisms of any outline."));
+    label->setWordWrap(true);
+    return label;
 }
 
 QLabel* createNotes() {
@@ -90,7 +102,11 @@ struct ImportDialog::Found {
 };
 
 ImportDialog::ImportDialog(const QString& path, const Project& project, const Preferences& preferences, QWidget* parent)
-    : QDialog(parent), m_path(path), m_project(project), m_view(new ImportView(preferences)) {
+    : QDialog(parent),
+      m_path(path),
+      m_units{.length = preferences.unit},
+      m_project(project),
+      m_view(new ImportView(preferences)) {
     setWindowTitle(tr("Import %1").arg(fileNameText(path)));
     createFields();
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
@@ -99,6 +115,7 @@ ImportDialog::ImportDialog(const QString& path, const Project& project, const Pr
     top->addWidget(m_view, 1);
     top->addWidget(createOptions());
     auto* layout = new QVBoxLayout(this);
+    layout->addWidget(createPossible());
     layout->addWidget(m_summary);
     layout->addLayout(top, 3);
     layout->addWidget(m_table, 1);
@@ -117,6 +134,7 @@ ImportDialog::ImportDialog(const QString& path, const Project& project, const Pr
     for (QComboBox* box : {m_axis, m_fallback}) {
         connect(box, &QComboBox::currentIndexChanged, this, &ImportDialog::search);
     }
+    connect(m_mergeEqual, &QCheckBox::toggled, this, &ImportDialog::search);
     connect(&m_job, &BackgroundJob::progressed, m_progress,
             [this](double fraction) { m_progress->setValue(static_cast<int>(100.0 * fraction)); });
     connect(&m_job, &BackgroundJob::failed, this, [this](const QString& sentence) {
@@ -139,7 +157,11 @@ Edit ImportDialog::edit() const {
     return editBetween(tr("Import %1").arg(fileNameText(m_path)), m_project, m_outcome->project);
 }
 
-Id ImportDialog::firstAsset() const { return m_outcome->assets.front().asset; }
+std::vector<Id> ImportDialog::assets() const {
+    std::vector<Id> ids;
+    for (const ImportedAsset& imported : m_outcome->assets) ids.push_back(imported.asset);
+    return ids;
+}
 
 std::vector<Message> ImportDialog::messages() const {
     std::vector<Message> messages;
@@ -163,6 +185,9 @@ void ImportDialog::createFields() {
                       tr("Select the axis along which the outline is extruded"));
     m_fallback = comboBox({tr("Refuse"), tr("Use silhouette"), tr("Use top face")},
                           tr("Select what to do with objects that are not prisms"));
+    m_mergeEqual = new QCheckBox(tr("E&qual meshes are instances of one asset"));
+    m_mergeEqual->setToolTip(tr("Make one asset of meshes that differ in their places only"));
+    m_mergeEqual->setChecked(true);
     m_table = new QTableWidget(0, kColumns);
     m_table->setHorizontalHeaderLabels({tr("Asset"), tr("Outline"), tr("Depth"), tr("Axis"), tr("Tolerance")});
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -176,7 +201,7 @@ void ImportDialog::createFields() {
     createRefused();
     m_progress = new QProgressBar;
     m_progress->setTextVisible(false);
-    m_progress->setAccessibleName(tr("Searching for prisms"));
+    m_progress->setAccessibleName(tr("Detecting prisms"));
     QSizePolicy policy = m_progress->sizePolicy();
     policy.setRetainSizeWhenHidden(true);  // most searches take an instant; the rest of the dialog stays in place
     m_progress->setSizePolicy(policy);
@@ -207,6 +232,7 @@ QWidget* ImportDialog::createOptions() {
     form->addRow(tr("U&p axis:"), m_up);
     form->addRow(tr("&Extrude along:"), m_axis);
     form->addRow(tr("If &not a prism:"), m_fallback);
+    form->addRow(m_mergeEqual);
     auto* rows = new QVBoxLayout(options);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->addLayout(form);
@@ -218,6 +244,7 @@ QWidget* ImportDialog::createOptions() {
 ImportOptions ImportDialog::options() const {
     ImportOptions options{.metresPerUnit = metresPerUnit(*m_unit), .findsFallbacks = true};
     options.up = m_up->currentIndex() == 1 ? UpAxis::Z : UpAxis::Y;
+    options.mergesEqual = m_mergeEqual->isChecked();
     options.axis = static_cast<PrismAxis>(m_axis->currentIndex());
     if (m_fallback->currentIndex() == 1) options.fallback = PrismFallback::Silhouette;
     if (m_fallback->currentIndex() == 2) options.fallback = PrismFallback::TopCap;
@@ -255,7 +282,7 @@ void ImportDialog::search() {
         [scene = m_scene, project = m_project, name = toPath(m_path).stem().string(), options = options(),
          unit = fileUnit(), needsModel = m_isModelOutdated](const TaskContext& task) {
             Found found{{}, importedInto(project, *scene, name, options, task)};
-            if (found.outcome) moveImported(project, *found.outcome);
+            if (found.outcome) moveAddedBesideOthers(project, found.outcome->project);
             if (needsModel && !task.isCancelled()) found.model = sourceModel(*scene, unit, options.up);
             return found;
         },
@@ -337,12 +364,20 @@ void ImportDialog::fillTable() {
         const QStringList cells = {nameText(findAsset(m_outcome->project, imported.asset)->name),
                                    sizeText(imported.prism), metresText(imported.prism.depth),
                                    QString::fromStdString(axisText(imported.prism.axis)),
-                                   metresText(imported.tolerance)};
+                                   smallDistanceText(imported.tolerance, m_units)};
         for (int column = 0; column < kColumns; ++column) {
             m_table->setItem(row, column, new QTableWidgetItem(cells[column]));
         }
     }
+    fitTable();
     m_table->setCurrentCell(0, kName);
+}
+
+/// Makes the table high enough for all rows, up to some.
+void ImportDialog::fitTable() {
+    const int rows = std::min(m_table->rowCount(), kShownRows);
+    const int height = rows == 0 ? 0 : rows * m_table->rowHeight(0);
+    m_table->setMinimumHeight(m_table->horizontalHeader()->sizeHint().height() + height + 2 * m_table->frameWidth());
 }
 
 void ImportDialog::showRow(int row) {
@@ -355,7 +390,7 @@ void ImportDialog::showRow(int row) {
     const double deviation = imported.prism.deviation;
     if (!imported.usesFallback && deviation == 0.0) notes.append(tr("The mesh is exactly this prism."));
     if (!imported.usesFallback && deviation > 0.0) {
-        notes.append(tr("The mesh deviates from this prism by up to %1.").arg(metresText(deviation)));
+        notes.append(tr("The mesh deviates from this prism by up to %1.").arg(smallDistanceText(deviation, m_units)));
     }
     m_notes->setText(notes.join('\n'));
     m_notes->setVisible(!notes.isEmpty());

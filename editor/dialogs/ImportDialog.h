@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+class QCheckBox;
 class QComboBox;
 class QHBoxLayout;
 class QLabel;
@@ -39,7 +40,8 @@ public:
     bool read(const std::filesystem::path& importer);
     /// The edit that performs the import, once the dialog has been accepted.
     Edit edit() const;
-    Id firstAsset() const;
+    /// The imported assets.
+    std::vector<Id> assets() const;
     /// Messages about merged, flipped, omitted and refused elements.
     std::vector<Message> messages() const;
 
@@ -63,9 +65,11 @@ private:
     void offerFallbacks();
     void use(const WorkingFallback& fallback);
     void fillTable();
+    void fitTable();
     void showRow(int row);
 
     QString m_path;
+    Units m_units;
     const Project& m_project;
     std::shared_ptr<const SourceScene> m_scene;
     bool m_isModelOutdated = true;  // the meshes shown have another unit or up axis
@@ -75,6 +79,7 @@ private:
     QComboBox* m_up;
     QComboBox* m_axis;
     QComboBox* m_fallback;
+    QCheckBox* m_mergeEqual;
     QTableWidget* m_table;
     ImportView* m_view;
     OutlinePreview* m_preview;

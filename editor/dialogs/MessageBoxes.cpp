@@ -1,9 +1,20 @@
 #include "editor/dialogs/MessageBoxes.h"
 
 #include <QApplication>
+#include <QCoreApplication>
+#include <QDesktopServices>
 #include <QPushButton>
+#include <QUrl>
 
 namespace rubble {
+
+namespace {
+
+struct MessageBoxTexts {
+    Q_DECLARE_TR_FUNCTIONS(MessageBoxes)
+};
+
+}  // namespace
 
 void showError(QWidget* parent, const QString& text, const QStringList& details) {
     QMessageBox box(QMessageBox::Warning, QApplication::applicationDisplayName(), text, QMessageBox::Ok, parent);
@@ -57,6 +68,11 @@ void offer(QWidget* parent, const QString& text, const QString& action, std::fun
     const QPushButton* button = box->addButton(action, QMessageBox::ActionRole);
     QObject::connect(button, &QPushButton::clicked, box, std::move(perform));
     box->show();
+}
+
+void offerFolder(QWidget* parent, const QString& text, const QString& folder) {
+    offer(parent, text, MessageBoxTexts::tr("&Open Folder"),
+          [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
 }
 
 }  // namespace rubble

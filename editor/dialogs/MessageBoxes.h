@@ -35,7 +35,9 @@ std::size_t ask(QWidget* parent, const Question& question);
 /// Asks before data is lost; returns whether the user pressed the button named `action`. Enter presses `reject`.
 bool confirmLoss(QWidget* parent, const QString& text, const QString& action, const QString& reject);
 
-/// Says what was done, without blocking the window, and offers to do `action` with it: "Open Folder".
+/// Says what was done, without blocking the window, and offers to do `action` with it.
 void offer(QWidget* parent, const QString& text, const QString& action, std::function<void()> perform);
+/// Says what was written, and offers to open the folder in which it is.
+void offerFolder(QWidget* parent, const QString& text, const QString& folder);
 
 }  // namespace rubble

@@ -37,6 +37,8 @@ void store(const QString& group, const ExportOptions& options) {
     settings.setValue("filePerFragment", options.meshes.split == FileSplit::PerFragment);
     settings.setValue("centred", options.meshes.place == PartPlacement::Centred);
     settings.setValue("triangles", options.meshes.faces == FaceShape::Triangles);
+    settings.setValue("zUp", options.meshes.objFrame.up == UpAxis::Z);
+    settings.setValue("unit", static_cast<int>(options.meshes.objFrame.unit));
     if (!options.assets) return settings.remove("assets");
     QStringList assets;
     for (const Id asset : *options.assets) assets.append(QString::number(asset));
@@ -106,6 +108,8 @@ std::optional<ExportOptions> lastExportOptions(Workspace& workspace) {
     if (settings.value("filePerFragment").toBool()) options.meshes.split = FileSplit::PerFragment;
     if (settings.value("centred").toBool()) options.meshes.place = PartPlacement::Centred;
     if (settings.value("triangles").toBool()) options.meshes.faces = FaceShape::Triangles;
+    if (settings.value("zUp").toBool()) options.meshes.objFrame.up = UpAxis::Z;
+    options.meshes.objFrame.unit = static_cast<ObjUnit>(std::clamp(settings.value("unit").toInt(), 0, 2));
     if (!settings.contains("assets")) return options;
     options.assets.emplace();
     for (const QString& asset : settings.value("assets").toStringList()) {

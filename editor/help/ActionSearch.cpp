@@ -30,7 +30,7 @@ const QStringList& synonyms() {
                                     ActionSearch::tr("hammer hit strike smash"),
                                     ActionSearch::tr("break destroy shatter crack fracture"),
                                     ActionSearch::tr("picture image screenshot photo still"),
-                                    ActionSearch::tr("video film movie animation record"),
+                                    ActionSearch::tr("film video movie animation record"),
                                     ActionSearch::tr("delete remove erase"),
                                     ActionSearch::tr("preferences settings options configuration"),
                                     ActionSearch::tr("simulate simulation play run start"),

@@ -101,9 +101,10 @@ QStringList PlayView::statisticsLines() const {
     const double dt = m_controller.thread().stepLength();
     const std::vector<ImpactRecord> breaks = m_controller.breaks(frame.step);
     const QString rate = m_framesPerSecond ? tr("%L1 fps").arg(*m_framesPerSecond) : tr("– fps");
-    const QString last = breaks.empty() ? tr("no breaks")
-                                        : tr("%Ln break(s), last swap %1 ms", nullptr, static_cast<int>(breaks.size()))
-                                              .arg(number(breaks.back().milliseconds, 3));
+    const QString last = breaks.empty()
+                             ? tr("no breaks")
+                             : tr("%Ln break(s), the last computed in %1 ms", nullptr, static_cast<int>(breaks.size()))
+                                   .arg(number(breaks.back().milliseconds, 3));
     const QString separator = QStringLiteral(" · ");
     return {
         tr("%1 s · step %L2").arg(number(static_cast<double>(frame.step) * dt, 2)).arg(frame.step) + separator +

@@ -1,5 +1,6 @@
 #include "editor/view3d/SceneView.h"
 
+#include "core/asset/placement/InstancePlacement.h"
 #include "core/base/OutOfMemory.h"
 #include "editor/view3d/ExplodeSlider.h"
 #include "editor/view3d/PlayView.h"
@@ -30,7 +31,8 @@ constexpr QSize kBarIcon{18, 18};
 constexpr std::array kColourings = {SceneColouring::Material, SceneColouring::Piece, SceneColouring::Level,
                                     SceneColouring::Volume,   SceneColouring::Mass,  SceneColouring::Aspect,
                                     SceneColouring::Threshold};
-constexpr double kFragmentMargin = 1.5;  // of its size, on each side
+constexpr double kInstanceMargin = 0.25;  // of its size, on each side
+constexpr double kFragmentMargin = 1.5;   // of its size, on each side
 
 }  // namespace
 
@@ -88,6 +90,14 @@ void SceneView::frameSelected() {
     showWholeScene();
     update();
     m_viewport->frameSelected();
+}
+
+void SceneView::frameInstances(std::span<const Id> instances) {
+    update();
+    const Box3 added = boundsOf(m_workspace.project(), instances);
+    if (added.isEmpty()) return frameAll();
+    const Vec3 around = kInstanceMargin * (added.max - added.min);
+    m_viewport->frame({added.min - around, added.max + around});
 }
 
 void SceneView::frameFragments() {

@@ -38,6 +38,8 @@ public:
     void showWholeScene();
     /// Frames the selected instances, in the whole scene.
     void frameSelected();
+    /// Frames instances with some margin.
+    void frameInstances(std::span<const Id> instances);
     /// Frames the selected fragments with some margin.
     void frameFragments();
     /// Whether instances can be transformed and placed; only while the whole scene is shown.

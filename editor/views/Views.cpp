@@ -255,6 +255,15 @@ void Views::frameAsset() {
     m_scene->frameAll();
 }
 
+void Views::frameInstancesOf(std::span<const Id> assets) {
+    m_canvas->fit();
+    std::vector<Id> instances;
+    for (const Instance& instance : m_workspace.project().instances) {
+        if (std::ranges::find(assets, instance.asset) != assets.end()) instances.push_back(instance.id);
+    }
+    m_scene->frameInstances(instances);
+}
+
 void Views::drawShape(ShapeDrawing::Purpose purpose, DraftShape shape) {
     exitToFragment(m_workspace.selection(), {});
     showOutlineTool();

@@ -67,6 +67,8 @@ public:
 
     /// Frames the active asset in the canvas and the 3D view.
     void frameAsset();
+    /// Frames the active asset in the canvas, and the instances of assets in the 3D view, such as new ones.
+    void frameInstancesOf(std::span<const Id> assets);
     /// Starts drawing a shape in the canvas; see ShapeDrawing::begin().
     void drawShape(ShapeDrawing::Purpose purpose, DraftShape shape);
     void applyPreferences(const Preferences& preferences);

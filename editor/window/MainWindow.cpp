@@ -4,13 +4,13 @@
 #include "editor/actions/CompareActions.h"
 #include "editor/actions/EditActions.h"
 #include "editor/actions/FileActions.h"
-#include "editor/actions/FilmActions.h"
 #include "editor/actions/FragmentActions.h"
 #include "editor/actions/HelpActions.h"
 #include "editor/actions/InstanceActions.h"
 #include "editor/actions/MaterialActions.h"
 #include "editor/actions/PlayActions.h"
 #include "editor/actions/SelectActions.h"
+#include "editor/actions/VideoActions.h"
 #include "editor/actions/ViewActions.h"
 #include "editor/dialogs/FileFilters.h"
 #include "editor/document/FragmentSelection.h"
@@ -48,6 +48,7 @@ namespace {
 constexpr const char* kGeometryKey = "window/geometry";
 constexpr int kStatusMilliseconds = 6000;
 constexpr QSize kDefaultSize{1440, 900};
+constexpr QSize kMinimumSize{800, 450};  // a screen of 1600 × 900 pixels at 2×
 constexpr QSize kToolIconSize{20, 20};
 constexpr int kProgressWidth = 140;  // pixels
 
@@ -100,8 +101,8 @@ void MainWindow::addActions() {
     auto* instances = new InstanceActions(*m_views);
     auto* select = new SelectActions(*m_views, m_preferences, *instances->showAllAction());
     m_viewActions = new ViewActions(*m_views);
-    m_filmActions = new FilmActions(*m_views);
-    m_playActions = new PlayActions(*m_views, m_preferences, *m_filmActions);
+    m_videoActions = new VideoActions(*m_views);
+    m_playActions = new PlayActions(*m_views, m_preferences, *m_videoActions);
     auto* help = new HelpActions(*this);
     m_assetActions->menu()->addSeparator();
     m_assetActions->menu()->addActions(materials->actions());
@@ -193,7 +194,9 @@ void MainWindow::addStatusBar() {
     connect(m_views, &Views::statusMessage, this, &MainWindow::showStatus);
 }
 
+/// The layout does not set the least size: content that appears in play would make the window larger than the screen.
 void MainWindow::restoreWindow() {
+    setMinimumSize(kMinimumSize);
     resize(kDefaultSize);
     restoreGeometry(QSettings().value(kGeometryKey).toByteArray());
     resize(size().boundedTo(screen()->availableSize()));
@@ -266,7 +269,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         activateWindow();
         return event->ignore();
     }
-    if (!m_filmActions->confirmClose()) return event->ignore();
+    if (!m_videoActions->confirmClose()) return event->ignore();
     if (!m_isDiscarding && !m_fileActions->confirmClose()) return event->ignore();
     QSettings().setValue(kGeometryKey, saveGeometry());
     if (!isPristine()) m_views->saveLayout();

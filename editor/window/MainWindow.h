@@ -17,7 +17,7 @@ namespace rubble {
 class AssetActions;
 class EditActions;
 class FileActions;
-class FilmActions;
+class VideoActions;
 class PlayActions;
 class ViewActions;
 class Views;
@@ -83,7 +83,7 @@ private:
     EditActions* m_editActions = nullptr;
     AssetActions* m_assetActions = nullptr;
     ViewActions* m_viewActions = nullptr;
-    FilmActions* m_filmActions = nullptr;
+    VideoActions* m_videoActions = nullptr;
     PlayActions* m_playActions = nullptr;
     QList<QToolBar*> m_toolBars;
     QList<QToolBar*> m_labelledToolBars;  // those of play and tools, which show texts if there is room

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "editor/background/Baker.h"
-#include "editor/background/FilmExporter.h"
 #include "editor/background/ForecastRunner.h"
 #include "editor/background/PlayTestRunner.h"
 #include "editor/background/ProblemWatch.h"
 #include "editor/background/SwapAuditRunner.h"
+#include "editor/background/VideoExporter.h"
 #include "editor/document/Autosave.h"
 #include "editor/document/DocumentFile.h"
 #include "editor/play/PlayController.h"
@@ -30,7 +30,7 @@ public:
     Baker& baker() { return m_baker; }
     PlayController& play() { return m_play; }
     PlayTestRunner& playTests() { return m_playTests; }
-    FilmExporter& films() { return m_films; }
+    VideoExporter& videos() { return m_videos; }
     SwapAuditRunner& swapAudits() { return m_swapAudits; }
 
     /// Returns the active asset, or null if there is none.
@@ -48,7 +48,7 @@ private:
     ForecastRunner m_forecasts;
     PlayTestRunner m_playTests;
     SwapAuditRunner m_swapAudits;
-    FilmExporter m_films;
+    VideoExporter m_videos;
 };
 
 }  // namespace rubble

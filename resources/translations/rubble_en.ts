@@ -169,26 +169,6 @@
     </message>
 </context>
 <context>
-    <name>rubble::FilmActions</name>
-    <message numerus="yes">
-        <source>Exported %n frame(s) to %1.</source>
-        <translation>
-            <numerusform>Exported %n frame to %1.</numerusform>
-            <numerusform>Exported %n frames to %1.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>rubble::FilmDialog</name>
-    <message numerus="yes">
-        <source>%Ln frame(s): %1 s of film from %2 s of simulation.</source>
-        <translation>
-            <numerusform>%Ln frame: %1 s of film from %2 s of simulation.</numerusform>
-            <numerusform>%Ln frames: %1 s of film from %2 s of simulation.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>rubble::FragmentActions</name>
     <message numerus="yes">
         <source>%Ln fragment(s) fractured · Double-click one, or select it and press %1, to edit its pattern</source>
@@ -272,10 +252,10 @@
 <context>
     <name>rubble::PlayView</name>
     <message numerus="yes">
-        <source>%Ln break(s), last swap %1 ms</source>
+        <source>%Ln break(s), the last computed in %1 ms</source>
         <translation>
-            <numerusform>%Ln break, last swap %1 ms</numerusform>
-            <numerusform>%Ln breaks, last swap %1 ms</numerusform>
+            <numerusform>%Ln break, the last computed in %1 ms</numerusform>
+            <numerusform>%Ln breaks, the last computed in %1 ms</numerusform>
         </translation>
     </message>
 </context>
@@ -381,6 +361,26 @@
         <translation>
             <numerusform>%Ln earlier timeline from here</numerusform>
             <numerusform>%Ln earlier timelines from here</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::VideoActions</name>
+    <message numerus="yes">
+        <source>Exported %n frame(s) to %1.</source>
+        <translation>
+            <numerusform>Exported %n frame to %1.</numerusform>
+            <numerusform>Exported %n frames to %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::VideoDialog</name>
+    <message numerus="yes">
+        <source>%Ln frame(s) of %1 × %2 pixels: %3 s of video from %4 s of simulation.</source>
+        <translation>
+            <numerusform>%Ln frame of %1 × %2 pixels: %3 s of video from %4 s of simulation.</numerusform>
+            <numerusform>%Ln frames of %1 × %2 pixels: %3 s of video from %4 s of simulation.</numerusform>
         </translation>
     </message>
 </context>

@@ -123,13 +123,13 @@ for ((project = 0; project < projects; ++project)); do
     "simulate project.rubble --steps 1 --record wall.replay" "strength project.rubble" "diff project.rubble project.rubble"
     "materials" "new other$project.rubble" "render project.rubble --out wall.png --samples 1"
     "sheet project.rubble --asset wall --variants 2 --out sheet.png"
-    "film project.rubble film$project --steps 1 --samples 1" "test project.rubble" "replay wall.replay"
+    "video project.rubble video$project --steps 1 --samples 1" "test project.rubble" "replay wall.replay"
     "seeds box.obj --into project.rubble --asset wall" "import box.obj --into project.rubble" "fracture input.json")
   [ $seeds -gt 1000 ] || verbs+=("audit project.rubble")
   for verb in "${verbs[@]}"; do
     read -ra words <<<"$verb"
     limited "$cli" "${words[@]}"
-    rm -rf "film$project" "other$project.rubble"
+    rm -rf "video$project" "other$project.rubble"
   done
   [ ! -x "$programs/editor-steps" ] || limited_editor
 done

@@ -105,9 +105,9 @@ private slots:
                     const QByteArray name = stem + part + ending;
                     QTest::newRow(name.constData()) << QString(name) << count << volume;
                 };
-                addRow("-whole", 1, m_bake.whole.volume);
-                addRow("", m_bake.fragmentCount() - broken, m_bake.whole.volume);
-                addRow("-level0", broken, brokenVolume);
+                addRow("-intact", 1, m_bake.whole.volume);
+                addRow("-fragments", m_bake.fragmentCount() - broken, m_bake.whole.volume);
+                addRow("-fragments-level-0", broken, brokenVolume);
             }
         }
     }
@@ -131,7 +131,8 @@ private slots:
 
     void yIsUpAndFragmentsAreInPlace() {
         // z is up in Blender: the square of 4 m is upright, with a quarter metre of depth on either side.
-        for (const char* name : {"old_ring.obj", "old_ring.glb", "old_ring-whole.obj", "old_ring-whole.glb"}) {
+        for (const char* name :
+             {"old_ring-fragments.obj", "old_ring-fragments.glb", "old_ring-intact.obj", "old_ring-intact.glb"}) {
             const QJsonArray highest = m_files[name]["highest"].toArray();
             QVERIFY2(std::abs(highest[0].toDouble() - 4.0) < 1e-5, name);
             QVERIFY2(std::abs(highest[1].toDouble() - 0.25) < 1e-5, name);

@@ -93,7 +93,8 @@ private slots:
     }
     void linksInPacksAreToldAndNotFollowed_data() {
         QTest::addColumn<QString>("name");
-        for (const char* name : {"wall.obj", "wall.mtl", "pack.json", "manifest.json", "wall.obj.import", "more.txt"})
+        for (const char* name :
+             {"wall-fragments.obj", "wall.mtl", "pack.json", "manifest.json", "wall.obj.import", "more.txt"})
             QTest::newRow(name) << name;
     }
     void linksInPacksAreToldAndNotFollowed() {
@@ -111,7 +112,7 @@ private slots:
         exportAsset("wall");
         QVERIFY2(!m_status.hasValue(), "the export took the link for the file");
         QVERIFY(fs::is_symlink(link));
-        if (name != "wall.obj" && name != "wall.mtl") return;
+        if (name != "wall-fragments.obj" && name != "wall.mtl") return;
         exportAsset("wall", EditedFiles::Replaced);
         QVERIFY2(m_status.hasValue(), m_status.hasValue() ? "" : m_status.error().message.c_str());
         QVERIFY(!fs::is_symlink(link));
@@ -120,8 +121,8 @@ private slots:
     }
     void danglingLinksAreTold() {
         exportAsset("wall");
-        fs::remove(m_packs / "wall/wall.obj");
-        fs::create_symlink("nowhere", m_packs / "wall/wall.obj");
+        fs::remove(m_packs / "wall/wall-fragments.obj");
+        fs::create_symlink("nowhere", m_packs / "wall/wall-fragments.obj");
         const CheckRun run = check(m_packs / "wall");
         QCOMPARE(run.exit, 1);
         QVERIFY2(run.err.contains("is a link"), qPrintable(run.err));

@@ -58,7 +58,7 @@ private slots:
         QTest::addColumn<QStringList>("arguments");
         QTest::newRow("render") << QStringList{"render", kHouse, "--out", "{folder}/house.png"};
         QTest::newRow("sheet") << QStringList{"sheet", kHouse, "--asset", "wall", "--out", "{folder}/sheet.png"};
-        QTest::newRow("film") << QStringList{"film", kHouse, "{folder}/film", "--steps", "2"};
+        QTest::newRow("video") << QStringList{"video", kHouse, "{folder}/video", "--steps", "2"};
     }
     void picturesEndWithASentence() {
         QFETCH(QStringList, arguments);

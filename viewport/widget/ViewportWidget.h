@@ -36,9 +36,11 @@ public:
     /// Sets the scene. The camera stays; the first scene that is not empty is framed.
     void setScene(std::shared_ptr<const RenderScene> scene);
     const RenderScene& scene() const { return *m_scene; }
+    std::shared_ptr<const RenderScene> sharedScene() const { return m_scene; }
 
     /// Interpolates between the previous poses (0) and the current ones (1).
     void setStepFraction(double stepFraction);
+    double stepFraction() const { return m_stepFraction; }
 
     /// The ray through a point of the widget.
     Ray rayAt(QPointF point) const;

@@ -128,6 +128,11 @@ Verb addExport(CLI::App& program) {
         {{"assembled", PartPlacement::Assembled}, {"centred", PartPlacement::Centred}}, meshes.place);
     addEnumOption<FaceShape>(command, "--faces", "The faces in OBJ files (default: polygons)",
                              {{"polygons", FaceShape::Polygons}, {"triangles", FaceShape::Triangles}}, meshes.faces);
+    addEnumOption<UpAxis>(command, "--up", "The up axis of OBJ files (default: y)",
+                          {{"y", UpAxis::Y}, {"z", UpAxis::Z}}, meshes.objFrame.up);
+    addEnumOption<ObjUnit>(command, "--unit", "The unit of OBJ files (default: m)",
+                           {{"m", ObjUnit::Metre}, {"cm", ObjUnit::Centimetre}, {"mm", ObjUnit::Millimetre}},
+                           meshes.objFrame.unit);
     command.flag("--overwrite", arguments->isOverwriting, "Replace files that were changed after an export");
     addThreadsOption(command, arguments->threads);
     return {command, [arguments](const CliContext& context) { return exportAssets(*arguments, context); }};

@@ -4,6 +4,7 @@
 #include "app/cli/output/ProjectLoading.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/import/AssetImport.h"
+#include "core/asset/placement/InstancePlacement.h"
 #include "core/base/MessageText.h"
 #include "core/io/mesh/MeshImport.h"
 #include "core/io/project/ProjectFile.h"
@@ -19,9 +20,9 @@ namespace {
 constexpr const char* kImportFooter =
     R"(Reads OBJ, glTF, GLB, FBX, STL and PLY files, in a separate process limited to 2 GiB and 30 s. Each object that
 is a prism (two parallel caps with the same outline along any axis, and sides perpendicular to them) becomes an
-asset and an instance at the position of the mesh. Prints what was imported, merged and ignored. An object that is
-rejected does not keep others from being imported; the reason goes to standard error. If all are rejected,
-nothing is written.
+asset and an instance at the position of the mesh, or beside the scene where they would overlap. Prints what was
+imported, merged and ignored. An object that is rejected does not keep others from being imported; the reason goes
+to standard error. If all are rejected, nothing is written.
 
 Without --into, a new project is written beside FILE (wall.rubble for wall.glb), unless it exists. glTF is in
 metres; FBX states its unit; OBJ, STL and PLY do not and are read in metres. An object that is a prism along
@@ -136,12 +137,12 @@ Status import(const ImportVerbOptions& options, const CliContext& context) {
     Result<Target> target = openTarget(options, context);
     if (!target) return target.error();
     const ImportOptions wanted = importOptions(options);
-    const Result<ImportOutcome> outcome =
-        importedInto(std::move(target->project), *scene, options.mesh.stem().string(), wanted, task);
+    Result<ImportOutcome> outcome = importedInto(target->project, *scene, options.mesh.stem().string(), wanted, task);
     if (!outcome) return outcome.error();
     const std::string rejected = rejections(*outcome, wanted);
     if (outcome->assets.empty()) return Error{ErrorCode::BadInput, rejected};
     if (!rejected.empty()) context.err << rejected << '\n';
+    moveAddedBesideOthers(target->project, outcome->project);
     if (const Status saved = saveProject(target->path, outcome->project); !saved) return saved.error();
     return printText(importSummary(*outcome, target->path.string()), context);
 }

@@ -9,8 +9,8 @@
 #include "core/asset/project/Ranges.h"
 #include "core/base/QuantityText.h"
 #include "core/io/json/JsonWriter.h"
-#include "viewport/film/ContactSheetPage.h"
-#include "viewport/film/ContactSheetPainter.h"
+#include "viewport/video/ContactSheetPage.h"
+#include "viewport/video/ContactSheetPainter.h"
 
 #include <algorithm>
 #include <memory>

@@ -26,7 +26,7 @@ Verb addExport(CLI::App& program);
 Verb addCheck(CLI::App& program);
 Verb addDraw(CLI::App& program);
 Verb addRender(CLI::App& program);
-Verb addFilm(CLI::App& program);
+Verb addVideo(CLI::App& program);
 Verb addSimulate(CLI::App& program);
 Verb addReplay(CLI::App& program);
 Verb addTest(CLI::App& program);

@@ -1,5 +1,6 @@
 #include "core/asset/import/AssetImport.h"
 
+#include "core/asset/import/EqualSolids.h"
 #include "core/asset/import/ImportedSolid.h"
 #include "core/asset/project/Ids.h"
 #include "core/asset/project/Names.h"
@@ -91,6 +92,27 @@ void placeInstance(Project& project, const Asset& asset, const Pose& pose, const
                                  .isUnbreakable = options.isUnbreakable});
 }
 
+/// Places an asset where the solid of a part and its copies stand.
+void placeInstances(Project& project, const Asset& asset, const ImportPart& part, const ImportedSolid& solid,
+                    const ImportOptions& options) {
+    placeInstance(project, asset, solid.prism.pose, options);
+    for (const Pose& copy : part.copies) placeInstance(project, asset, moved(solid.prism.pose, copy), options);
+}
+
+/// The asset of this import that is equal to a solid but for its pose; null if there is none.
+ImportedAsset* equalAsset(const ImportPart& part, const ImportedSolid& solid, const SourceScene& scene,
+                          ImportOutcome& outcome) {
+    const std::string& material = scene.materials[solid.material].name;
+    for (ImportedAsset& imported : outcome.assets) {
+        const Asset& asset = *findAsset(outcome.project, imported.asset);
+        const Material& own = *std::ranges::find(outcome.project.materials, asset.material, &Material::id);
+        const bool isSameMaterial = material.empty() || own.name == material;
+        if (imported.usesFallback == solid.usesFallback && isSameMaterial && isEqual(asset, solid, part.tolerance))
+            return &imported;
+    }
+    return nullptr;
+}
+
 /// Adds a solid to the project as a new asset, or replaces the prism of an existing one.
 ImportedAsset added(const ImportPart& part, const ImportedSolid& solid, const SourceScene& scene,
                     const ImportOptions& options, Project& project) {
@@ -116,9 +138,7 @@ ImportedAsset added(const ImportPart& part, const ImportedSolid& solid, const So
     asset.id = result.asset = allocateId(project);
     project.assets.push_back(std::move(asset));
     project.assets.back().pattern = defaultPattern(project);
-    placeInstance(project, project.assets.back(), solid.prism.pose, options);
-    for (const Pose& copy : part.copies)
-        placeInstance(project, project.assets.back(), moved(solid.prism.pose, copy), options);
+    placeInstances(project, project.assets.back(), part, solid, options);
     if (!part.copies.empty())
         result.notes.push_back("It stands in " + std::to_string(part.copies.size() + 1) +
                                " places; each is an instance.");
@@ -173,6 +193,9 @@ void import(const RequestedPart& part, const SourceScene& scene, const ImportOpt
         if (options.findsFallbacks) rejected.fallbacks = workingFallbacks(*part, options.axis, context);
     } else if (const auto fault = solidFault(*part, *solid)) {
         outcome.rejected.push_back({{ErrorCode::BadInput, *fault}, {}});
+    } else if (ImportedAsset* equal = options.mergesEqual ? equalAsset(*part, *solid, scene, outcome) : nullptr) {
+        ++equal->merged;
+        placeInstances(outcome.project, *findAsset(outcome.project, equal->asset), *part, *solid, options);
     } else {
         outcome.assets.push_back(added(*part, *solid, scene, options, outcome.project));
     }
@@ -203,6 +226,12 @@ Result<ImportOutcome> importedInto(Project project, const SourceScene& scene, co
         context.report(static_cast<double>(&part - requested->data() + 1) / static_cast<double>(requested->size()));
     }
     if (context.isCancelled()) return TaskContext::cancelled();
+    for (ImportedAsset& imported : outcome.assets) {
+        if (imported.merged == 0) continue;
+        const bool isOne = imported.merged == 1;
+        imported.notes.push_back(std::to_string(imported.merged) +
+                                 (isOne ? " equal mesh is an instance of it." : " equal meshes are instances of it."));
+    }
     if (!outcome.assets.empty()) {
         std::vector<std::string>& notes = outcome.assets.front().notes;
         notes.insert(notes.begin(), scene.notes.begin(), scene.notes.end());

@@ -20,6 +20,7 @@ struct ImportOptions {
     PrismAxis axis = PrismAxis::Thinnest;   // of the prism, in the world
     std::optional<PrismFallback> fallback;  // for objects that are not prisms
     std::string asset;                      // the asset to reimport or to create; empty: one per object
+    bool mergesEqual = false;               // objects that are equal but for their poses become one asset
     bool isFixed = false;                   // the new instances
     bool isUnbreakable = false;             // the new instances
     bool findsFallbacks = false;            // of rejected objects; takes about as long as importing them
@@ -30,6 +31,7 @@ struct ImportedAsset {
     Id asset = 0;
     bool isReplaced = false;    // an existing asset got a new prism and surface and kept everything else
     bool usesFallback = false;  // the object is not a prism
+    std::size_t merged = 0;     // equal objects that are further instances of it
     PrismFit prism;
     double tolerance = 0.0;          // m
     std::vector<std::string> notes;  // sentences: what was merged, flipped, omitted, renamed or replaced

@@ -177,7 +177,7 @@ Result<std::vector<ImportPart>> partsToImport(const SourceObject& object, double
     if (count > kMaxParts)
         return Error{ErrorCode::Limit, "It has " + std::to_string(count) + " unconnected parts, but at most " +
                                            std::to_string(kMaxParts) + " can be imported."};
-    whole.notes.push_back("The object has " + std::to_string(count) + " unconnected parts; each becomes an asset.");
+    whole.notes.push_back("The object has " + std::to_string(count) + " unconnected parts, imported one by one.");
     for (std::uint32_t number = 0; number < count; ++number) parts.push_back(partOf(whole, numbers, number));
     const auto isCavityIn = [](const ImportPart& inner, const ImportPart& outer) {
         return liesWithin(boundsOf(inner.mesh), boundsOf(outer.mesh)) && signedVolume(inner.mesh) < 0.0 &&

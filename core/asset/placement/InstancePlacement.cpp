@@ -10,6 +10,8 @@
 namespace rubble {
 namespace {
 
+constexpr double kGapBetweenImports = 0.25;  // m
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Vec3 kDown{0.0, -1.0, 0.0};
 
@@ -117,6 +119,36 @@ double dropDistance(const Instance& instance, std::span<const Instance> others, 
             drop = std::min(drop, dropOnto(instance, other, hulls, (height.high - height.low) / 2.0));
     }
     return drop == kInfinity ? 0.0 : drop;
+}
+
+Box3 boundsOf(const Project& project, std::span<const Id> instances) {
+    const AssetHulls hulls = assetHulls(project);
+    Box3 box;
+    for (const Instance& instance : project.instances) {
+        const auto found = hulls.find(instance.asset);
+        if (found == hulls.end() || !isAmong(instances, instance.id)) continue;
+        for (const Polytope& hull : found->second) {
+            for (const Vec3& vertex : hull.vertices)
+                box.include(instance.pose.position + instance.pose.orientation * vertex);
+        }
+    }
+    return box;
+}
+
+void moveAddedBesideOthers(const Project& before, Project& project) {
+    std::vector<Id> added, others;
+    for (const Instance& instance : project.instances) {
+        (findById(before.instances, instance.id) ? others : added).push_back(instance.id);
+    }
+    const Box3 moved = boundsOf(project, added), kept = boundsOf(project, others);
+    if (moved.isEmpty() || kept.isEmpty()) return;
+    const bool isBeside =
+        glm::any(glm::lessThanEqual(moved.max, kept.min)) || glm::any(glm::lessThanEqual(kept.max, moved.min));
+    if (isBeside) return;
+    for (Instance& instance : project.instances) {
+        if (!findById(before.instances, instance.id))
+            instance.pose.position.x += kept.max.x + kGapBetweenImports - moved.min.x;
+    }
 }
 
 }  // namespace rubble

@@ -2,6 +2,7 @@
 
 #include "core/asset/bake/PrismHulls.h"
 #include "core/geometry/hull/Ray.h"
+#include "core/geometry/search/Box3.h"
 
 #include <optional>
 #include <span>
@@ -27,6 +28,13 @@ std::optional<SceneHit> sceneHit(const Project& project, const AssetHulls& hulls
 /// The position of an instance resting on the hit face in the given orientation: its centre above the point, the whole
 /// instance on the outer side of the face.
 Vec3 restingPosition(const std::vector<Polytope>& hulls, const Quat& orientation, const SceneHit& hit);
+
+/// The bounding box of instances in the world, m; empty if there are none.
+Box3 boundsOf(const Project& project, std::span<const Id> instances);
+
+/// Moves the instances that `before` does not have together along x until they stand beside all others, if their
+/// bounding boxes overlap.
+void moveAddedBesideOthers(const Project& before, Project& project);
 
 /// The distance that an instance drops until it rests on the ground or another instance, m. Negative if it must be
 /// lifted out of the ground, or out of an instance that it has sunk into by less than half of its height; 0 if nothing

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/asset/import/AssetImport.h"
 #include "core/io/exchange/MeshPart.h"
 
 #include <span>
@@ -7,10 +8,20 @@
 
 namespace rubble {
 
-/// Returns parts as a Wavefront OBJ file that refers to `materialFile`: y up, metres; each part is an object and a
-/// group with its name, its faces sorted by material, outside first, with flat normals. See docs/formats/obj-glb.md.
+/// The unit of the coordinates in an OBJ file.
+enum class ObjUnit { Metre, Centimetre, Millimetre };
+
+/// The frame of the coordinates in an OBJ file, which the format leaves open.
+struct ObjFrame {
+    UpAxis up = UpAxis::Y;
+    ObjUnit unit = ObjUnit::Metre;
+    bool operator==(const ObjFrame&) const = default;
+};
+
+/// Returns parts as a Wavefront OBJ file that refers to `materialFile`: each part is an object and a group with its
+/// name, its faces sorted by material, outside first, with flat normals. See docs/formats/obj-glb.md.
 std::string objFile(std::span<const MeshPart> parts, const MeshMaterials& materials, PartPlacement place,
-                    const std::string& materialFile);
+                    const std::string& materialFile, const ObjFrame& frame = {});
 
 /// Returns materials as an MTL file.
 std::string mtlFile(const MeshMaterials& materials);

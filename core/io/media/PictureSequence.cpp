@@ -24,14 +24,14 @@ fs::path pictureFile(const fs::path& folder, int picture) {
     return folder / name;
 }
 
-/// Fails if a folder already holds the pictures of a film.
-Status checkHoldsNoFilm(const fs::path& folder) {
+/// Fails if a folder already holds the pictures of a video.
+Status checkHoldsNoVideo(const fs::path& folder) {
     const Result<std::vector<fs::directory_entry>> entries = entriesOf(folder);
     if (!entries) return entries.error();
     for (const fs::directory_entry& entry : *entries) {
         const std::string name = entry.path().filename().string();
         if (!name.starts_with("frame-") || !name.ends_with(".png")) continue;
-        return Error{ErrorCode::BadInput, quotedPath(folder) + " already contains a film: " + name +
+        return Error{ErrorCode::BadInput, quotedPath(folder) + " already contains a video: " + name +
                                               ". Choose another folder, or remove its pictures."};
     }
     return success();
@@ -46,9 +46,9 @@ Result<std::unique_ptr<PictureSequence>> PictureSequence::create(const fs::path&
     if (!sequence->m_lock->isOpen()) return cannotRead(folder, errno);
     if (::flock(sequence->m_lock->descriptor(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
         return Error{ErrorCode::BadInput,
-                     "Another film is being written to " + quotedPath(folder) + ". Choose another folder, or wait."};
+                     "Another video is being written to " + quotedPath(folder) + ". Choose another folder, or wait."};
     }
-    if (const Status free = checkHoldsNoFilm(folder); !free) return free.error();
+    if (const Status free = checkHoldsNoVideo(folder); !free) return free.error();
     removeLeftovers(folder);
     return sequence;
 }

@@ -8,16 +8,16 @@
 
 namespace rubble {
 
-inline constexpr int kMaxPictures = 10'000;  // of a film: names have four digits
+inline constexpr int kMaxPictures = 10'000;  // of a video: names have four digits
 
-/// Writes the pictures of a film to FOLDER/frame-0000.png and so on, each atomically. The destructor removes them, and
+/// Writes the pictures of a video to FOLDER/frame-0000.png and so on, each atomically. The destructor removes them, and
 /// the folders created for them, unless keep() was called.
 class PictureSequence {
 public:
-    /// Creates the folder if it is missing, and locks it against other films where the file system has locks. Errors of
-    /// writing name `shown` instead of the picture, where given: of a hidden folder, the user knows nothing.
+    /// Creates the folder if it is missing, and locks it against other videos where the file system has locks. Errors
+    /// of writing name `shown` instead of the picture, where given: of a hidden folder, the user knows nothing.
     ///
-    /// Errors: BadInput if it already holds such pictures or another film is being written to it; those of
+    /// Errors: BadInput if it already holds such pictures or another video is being written to it; those of
     /// CreatedDirectories::create().
     static Result<std::unique_ptr<PictureSequence>> create(const std::filesystem::path& folder,
                                                            std::filesystem::path shown = {});

@@ -22,7 +22,7 @@ namespace rubble {
 namespace {
 
 /// To be increased when pack.json or the mesh files of an asset change, so that existing exports are rewritten.
-constexpr std::uint64_t kExportRevision = 3;
+constexpr std::uint64_t kExportRevision = 4;
 
 /// An asset or a variant of it, and the name of the folder of its pack.
 struct PackedAsset {
@@ -141,7 +141,8 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Mes
     hasher.add(std::uint64_t{options.glb});
     for (const std::uint64_t option :
          {static_cast<std::uint64_t>(options.split), static_cast<std::uint64_t>(options.place),
-          static_cast<std::uint64_t>(options.faces)}) {
+          static_cast<std::uint64_t>(options.faces), static_cast<std::uint64_t>(options.objFrame.up),
+          static_cast<std::uint64_t>(options.objFrame.unit)}) {
         hasher.add(option);
     }
     hasher.add(projectText(single));

@@ -85,7 +85,7 @@ void setGap(const Bake& bake, std::uint32_t fragment, PackBodySource& body) {
 
 PackBodySource sourceOfWhole(const Bake& bake, const Asset& asset) {
     PackBodySource whole{.id = std::to_string(asset.id),
-                         .name = bodyName(asset),
+                         .name = meshName(asset.name),
                          .offset = bake.whole.centre,
                          .mass = bake.whole,
                          .hulls = bake.wholeHulls};
@@ -102,7 +102,7 @@ std::string chunkJson(const Bake& bake, const Asset& asset, double density, std:
         const BakedFragment fragment = bake.fragment(k);
         const Fragment& solid = fragment.solid;
         bodies.push_back({.id = bake.fragmentId(k),
-                          .name = bodyName(asset, k),
+                          .name = fragmentBodyName(asset, bake.fragmentId(k)),
                           .parent = fragment.parent,
                           .offset = solid.offset(),
                           .mass = solid.mass(),
@@ -149,8 +149,11 @@ void addColour(Hasher& hasher, const Colour& colour) {
 
 }  // namespace
 
-std::string bodyName(const Asset& asset, std::uint32_t fragment) {
-    return meshName(asset.name) + (fragment == kNone ? "" : std::to_string(fragment));
+std::string fragmentBodyName(const Asset& asset, std::string_view fragmentId) {
+    std::string path = pathOfId(fragmentId);
+    std::ranges::replace(path, '/', '-');
+    std::ranges::replace(path, '+', '_');
+    return meshName(asset.name) + '-' + path;
 }
 
 ContentHash packHash(const Asset& asset, const AssetMaterials& material, std::span<const PackMeshFile> meshes) {

@@ -28,15 +28,16 @@ enum class PackMeshBodies {
 
 /// A mesh file of a pack.
 struct PackMeshFile {
-    std::string name;  // "wall.obj", a file beside pack.json
+    std::string name;  // "wall-fragments.obj", a file beside pack.json
     PackMeshBodies bodies = PackMeshBodies::Fragments;
     std::uint32_t fragment = kNone;  // index of the one fragment
     PartPlacement place = PartPlacement::Assembled;
     bool operator==(const PackMeshFile&) const = default;
 };
 
-/// Returns the name of a body in packs and mesh files, without spaces: "wall" for the whole, "wall12" for fragment 12.
-std::string bodyName(const Asset& asset, std::uint32_t fragment = kNone);
+/// Returns the name of a fragment in pack and meshes: that of the asset and the fragment's path, as in the table of
+/// fragments, with '-' for '/' and '_' for '+': "wall-3.2-4.1". The whole has the meshName() of the asset.
+std::string fragmentBodyName(const Asset& asset, std::string_view fragmentId);
 
 /// Returns a hash of all inputs of packJson(), without baking. Equal packs have equal hashes.
 ContentHash packHash(const Asset& asset, const AssetMaterials& material, std::span<const PackMeshFile> meshes);

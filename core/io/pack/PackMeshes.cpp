@@ -4,6 +4,7 @@
 #include "core/asset/mesh/RoughCuts.h"
 #include "core/io/exchange/GlbFile.h"
 #include "core/io/exchange/ObjFile.h"
+#include "core/io/system/FileName.h"
 
 #include <algorithm>
 
@@ -23,13 +24,13 @@ bool isBroken(const BakedFragment& fragment) { return fragment.childCount > 0; }
 
 /// Puts fragments and their children into different files, so that the bodies of a file do not overlap.
 std::vector<PartFile> singleFiles(const Bake& bake, const Asset& asset) {
-    std::vector<PartFile> files{{bodyName(asset), PackMeshBodies::Fragments, {}}};
+    std::vector<PartFile> files{{meshName(asset.name) + "-fragments", PackMeshBodies::Fragments, {}}};
     for (std::uint32_t index = 0; index < bake.fragmentCount(); ++index) {
         const BakedFragment fragment = bake.fragment(index);
         const std::size_t file = isBroken(fragment) ? fragment.level + 1 : 0;
         while (files.size() <= file) {
             const std::string level = std::to_string(files.size() - 1);
-            files.push_back({files[0].name + "-level" + level, PackMeshBodies::Fragments, {}});
+            files.push_back({files[0].name + "-level-" + level, PackMeshBodies::Fragments, {}});
         }
         files[file].fragments.push_back(index);
     }
@@ -40,7 +41,7 @@ std::vector<PartFile> singleFiles(const Bake& bake, const Asset& asset) {
 std::vector<PartFile> fragmentFiles(const Bake& bake, const Asset& asset) {
     std::vector<PartFile> files;
     for (std::uint32_t index = 0; index < bake.fragmentCount(); ++index) {
-        files.push_back({bodyName(asset, index), PackMeshBodies::Fragment, {index}});
+        files.push_back({fragmentBodyName(asset, bake.fragmentId(index)), PackMeshBodies::Fragment, {index}});
     }
     return files;
 }
@@ -49,13 +50,16 @@ std::vector<PartFile> fragmentFiles(const Bake& bake, const Asset& asset) {
 class MeshFileWriter {
 public:
     MeshFileWriter(const Asset& asset, const AssetMaterials& material, const MeshOptions& options)
-        : m_options(options), m_materials(meshMaterials(asset, material)), m_materialFile(bodyName(asset) + ".mtl") {}
+        : m_options(options),
+          m_materials(meshMaterials(asset, material)),
+          m_materialFile(meshName(asset.name) + ".mtl") {}
 
     Status add(const PartFile& file, std::vector<MeshPart> parts) {
         if (m_options.faces == FaceShape::Triangles) {
             for (MeshPart& part : parts) part.mesh = triangulated(part.mesh);
         }
-        if (m_options.obj) addFile(file, ".obj", objFile(parts, m_materials, m_options.place, m_materialFile));
+        if (m_options.obj)
+            addFile(file, ".obj", objFile(parts, m_materials, m_options.place, m_materialFile, m_options.objFrame));
         if (!m_options.glb) return success();
         Result<std::string> glb = glbFile(parts, m_materials, m_options.place);
         if (!glb) return glb.error();
@@ -72,8 +76,9 @@ private:
     void addFile(const PartFile& file, const char* suffix, std::string bytes) {
         const bool isOne = file.bodies == PackMeshBodies::Fragment;
         const std::uint32_t fragment = isOne ? file.fragments[0] : kNone;
-        m_meshes.list.push_back({file.name + suffix, file.bodies, fragment, m_options.place});
-        m_meshes.files.push_back({file.name + suffix, std::move(bytes)});
+        const std::string name = fittingFileName("", file.name, suffix);
+        m_meshes.list.push_back({name, file.bodies, fragment, m_options.place});
+        m_meshes.files.push_back({name, std::move(bytes)});
     }
 
     MeshOptions m_options;
@@ -89,8 +94,9 @@ Result<PackMeshes> packMeshes(const Bake& bake, const Asset& asset, const AssetM
     if (!options.obj && !options.glb) return PackMeshes();
     MeshFileWriter files(asset, material, options);
     const FragmentMesher mesher(asset);
-    const Status whole = files.add({bodyName(asset) + "-whole", PackMeshBodies::Whole, {}},
-                                   {{bodyName(asset), mesher.wholeMesh(bake), bake.whole.centre}});
+    const std::string name = meshName(asset.name);
+    const Status whole =
+        files.add({name + "-intact", PackMeshBodies::Whole, {}}, {{name, mesher.wholeMesh(bake), bake.whole.centre}});
     if (!whole) return whole.error();
     const RoughCuts cuts(bake, asset);
     std::size_t done = 0;
@@ -102,7 +108,8 @@ Result<PackMeshes> packMeshes(const Bake& bake, const Asset& asset, const AssetM
             if (task.isCancelled()) return TaskContext::cancelled();
             const BakedFragment fragment = bake.fragment(index);
             Mesh mesh = mesher.fragmentMesh(fragment, cuts.cornersOf(index));
-            parts.push_back({bodyName(asset, index), std::move(mesh), fragment.solid.offset()});
+            parts.push_back(
+                {fragmentBodyName(asset, bake.fragmentId(index)), std::move(mesh), fragment.solid.offset()});
             if (++done % kProgressInterval == 0) {
                 task.report(static_cast<double>(done) / static_cast<double>(bake.fragmentCount()));
             }

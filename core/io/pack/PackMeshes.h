@@ -2,6 +2,7 @@
 
 #include "core/asset/bake/Bake.h"
 #include "core/base/TaskContext.h"
+#include "core/io/exchange/ObjFile.h"
 #include "core/io/pack/ExportFolder.h"
 #include "core/io/pack/PackFile.h"
 
@@ -25,6 +26,7 @@ struct MeshOptions {
     FileSplit split = FileSplit::Single;
     PartPlacement place = PartPlacement::Assembled;
     FaceShape faces = FaceShape::Polygons;
+    ObjFrame objFrame;
     bool operator==(const MeshOptions&) const = default;
 };
 

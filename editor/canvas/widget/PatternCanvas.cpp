@@ -238,6 +238,31 @@ void PatternCanvas::updateTool() {
 void PatternCanvas::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.drawImage(QPointF(0.0, 0.0), m_updater.image(devicePixelRatioF(), m_colours));
+    paintOverlays(painter);
+}
+
+QImage PatternCanvas::picture(QSize pixels) {
+    const double ratio = std::min(static_cast<double>(pixels.width()) / std::max(1, width()),
+                                  static_cast<double>(pixels.height()) / std::max(1, height()));
+    const CanvasView view = m_state.view;
+    const auto pointer = std::exchange(m_pointer, std::nullopt);
+    const std::uint32_t hovered = std::exchange(m_hovered, kNone);
+    m_state.view.size = QSizeF(pixels) / ratio;
+    QImage image(pixels, QImage::Format_RGB32);
+    image.setDevicePixelRatio(ratio);
+    QPainter painter(&image);
+    CanvasBackingStore store;
+    painter.drawImage(QPointF(0.0, 0.0), store.at(m_state.view, ratio, contents(), m_colours));
+    paintOverlays(painter);
+    if (m_breadcrumb->isVisible()) m_breadcrumb->render(&painter, m_breadcrumb->pos());
+    m_state.view = view;
+    m_pointer = pointer;
+    m_hovered = hovered;
+    return image;
+}
+
+/// Paints what is above the contents.
+void PatternCanvas::paintOverlays(QPainter& painter) const {
     paintHighlights(painter);
     std::array<QRectF, 2> panels;
     if (contents().overlays.hasLegend) panels[0] = paintLegend(painter, m_state.view, contents(), m_colours);

@@ -52,6 +52,10 @@ public:
     /// The context menu's actions for selected fragments, in addition to those of the tool.
     void setFragmentActions(const QList<QAction*>& actions) { m_fragmentActions = actions; }
 
+    /// Returns a picture of the canvas without what follows the pointer. It shows all that the widget does, and more of
+    /// the plane where the proportions differ; lines and texts grow with its size.
+    QImage picture(QSize pixels);
+
     /// The current tool's hint for the status bar.
     QString hint() const;
     /// The last baked pattern; may be null.
@@ -106,6 +110,7 @@ private:
     void updatePointer();
     void updateHovered();
 
+    void paintOverlays(QPainter& painter) const;
     void paintHighlights(QPainter& painter) const;
     bool showsFragmentLabel() const;
     QString placeholderMessage() const;

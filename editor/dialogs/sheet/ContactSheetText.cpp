@@ -15,11 +15,10 @@ struct ContactSheetTexts {
 
 QString shotText(const SheetFigures& figures, const Units& units) {
     if (!figures.breakImpact) return ContactSheetTexts::tr("did not break");
-    const QString broke =
-        ContactSheetTexts::tr("broke at %1").arg(localizedQuantity(QuantityKind::Impulse, *figures.breakImpact));
-    if (!figures.debrisHeight) return broke;
-    return ContactSheetTexts::tr("%1, up to %2")
-        .arg(broke, localizedQuantity(QuantityKind::Length, *figures.debrisHeight, units));
+    const QString impact = localizedQuantity(QuantityKind::Impulse, *figures.breakImpact);
+    if (!figures.debrisHeight) return ContactSheetTexts::tr("broke at %1").arg(impact);
+    return ContactSheetTexts::tr("broke at %1, debris up to %2 high")
+        .arg(impact, localizedQuantity(QuantityKind::Length, *figures.debrisHeight, units));
 }
 
 }  // namespace

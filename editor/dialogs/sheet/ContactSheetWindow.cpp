@@ -201,7 +201,7 @@ QWidget* ContactSheetWindow::createSettings() {
     m_variants->setValue(kDefaultVariants);
     form->addRow(tr("&Variants:"), m_variants);
     m_shot->setObjectName("sheet-shot");
-    form->addRow(tr("S&hot:"), m_shot);
+    form->addRow(tr("Saved t&hrow:"), m_shot);
     setRange(*m_step, ProjectNumber::Step);
     m_step->setValue(kDefaultStep);
     m_step->setToolTip(tr("Set the simulation step at which variants are shown"));

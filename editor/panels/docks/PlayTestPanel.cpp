@@ -101,7 +101,7 @@ PlayTestPanel::PlayTestPanel(Document& document, PlayController& controller, Pla
       m_progress(new QProgressBar) {
     m_tree->setColumnCount(2);
     m_tree->setHeaderLabels({tr("Expectation"), tr("Result")});
-    m_tree->setAccessibleName(tr("Play-Tests"));
+    m_tree->setAccessibleName(tr("Tests"));
     m_tree->setObjectName("play-tests");
     m_tree->header()->setSectionResizeMode(kExpected, QHeaderView::ResizeToContents);
     m_tree->setAlternatingRowColors(true);
@@ -157,22 +157,22 @@ QWidget* PlayTestPanel::makeBar() {
     auto* bar = new QWidget;
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(4, 4, 4, 0);
-    m_run = addButton("test-run", tr("Run All"), tr("Run all play-tests in the background"), &PlayTestPanel::runAll);
+    m_run = addButton("test-run", tr("Run All"), tr("Run all tests in the background"), &PlayTestPanel::runAll);
     m_run->setObjectName("run-tests");
     row->addWidget(m_run);
-    row->addWidget(addButton("add", tr("Add Test"), tr("Add a play-test of the last throw"), &PlayTestPanel::addTest));
+    row->addWidget(addButton("add", tr("Add Test"), tr("Add a test of the last throw"), &PlayTestPanel::addTest));
     m_addExpectation = addButton("test-expectation", tr("Add Expectation"),
-                                 tr("Add an expectation to the selected play-test"), &PlayTestPanel::addExpectation);
-    m_remove = addButton("remove", tr("Delete"), tr("Delete the selected play-test or expectation"),
+                                 tr("Add an expectation to the selected test"), &PlayTestPanel::addExpectation);
+    m_remove = addButton("remove", tr("Delete"), tr("Delete the selected test or expectation"),
                          &PlayTestPanel::deleteSelected);
-    m_show = addButton("play-start", tr("Replay"), tr("Replay the selected play-test up to its failure"),
+    m_show = addButton("play-start", tr("Replay"), tr("Replay the selected test up to its failure"),
                        &PlayTestPanel::showFailure);
     m_show->setObjectName("show-failure");
     for (QToolButton* button : {m_addExpectation, m_remove, m_show}) row->addWidget(button);
     row->addStretch(1);
     m_progress->setTextVisible(false);
     m_progress->setMaximumWidth(120);
-    m_progress->setAccessibleName(tr("Progress of play-tests"));
+    m_progress->setAccessibleName(tr("Progress of tests"));
     row->addWidget(m_progress);
     row->addWidget(m_summary);
     return bar;
@@ -194,21 +194,20 @@ QWidget* PlayTestPanel::makeForm() {
 }
 
 QWidget* PlayTestPanel::makeTestForm() {
-    m_testForm = new Section("play-test", tr("Play-Test"));
-    m_name = m_testForm->addRow(tr("Name"), new QLineEdit, tr("Name of the play-test"));
+    m_testForm = new Section("play-test", tr("Test"));
+    m_name = m_testForm->addRow(tr("Name"), new QLineEdit, tr("Name of the test"));
     connect(m_name, &QLineEdit::editingFinished, this, [this] {
         if (!m_name->isModified() || m_name->text().trimmed().isEmpty()) return;
-        changeTest(tr("Rename Play-Test"),
-                   [this](PlayTest& test) { test.name = m_name->text().trimmed().toStdString(); });
+        changeTest(tr("Rename Test"), [this](PlayTest& test) { test.name = m_name->text().trimmed().toStdString(); });
     });
-    m_duration = m_testForm->addRow(tr("Duration"), new NumberField, tr("Duration of the play-test"));
+    m_duration = m_testForm->addRow(tr("Duration"), new NumberField, tr("Duration of the test"));
     m_duration->setRange(fieldRange(ProjectNumber::TestDuration));
     m_duration->setFormat(Units::seconds());
     connect(m_duration, &NumberField::edited, this, [this](double value) {
         changeTest(tr("Set Duration"), [value](PlayTest& test) { test.duration = value; });
     });
-    m_shots = m_testForm->addRow(tr("Shots"), new QListWidget,
-                                 tr("Shots fired in the play-test; save shots from the Play menu"));
+    m_shots = m_testForm->addRow(tr("Saved throws"), new QListWidget,
+                                 tr("Saved throws that the test repeats; save throws from the Play menu"));
     m_shots->setMaximumHeight(kShotRows * (fontMetrics().height() + 8));
     connect(m_shots, &QListWidget::itemChanged, this, &PlayTestPanel::applyShot);
     return m_testForm;
@@ -342,7 +341,7 @@ void PlayTestPanel::update() {
     m_remove->setEnabled(test() != nullptr);
     m_show->setEnabled(test() != nullptr);
     if (count == 0) {
-        m_summary->setText(tr("No play-tests"));
+        m_summary->setText(tr("No tests"));
     } else if (m_runner.passed() + m_runner.failed() == 0) {
         m_summary->setText(tr("Not run"));
     } else if (m_runner.failed() == 0) {
@@ -376,7 +375,7 @@ void PlayTestPanel::changeExpectation(const QString& text, const std::function<v
 void PlayTestPanel::applyShot(QListWidgetItem* item) {
     const Id id = item->data(kIdRole).toUInt();
     const bool isFired = item->checkState() == Qt::Checked;
-    changeTest(tr("Select Shots"), [&](PlayTest& one) {
+    changeTest(tr("Select Saved Throws"), [&](PlayTest& one) {
         std::erase(one.shots, id);
         if (isFired) one.shots.insert(std::ranges::upper_bound(one.shots, id), id);
     });

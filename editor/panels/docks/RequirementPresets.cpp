@@ -39,7 +39,7 @@ QString assumptionDescription(const RequirementEvent& event, bool isFixed) {
             "corner, which takes less");
     }
     if (std::holds_alternative<ImpulseRequirement>(event)) {
-        return PresetText::tr("The impulse on the whole asset, as the list of impacts shows it");
+        return PresetText::tr("The impulse on the intact asset, as the list of impacts shows it");
     }
     if (isFixed) {
         return PresetText::tr(

@@ -124,8 +124,8 @@ QToolButton* StrengthPanel::makeAddButton() {
 }
 
 QWidget* StrengthPanel::makeAudit() {
-    auto* section = new Section("audit", tr("Swap Audit"));
-    m_audit = new QPushButton(tr("Audit Swap"));
+    auto* section = new Section("audit", tr("Break Stability"));
+    m_audit = new QPushButton(tr("Check Break Stability"));
     m_audit->setObjectName("audit-swap");
     m_audit->setToolTip(tr("Check that fragments stay at rest when they replace the asset"));
     connect(m_audit, &QPushButton::clicked, this, [this] { m_audits.audit(m_selection.asset()); });
@@ -357,7 +357,7 @@ void StrengthPanel::applySuggested() {
 void StrengthPanel::refreshAudit() {
     const SwapAudit* audit = asset() != nullptr ? m_audits.auditOf(asset()->id) : nullptr;
     m_audit->setEnabled(!m_audits.isBusy());
-    m_audit->setText(m_audits.isBusy() ? tr("Auditing…") : tr("Audit Swap"));
+    m_audit->setText(m_audits.isBusy() ? tr("Checking…") : tr("Check Break Stability"));
     m_fix->setVisible(faultySeed().has_value());
     if (faultySeed()) m_fix->setText(tr("Delete Seed %1").arg(QString::fromStdString(faultySeed()->text())));
     if (audit == nullptr) {

@@ -64,7 +64,7 @@ void ScenePage::buildGround(Section& section) {
 }
 
 void ScenePage::buildGravity(Section& section) {
-    const QStringList axes{tr("Gravity x"), tr("Gravity y"), tr("Gravity z")};
+    const QStringList axes{tr("Gravity along x"), tr("Gravity along y"), tr("Gravity along z")};
     for (int axis = 0; axis < 3; ++axis) {
         auto* field = section.addRow(axes[axis], new NumberField, tr("Acceleration of gravity; y points up"));
         field->setFormat(Units::accelerations());

@@ -65,7 +65,7 @@ void ShapingSection::buildSmallPieces() {
         [](Asset& asset, Id entered) { asset.shaping.smallPieces.rule = static_cast<SmallPieceRule>(entered); });
     m_measure = addRow(tr("Measured by"), new QComboBox, tr("How the size of small fragments is measured"));
     addItem(*m_measure, PieceMeasure::FractionOfMean, tr("Fraction of Mean"));
-    addItem(*m_measure, PieceMeasure::FractionOfWhole, tr("Fraction of Whole"));
+    addItem(*m_measure, PieceMeasure::FractionOfWhole, tr("Fraction of Asset"));
     addItem(*m_measure, PieceMeasure::Area, tr("Area"));
     addItem(*m_measure, PieceMeasure::Volume, tr("Volume"));
     m_form.bind(

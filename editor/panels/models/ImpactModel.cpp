@@ -47,7 +47,7 @@ QVariant ImpactModel::text(const ImpactRecord& record, int column) const {
         case kRatio: return tr("%1×").arg(roundedText(record.ratio(), {}, locale));
         case kImpact: return roundedText(record.impact, {}, locale);
         case kThreshold: return roundedText(record.threshold, {}, locale);
-        case kPieces: return record.isBreak() ? locale.toString(record.pieces) : tr("whole");
+        case kPieces: return record.isBreak() ? locale.toString(record.pieces) : tr("intact");
         case kCost: return record.isBreak() ? roundedText(record.milliseconds, {}, locale) : QString();
         default: return {};
     }
@@ -67,8 +67,8 @@ QVariant ImpactModel::headerData(int section, Qt::Orientation orientation, int r
     if (role == Qt::TextAlignmentRole && section != kName) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::ToolTipRole && section == kRatio) return tr("Impact divided by threshold");
     if (role != Qt::DisplayRole) return {};
-    const std::array titles = {tr("Time (s)"),        tr("Body"),      tr("Ratio"),    tr("Impact (N·s)"),
-                               tr("Threshold (N·s)"), tr("Fragments"), tr("Swap (ms)")};
+    const std::array titles = {tr("Time (s)"),        tr("Body"),      tr("Ratio"),           tr("Impact (N·s)"),
+                               tr("Threshold (N·s)"), tr("Fragments"), tr("Computed in (ms)")};
     return titles[static_cast<std::size_t>(section)];
 }
 

@@ -23,7 +23,7 @@ QString textOf(DiagnosticCode kind) {
         case DiagnosticCode::VanishedPiece: return ProblemModel::tr("Fragment lost to the gap");
         case DiagnosticCode::Sliver: return ProblemModel::tr("Sliver");
         case DiagnosticCode::TinyPiece: return ProblemModel::tr("Tiny fragment");
-        case DiagnosticCode::ManyHulls: return ProblemModel::tr("Many hulls");
+        case DiagnosticCode::ManyHulls: return ProblemModel::tr("Many collision hulls");
         case DiagnosticCode::UnknownStrength: return ProblemModel::tr("Unknown strength");
         default: break;  // notes are no problems
     }

@@ -46,7 +46,7 @@ void PlacementTool::setOn(bool isOn) {
 
 void PlacementTool::begin(Id asset) {
     if (!m_isOn) {
-        return emit statusMessage(tr("To place instances, stop the simulation and show the whole scene."));
+        return emit statusMessage(tr("To place instances, stop the simulation and show the scene."));
     }
     m_asset = asset;
     m_rotationSteps = 0;

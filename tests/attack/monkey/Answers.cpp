@@ -59,7 +59,7 @@ void Closing::closeNext() {
         popup->close();
     } else if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
         QAbstractButton* discard = buttonOf(*box, "Discard");
-        if (!discard) discard = buttonOf(*box, "Close Window");  // a film is being exported
+        if (!discard) discard = buttonOf(*box, "Close Window");  // a video is being exported
         discard ? discard->click() : box->reject();
     } else if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
         dialog->reject();

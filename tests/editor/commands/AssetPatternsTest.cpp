@@ -8,7 +8,7 @@ using namespace rubble;
 
 namespace {
 
-/// An asset with one level, a fragment with a pattern of its own, and one that is kept whole.
+/// An asset with one level, a fragment with a pattern of its own, and one that is kept intact.
 Asset wallWithLeaves() {
     Asset asset = boxAsset(2, 3, UniformScatter{.count = 4});
     asset.levels = {{.pattern = {{{.id = 5, .parameters = UniformScatter{.count = 2}}}}}};
@@ -41,7 +41,7 @@ private slots:
         Asset asset = wallWithLeaves();
         setMinimumVolume(asset, 1, 0.5);
         setMinimumVolume(asset, 2, 0.25);
-        setMinimumVolume(asset, 3, 0.125);  // kept whole: no level
+        setMinimumVolume(asset, 3, 0.125);  // kept intact: no level
         QCOMPARE(asset.levels[0].minimumVolume, 0.5);
         QCOMPARE(asset.leaves[0].level->minimumVolume, 0.25);
         QVERIFY(!asset.leaves[1].level);
@@ -50,7 +50,7 @@ private slots:
         Asset asset = wallWithLeaves();
         setLevelThreshold(asset, 1, 5.0);
         setLevelThreshold(asset, 2, 2.5);
-        setLevelThreshold(asset, 3, 1.25);  // kept whole: no level
+        setLevelThreshold(asset, 3, 1.25);  // kept intact: no level
         QCOMPARE(asset.levels[0].threshold, std::optional(5.0));
         QCOMPARE(asset.leaves[0].level->threshold, std::optional(2.5));
         setLevelThreshold(asset, 1, std::nullopt);
@@ -66,10 +66,10 @@ private slots:
         QCOMPARE(patternCount(asset), std::size_t{2});
     }
     void namesTellWhatIsFractured() {
-        QCOMPARE(patternName(wallWithLeaves(), 0), "Whole asset");
+        QCOMPARE(patternName(wallWithLeaves(), 0), "Intact asset");
         QCOMPARE(patternName(wallWithLeaves(), 1), "Fragments, level 1");
         QCOMPARE(patternName(wallWithLeaves(), 2), "Fragment 3.1");
-        QCOMPARE(patternName(wallWithLeaves(), 3), "Fragment 3.2, kept whole");
+        QCOMPARE(patternName(wallWithLeaves(), 3), "Fragment 3.2, kept intact");
     }
 };
 

@@ -122,7 +122,7 @@ private slots:
         m_document.push(keepFragmentsWhole(m_document.project(), kWall, pieces({seed(1)})));
         QVERIFY(!wall().leaves[0].level);
         QVERIFY(patternAt(wall(), 1) == nullptr);
-        QCOMPARE(patternName(wall(), 1), QString("Fragment 3.1, kept whole"));
+        QCOMPARE(patternName(wall(), 1), QString("Fragment 3.1, kept intact"));
     }
     void restoreRemovesEditsOfTheseSeeds() {
         m_document.push(mergeFragments(m_document.project(), kWall, pieces({seed(2), seed(3)})));

@@ -70,18 +70,6 @@ private slots:
         for (const Instance& instance : changed.instances) variants.push_back(instance.variant);
         QCOMPARE(variants, (std::vector<std::uint32_t>{0, 2, 3, 1}));
     }
-    void importsStandBesideTheScene() {
-        Project project = boxes(3);
-        project.instances[2].pose.position = {0.5, 0.25, 0.0};  // in the first box
-        constexpr Id added[] = {12};
-        moveBesideOthers(project, added);
-        const Box3 box = boundsOf(project, added), others = boundsOf(project, kBoth);
-        QVERIFY(box.min.x > others.max.x);
-        QCOMPARE(project.instances[2].pose.position.y, 0.25);
-        const Project beside = project;
-        moveBesideOthers(project, added);  // they stay where they overlap nothing
-        QVERIFY(project == beside);
-    }
     void hideAndLockCanBeReversed() {
         const Project project = boxes(3);
         const Project hidden = test::editedProject(project, hideInstances(project, kFirst));

@@ -9,6 +9,7 @@
 #include "tests/support/files/FileBytes.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDir>
 #include <QLabel>
 #include <QListWidget>
@@ -98,7 +99,13 @@ private slots:
         for (auto* box : dialog.findChildren<QCheckBox*>()) {
             if (box->text().contains("GLB") != box->isChecked()) QTest::mouseClick(box, Qt::LeftButton, {}, {10, 8});
         }
+        for (auto* box : dialog.findChildren<QComboBox*>()) {
+            for (const char* item : {"Z up", "Centimetres"}) {
+                if (box->findText(item) >= 0) box->setCurrentText(item);
+            }
+        }
         exportProject(*m_workspace, dialog.options(), m_messages, nullptr);
+        QCOMPARE(lastExportOptions(*m_workspace)->meshes.objFrame, (ObjFrame{UpAxis::Z, ObjUnit::Centimetre}));
         QVERIFY(!lastExportOptions(*m_workspace)->meshes.obj);
         QVERIFY(lastExportOptions(*m_workspace)->meshes.glb);
         QVERIFY(m_workspace->file().saveAs(m_folder->filePath("other.rubble")).hasValue());

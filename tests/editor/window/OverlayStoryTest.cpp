@@ -60,7 +60,7 @@ private slots:
         advance(2);
         QCOMPARE(viewport().plates().size(), 4u);
         QVERIFY2(areClear(), qPrintable(m_fault));
-        for (const QSize size : {QSize(900, 600), QSize(1500, 860), kSmallScreen}) {
+        for (const QSize size : {QSize(1100, 720), QSize(1500, 860), kSmallScreen}) {
             window().resize(size);
             QTRY_COMPARE(window().size(), size);
             advance(1);

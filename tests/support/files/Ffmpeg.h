@@ -11,17 +11,17 @@ namespace rubble::test {
 /// all.
 class Ffmpeg {
 public:
-    /// Makes a film that holds its own arguments, a line each, where the pictures are there.
+    /// Makes a video that holds its own arguments, a line each, where the pictures are there.
     static constexpr const char* kTellsArguments = R"(#!/bin/sh
-for film; do :; done
-while [ "$1" != -i ]; do echo "$1"; shift; done > "$film"
+for video; do :; done
+while [ "$1" != -i ]; do echo "$1"; shift; done > "$video"
 first=$(printf "$2" 0)
 [ -s "$first" ] || { echo "$first: No such file" >&2; exit 1; }
-for word; do echo "$word"; done >> "$film"
+for word; do echo "$word"; done >> "$video"
 )";
     static constexpr const char* kFails = R"(#!/bin/sh
-for film; do :; done
-echo half > "$film"
+for video; do :; done
+echo half > "$video"
 echo "[out] warning" >&2
 echo "Error writing trailer: No space left on device" >&2
 exit 1

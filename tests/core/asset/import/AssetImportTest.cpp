@@ -56,6 +56,19 @@ private slots:
         QCOMPARE(project.assets[1].material, project.materials[1].id);
         QCOMPARE(project.materials[0].outside.red, 0.5);
     }
+    void equalObjectsBecomeInstancesWhereWanted() {
+        const SourceScene scene = sceneOf({objectOf("Wall", wallMesh()), objectOf("Gable", gableMesh()),
+                                           objectOf("Second", placed(wallMesh(), {{0.1, 3, 0.7}})),
+                                           objectOf("Slate", placed(wallMesh(), {{0, 9, 0}}), 1)});
+        const ImportOutcome merged = imported({}, scene, {.mergesEqual = true});
+        QCOMPARE(merged.project.assets.size(), std::size_t{3});  // another material is another asset
+        QCOMPARE(merged.project.instances.size(), std::size_t{4});
+        QCOMPARE(merged.project.instances[2].asset, merged.project.instances[0].asset);
+        QVERIFY(glm::distance(merged.project.instances[2].pose.position, Vec3(11.1, 3.5, 0.7)) < 1e-4);
+        QCOMPARE(merged.assets[0].merged, std::size_t{1});
+        QCOMPARE(merged.assets[0].notes.back(), std::string("1 equal mesh is an instance of it."));
+        QCOMPARE(imported({}, scene).project.assets.size(), std::size_t{4});
+    }
     void copiesOfAnObjectBecomeInstances() {
         SourceObject wall = objectOf("Wall", wallMesh());
         const double half = std::sqrt(0.5);
@@ -163,7 +176,7 @@ private slots:
         const TriangleMesh both = joined(wallMesh(), gableMesh());
         const ImportOutcome outcome = imported({}, sceneOf({objectOf("Set", both)}));
         QCOMPARE(outcome.project.assets.size(), std::size_t{2});
-        QCOMPARE(outcome.assets[0].notes[0], std::string("The object has 2 unconnected parts; each becomes an asset."));
+        QCOMPARE(outcome.assets[0].notes[0], std::string("The object has 2 unconnected parts, imported one by one."));
         QCOMPARE(importFault(sceneOf({objectOf("Set", both)}), {.asset = "Set"}),
                  QString("\"Set\" would have 2 unconnected parts; an asset has one."));
     }

@@ -1,4 +1,5 @@
 #include "core/asset/placement/InstancePlacement.h"
+#include "core/asset/project/Ids.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
 
@@ -32,6 +33,24 @@ constexpr Vec3 kDown{0.0, -1.0, 0.0};
 class InstancePlacementTest : public QObject {
     Q_OBJECT
 private slots:
+    void addedInstancesStandBesideOthers() {
+        const Project before = boxesAt({{0.0, 0.0, 0.0}});
+        const Box3 kept = boundsOf(before, std::vector{before.instances.front().id});
+        Project after = before;
+        for (int k = 0; k < 2; ++k) {
+            Instance copy = before.instances.front();
+            copy.id = allocateId(after);
+            copy.pose.position.z += 0.1 * k;
+            after.instances.push_back(copy);
+        }
+        moveAddedBesideOthers(before, after);
+        const std::vector<Id> added{after.instances[1].id, after.instances[2].id};
+        QVERIFY(boundsOf(after, added).min.x > kept.max.x);
+        QCOMPARE(after.instances[2].pose.position.z - after.instances[1].pose.position.z, 0.1);  // together
+        const Project once = after;
+        moveAddedBesideOthers(before, after);
+        QVERIFY(after.instances == once.instances);
+    }
     void rayHitsTheNearestInstance() {
         const Project project = boxesAt({{0.0, 0.0, 0.0}, {0.0, 3.0, 0.0}});
         const AssetHulls hulls = assetHulls(project);

@@ -32,6 +32,32 @@ QString linesBetween(const std::string& text, const char* from, const char* to) 
 class ObjFileTest : public QObject {
     Q_OBJECT
 private slots:
+    void frameSetsUnitAndUpAxis() {
+        const auto positions = [](const ObjFrame& frame) {
+            const std::string text = objFile(halves(), kObjMaterials, PartPlacement::Assembled, "wall.mtl", frame);
+            std::vector<Vec3> all;
+            for (const ObjObject& object : readObj(text)) {
+                if (volumeOf(object.mesh) <= 0.0) qWarning("turned inside out");
+                all.insert(all.end(), object.mesh.positions.begin(), object.mesh.positions.end());
+            }
+            return all;
+        };
+        const std::vector<Vec3> metres = positions({}), zUp = positions({UpAxis::Z, ObjUnit::Centimetre});
+        const std::vector<Vec3> millimetres = positions({UpAxis::Y, ObjUnit::Millimetre});
+        QCOMPARE(metres[0], Vec3(0.0, 0.0, 1.0));
+        QCOMPARE(zUp[0], Vec3(0.0, -100.0, 0.0));
+        QCOMPARE(metres[2], Vec3(0.5, 1.0, 1.0));
+        QCOMPARE(zUp[2], Vec3(50.0, -100.0, 100.0));
+        for (std::size_t k = 0; k < metres.size(); ++k) {
+            QCOMPARE(zUp[k], 100.0 * Vec3(metres[k].x, -metres[k].z, metres[k].y));
+            QCOMPARE(millimetres[k], 1000.0 * metres[k]);
+        }
+    }
+    void headerNamesTheFrame() {
+        const ObjFrame frame{UpAxis::Z, ObjUnit::Centimetre};
+        const std::string text = objFile(halves(), kObjMaterials, PartPlacement::Assembled, "wall.mtl", frame);
+        QVERIFY(text.starts_with("# Rubble 1: centimetres, z up\n") && text.find("vn 0 -1 0\n") != std::string::npos);
+    }
     void cubeCutInTwoHasTheseBytes() {
         const std::string text = assembled(halves());
         QCOMPARE(linesBetween(text, "# ", "o wall1"), QString(R"(# Rubble 1: metres, y up
@@ -157,7 +183,7 @@ f 2/17/6 6/18/6 7/20/6 3/19/6
         QCOMPARE(assembled(halves()) + mtlFile(kObjMaterials), before);
     }
     void materialsAreListedWithTheirColours() {
-        QCOMPARE(mtlFile(kObjMaterials), std::string("# Rubble 1: metres, y up\n"
+        QCOMPARE(mtlFile(kObjMaterials), std::string("# Rubble 1\n"
                                                      "newmtl brick_outside\nKd 0.5 0.25 1\nillum 1\n"
                                                      "newmtl brick_inside\nKd 0 1 0.125\nillum 1\n"));
     }

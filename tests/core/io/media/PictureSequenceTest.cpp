@@ -47,7 +47,7 @@ private slots:
         }
         QCOMPARE(filesIn(folder()), QStringList{"notes.txt"});
     }
-    void folderWithAFilmIsRejected() {
+    void folderWithAVideoIsRejected() {
         auto first = PictureSequence::create(folder().toStdString());
         QVERIFY((*first)->add("a").hasValue());
         (*first)->keep();
@@ -56,15 +56,15 @@ private slots:
         QCOMPARE(second.error().code, ErrorCode::BadInput);
         QCOMPARE(QString::fromStdString(second.error().message),
                  '"' + folder() +
-                     "\" already contains a film: frame-0000.png. Choose another folder, or remove its pictures.");
+                     "\" already contains a video: frame-0000.png. Choose another folder, or remove its pictures.");
     }
-    void folderOfARunningFilmIsRejected() {
+    void folderOfARunningVideoIsRejected() {
         const auto first = PictureSequence::create(folder().toStdString());
         QVERIFY(first.hasValue());
         const auto second = PictureSequence::create(folder().toStdString());
         QCOMPARE(second.error().code, ErrorCode::BadInput);
         QCOMPARE(QString::fromStdString(second.error().message),
-                 "Another film is being written to \"" + folder() + "\". Choose another folder, or wait.");
+                 "Another video is being written to \"" + folder() + "\". Choose another folder, or wait.");
         QVERIFY((*first)->add("a").hasValue());
     }
     void folderThatCannotBeCreatedIsAnError() {
@@ -85,7 +85,7 @@ private slots:
     }
 
 private:
-    QString folder() const { return m_place->filePath("films/one"); }
+    QString folder() const { return m_place->filePath("videos/one"); }
     std::unique_ptr<QTemporaryDir> m_place;
 };
 

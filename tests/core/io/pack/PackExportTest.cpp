@@ -68,8 +68,9 @@ private slots:
         QCOMPARE((*assets)[1].folder, m_out / "old roof");
         QCOMPARE((*assets)[1].fragmentCount, std::size_t{6});
         QCOMPARE((*assets)[1].volume, 0.5);
-        for (const char* file : {"wall/pack.json", "wall/manifest.json", "wall/wall.obj", "wall/wall.mtl",
-                                 "wall/wall.glb", "wall/wall-whole.obj", "old roof/old_roof.glb"}) {
+        for (const char* file :
+             {"wall/pack.json", "wall/manifest.json", "wall/wall-fragments.obj", "wall/wall.mtl",
+              "wall/wall-fragments.glb", "wall/wall-intact.obj", "old roof/old_roof-fragments.glb"}) {
             QVERIFY2(fs::exists(m_out / file), file);
         }
     }
@@ -105,10 +106,10 @@ private slots:
         const Project project = projectOf({"a"});
         QVERIFY(exportPacks(project, allAssets(project), m_out, {}));
         const auto whole = treeOf(m_out);
-        QVERIFY(writeFileAtomically(m_out / "a" / "a.obj", "o nothing\n"));
+        QVERIFY(writeFileAtomically(m_out / "a" / "a-fragments.obj", "o nothing\n"));
         const AssetExport kept = exportPacks(project, allAssets(project), m_out, {}).value()[0];
         QCOMPARE(kept.status.error().code, ErrorCode::Edited);
-        QCOMPARE(*readFile(m_out / "a" / "a.obj"), std::string("o nothing\n"));
+        QCOMPARE(*readFile(m_out / "a" / "a-fragments.obj"), std::string("o nothing\n"));
         const auto replaced = exportPacks(project, allAssets(project), m_out, {}, EditedFiles::Replaced);
         QVERIFY(replaced && replaced.value()[0].status && !replaced.value()[0].isUnchanged);
         QVERIFY(treeOf(m_out) == whole);

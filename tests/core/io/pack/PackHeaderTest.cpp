@@ -202,8 +202,8 @@ private slots:
         QCOMPARE(program->readAllStandardOutput(),
                  QByteArray("box, made of brick, breaks at 100 N·s\n"
                             "box: 900 kg at (0.5, 0.5, 0), hulls 1, vertices 8, neighbours 0\n"
-                            "  box0: 450 kg at (0.25, 0.5, 0), hulls 1, vertices 8, neighbours 1\n"
-                            "  box1: 450 kg at (0.75, 0.5, 0), hulls 1, vertices 8, neighbours 1\n"));
+                            "  box-4.0: 450 kg at (0.25, 0.5, 0), hulls 1, vertices 8, neighbours 1\n"
+                            "  box-4.1: 450 kg at (0.75, 0.5, 0), hulls 1, vertices 8, neighbours 1\n"));
     }
     void examplePrintsErrors() {
         QProcess* program = example("{\"format\": \"rubble-project\"}");

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 using namespace rubble;
 
@@ -59,37 +60,55 @@ class PackMeshesTest : public QObject {
 private slots:
     void singleFileHoldsAllFragments() {
         const std::vector<ExportFile> files = filesOf(wallAsset(), {});
-        QCOMPARE(namesOf(files), (Names{"wall-whole.obj", "wall-whole.glb", "wall.obj", "wall.glb", "wall.mtl"}));
-        const std::vector<ObjObject> objects = readObj(bytesNamed(files, "wall.obj"));
+        QCOMPARE(namesOf(files),
+                 (Names{"wall-intact.obj", "wall-intact.glb", "wall-fragments.obj", "wall-fragments.glb", "wall.mtl"}));
+        const std::vector<ObjObject> objects = readObj(bytesNamed(files, "wall-fragments.obj"));
         QCOMPARE(objects.size(), std::size_t{2});
-        QCOMPARE(objects[1].name, std::string("wall1"));
-        QVERIFY(bytesNamed(files, "wall.obj").find("\nmtllib wall.mtl\n") != std::string::npos);
+        QCOMPARE(objects[1].name, std::string("wall-4.1"));
+        QVERIFY(bytesNamed(files, "wall-fragments.obj").find("\nmtllib wall.mtl\n") != std::string::npos);
     }
     void perFragmentFilesHoldOneFragmentEach() {
         const MeshOptions options{.glb = false, .split = FileSplit::PerFragment};
         const std::vector<ExportFile> files = filesOf(wallAsset(), options);
-        QCOMPARE(namesOf(files), (Names{"wall-whole.obj", "wall0.obj", "wall1.obj", "wall.mtl"}));
-        QCOMPARE(readObj(bytesNamed(files, "wall1.obj"))[0].name, std::string("wall1"));
+        QCOMPARE(namesOf(files), (Names{"wall-intact.obj", "wall-4.0.obj", "wall-4.1.obj", "wall.mtl"}));
+        QCOMPARE(readObj(bytesNamed(files, "wall-4.1.obj"))[0].name, std::string("wall-4.1"));
     }
     void withoutFormatsThereAreNoFiles() { QVERIFY(filesOf(wallAsset(), {.obj = false, .glb = false}).empty()); }
     void glbAloneHasNoMaterialFile() {
-        QCOMPARE(namesOf(filesOf(wallAsset(), {.obj = false})), (Names{"wall-whole.glb", "wall.glb"}));
+        QCOMPARE(namesOf(filesOf(wallAsset(), {.obj = false})), (Names{"wall-intact.glb", "wall-fragments.glb"}));
     }
     void everyMeshIsListedForThePack() {
         const Asset asset = wallAsset();
         const Bake baked = bake(asset).value();
         const PackMeshes single = packMeshes(baked, asset, kBrick, {.glb = false}).value();
-        const std::vector<PackMeshFile> expected{{"wall-whole.obj", PackMeshBodies::Whole},
-                                                 {"wall.obj", PackMeshBodies::Fragments}};
+        const std::vector<PackMeshFile> expected{{"wall-intact.obj", PackMeshBodies::Whole},
+                                                 {"wall-fragments.obj", PackMeshBodies::Fragments}};
         QVERIFY(single.list == expected);
         const MeshOptions options{.obj = false, .split = FileSplit::PerFragment, .place = PartPlacement::Centred};
         const PackMeshes each = packMeshes(baked, asset, kBrick, options).value();
-        const PackMeshFile last{"wall1.glb", PackMeshBodies::Fragment, 1, PartPlacement::Centred};
+        const PackMeshFile last{"wall-4.1.glb", PackMeshBodies::Fragment, 1, PartPlacement::Centred};
         QVERIFY(each.list.back() == last);
     }
     void namesInFilesHaveNoSpaces() {
         const std::vector<ExportFile> files = filesOf(ringAsset(), {.glb = false});
-        QCOMPARE(namesOf(files), (Names{"old_ring-whole.obj", "old_ring.obj", "old_ring-level0.obj", "old_ring.mtl"}));
+        QCOMPARE(namesOf(files), (Names{"old_ring-intact.obj", "old_ring-fragments.obj",
+                                        "old_ring-fragments-level-0.obj", "old_ring.mtl"}));
+    }
+    void objectsHaveTheNamesOfTheFragmentTable() {
+        const Asset asset = ringAsset();
+        const Bake baked = bake(asset).value();
+        const std::vector<ExportFile> files = filesOf(asset, {.glb = false});
+        std::set<std::string> expected, names;
+        for (std::uint32_t k = 0; k < baked.fragmentCount(); ++k) {
+            std::string path = pathOfId(baked.fragmentId(k));
+            std::ranges::replace(path, '/', '-');
+            expected.insert("old_ring-" + path);
+        }
+        for (const char* name : {"old_ring-fragments.obj", "old_ring-fragments-level-0.obj"}) {
+            for (const ObjObject& object : readObj(bytesNamed(files, name))) names.insert(object.name);
+        }
+        QCOMPARE(names, expected);
+        QCOMPARE(fragmentBodyName(asset, "3/5.17+8.2/4.1"), std::string("old_ring-5.17_8.2-4.1"));
     }
     void fragmentsOfAFileDoNotOverlap() {
         const Asset asset = ringAsset();
@@ -104,19 +123,19 @@ private slots:
         }
         QVERIFY(broken > 0 && broken < 12);
         const std::vector<ExportFile> files = filesOf(asset, {});
-        QCOMPARE(readObj(bytesNamed(files, "old_ring-level0.obj")).size(), broken);
-        QCOMPARE(readObj(bytesNamed(files, "old_ring.obj")).size(), baked.fragmentCount() - broken);
-        QVERIFY(std::abs(volumeOfObj(bytesNamed(files, "old_ring.obj")) - 5.98) < 6e-9);
-        QVERIFY(std::abs(volumeOfObj(bytesNamed(files, "old_ring-level0.obj")) - brokenVolume) < 6e-9);
-        QVERIFY(std::abs(volumeOfObj(bytesNamed(files, "old_ring-whole.obj")) - 5.98) < 6e-9);
+        QCOMPARE(readObj(bytesNamed(files, "old_ring-fragments-level-0.obj")).size(), broken);
+        QCOMPARE(readObj(bytesNamed(files, "old_ring-fragments.obj")).size(), baked.fragmentCount() - broken);
+        QVERIFY(std::abs(volumeOfObj(bytesNamed(files, "old_ring-fragments.obj")) - 5.98) < 6e-9);
+        QVERIFY(std::abs(volumeOfObj(bytesNamed(files, "old_ring-fragments-level-0.obj")) - brokenVolume) < 6e-9);
+        QVERIFY(std::abs(volumeOfObj(bytesNamed(files, "old_ring-intact.obj")) - 5.98) < 6e-9);
     }
     void allOptionsGiveClosedFragmentsWithTheWholesVolume() {
         for (const PartPlacement place : {PartPlacement::Assembled, PartPlacement::Centred}) {
             for (const FaceShape faces : {FaceShape::Polygons, FaceShape::Triangles}) {
                 const std::vector<ExportFile> files = filesOf(ringAsset(), {.place = place, .faces = faces});
-                QVERIFY(std::abs(volumeOfObj(bytesNamed(files, "old_ring.obj")) - 5.98) < 6e-9);
+                QVERIFY(std::abs(volumeOfObj(bytesNamed(files, "old_ring-fragments.obj")) - 5.98) < 6e-9);
                 Glb glb;
-                QCOMPARE(openGlb(bytesNamed(files, "old_ring.glb"), glb), std::string());
+                QCOMPARE(openGlb(bytesNamed(files, "old_ring-fragments.glb"), glb), std::string());
                 double volume = 0.0;
                 for (const nlohmann::json& node : glb.json["nodes"]) volume += volumeOf(meshOfNode(glb, node));
                 QVERIFY(std::abs(volume - 5.98) < 6e-6);  // float32
@@ -127,7 +146,7 @@ private slots:
         const auto highest = [](PartPlacement place) {
             double height = 0.0;
             for (const ObjObject& object :
-                 readObj(bytesNamed(filesOf(ringAsset(), {.place = place}), "old_ring.obj"))) {
+                 readObj(bytesNamed(filesOf(ringAsset(), {.place = place}), "old_ring-fragments.obj"))) {
                 for (const Vec3 position : object.mesh.positions) height = std::max(height, position.y);
             }
             return height;
@@ -137,7 +156,7 @@ private slots:
     }
     void facesOfGlbDoNotDependOnThoseOfObj() {
         const auto glb = [](FaceShape faces) {
-            return bytesNamed(filesOf(ringAsset(), {.faces = faces}), "old_ring.glb");
+            return bytesNamed(filesOf(ringAsset(), {.faces = faces}), "old_ring-fragments.glb");
         };
         QVERIFY(glb(FaceShape::Polygons) == glb(FaceShape::Triangles));
     }

@@ -58,7 +58,7 @@ private slots:
             const PackBody& read = pack.fragments[k];
             const BakedFragment written = baked.fragment(k);
             QCOMPARE(read.id, baked.fragmentId(k));
-            QCOMPARE(read.name, "box" + std::to_string(k));
+            QCOMPARE(read.name, fragmentBodyName(asset, read.id));
             QCOMPARE(read.parent, written.parent);
             QVERIFY(read.offset == written.solid.offset());
             QCOMPARE(read.volume, written.solid.volume());

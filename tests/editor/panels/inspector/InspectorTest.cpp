@@ -390,7 +390,7 @@ private slots:
         desk.selection.setAsset(3);
         auto& levels = desk.control<QComboBox>("Pattern");
         QCOMPARE(levels.count(), 5);
-        QCOMPARE(levels.itemText(3), QString("Fragment 4.3.1, kept whole"));
+        QCOMPARE(levels.itemText(3), QString("Fragment 4.3.1, kept intact"));
         emit levels.activated(4);
         QCOMPARE(levels.currentText(), QString("Fragment 6.0"));
         desk.type("Minimum volume", "0.25");
@@ -480,7 +480,7 @@ private slots:
     void sceneSettingsAreEdited() {
         InspectorDesk desk;
         desk.selection.setSubject(Part::Scene);
-        desk.type("Gravity y", "-3.7");
+        desk.type("Gravity along y", "-3.7");
         QCOMPARE(desk.document.project().gravity.y, -3.7);
         desk.undoAll();
         QCOMPARE(desk.text(), projectText(fullProject()));

@@ -1,0 +1,200 @@
+#include "editor/actions/VideoActions.h"
+
+#include "core/io/media/VideoFile.h"
+#include "editor/dialogs/MessageBoxes.h"
+#include "editor/dialogs/VideoDialog.h"
+#include "editor/document/FilePath.h"
+#include "editor/document/ShownText.h"
+#include "editor/view3d/SceneView.h"
+#include "editor/views/Views.h"
+#include "editor/widgets/Action.h"
+#include "editor/workspace/Workspace.h"
+#include "viewport/widget/ViewportWidget.h"
+
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QProgressBar>
+#include <QStandardPaths>
+#include <QStatusBar>
+#include <QToolButton>
+
+#include <cmath>
+
+namespace rubble {
+
+namespace {
+
+constexpr int kProgressWidth = 200;  // pixels
+
+VideoSubject subjectOf(Workspace& workspace) {
+    const QString path = workspace.file().path();
+    const auto& frame = workspace.play().frame();
+    VideoSubject subject{.name = path.isEmpty() ? workspace.file().name() : QFileInfo(path).completeBaseName(),
+                         .folder = path.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::MoviesLocation)
+                                                  : QFileInfo(path).absolutePath(),
+                         .length = workspace.play().hasSession() && frame ? frame->length : 0,
+                         .stepLength = SessionSettings().dt,
+                         .speed = workspace.play().timeScale()};
+    if (subject.length > 0) subject.stepLength = workspace.play().thread().stepLength();
+    for (const Shot& shot : workspace.project().shots) subject.throws.append(nameText(shot.name));
+    return subject;
+}
+
+/// The remaining time of an export, rounded.
+QString durationText(double seconds) {
+    if (seconds < 60.0) return VideoActions::tr("%1 s").arg(std::ceil(seconds));
+    return VideoActions::tr("%1 min").arg(std::round(seconds / 60.0));
+}
+
+/// The view of the 3D view, at the video's resolution and without the axes.
+RenderView viewOf(const ViewportWidget& viewport, ImageSize size) {
+    RenderView view{.camera = viewport.camera(), .size = size, .settings = viewport.settings()};
+    view.settings.scale = 1.0;
+    view.settings.hasAxes = false;
+    view.settings.hasScaleBar = true;
+    return view;
+}
+
+VideoPlan planOf(const VideoOptions& options, double stepLength, const ViewportWidget& viewport) {
+    const auto first = static_cast<double>(options.first), last = static_cast<double>(options.last);
+    const double stepsPerFrame = options.stepsPerFrame(stepLength);
+    return {.view = viewOf(viewport, options.size),
+            .samples = options.samples,
+            .first = first,
+            .stepsPerFrame = stepsPerFrame,
+            .frames = frameCount(first, last, stepsPerFrame),
+            .frameRate = options.frameRate};
+}
+
+}  // namespace
+
+VideoActions::VideoActions(Views& views)
+    : QObject(&views.window()),
+      m_views(views),
+      m_workspace(views.workspace()),
+      m_action(
+          makeAction(this, {"play-video", tr("Export V&ideo…"), tr("Export the simulation as a video or images")})) {
+    addProgress();
+    VideoExporter& videos = m_workspace.videos();
+    connect(m_action, &QAction::triggered, this, &VideoActions::exportWithDialog);
+    connect(&videos, &VideoExporter::changed, this, &VideoActions::updateProgress);
+    connect(&videos, &VideoExporter::progressed, this, &VideoActions::showProgress);
+    connect(&videos, &VideoExporter::finished, this, &VideoActions::showFinished);
+    connect(&videos, &VideoExporter::failed, this, &VideoActions::showFailed);
+    connect(&views, &Views::projectShown, this, &VideoActions::updateEnabled);
+    connect(&m_workspace.play(), &PlayController::stateChanged, this, &VideoActions::updateEnabled);
+    connect(&m_workspace.play(), &PlayController::frameChanged, this, &VideoActions::updateEnabled);
+    connect(&m_workspace.document(), &Document::changed, this, &VideoActions::updateEnabled);
+    updateEnabled();
+}
+
+void VideoActions::addProgress() {
+    m_progress = new QProgressBar;
+    m_progress->setObjectName("video-progress");
+    m_progress->setMaximumWidth(kProgressWidth);
+    m_progress->setAccessibleName(tr("Video export"));
+    auto* cancel = new QToolButton;
+    cancel->setObjectName("video-cancel");
+    cancel->setText(tr("Cancel"));
+    cancel->setToolTip(tr("Cancel the video and delete its files"));
+    cancel->setAutoRaise(true);
+    connect(cancel, &QToolButton::clicked, this, [this] {
+        m_workspace.videos().cancel();
+        m_views.showStatus(tr("Cancelled the video and deleted its files."));
+    });
+    m_progressWidgets = {m_progress, cancel};
+    for (QWidget* widget : m_progressWidgets) m_views.window().statusBar()->addPermanentWidget(widget);
+    updateProgress();
+}
+
+void VideoActions::updateProgress() {
+    for (QWidget* widget : m_progressWidgets) widget->setVisible(m_workspace.videos().isBusy());
+}
+
+/// Estimates the remaining time once there are frames.
+void VideoActions::showProgress(double fraction) {
+    constexpr double kFirstFrames = 0.02;
+    m_progress->setValue(static_cast<int>(100.0 * fraction));
+    if (fraction < kFirstFrames) {
+        m_elapsed.start();
+        return m_progress->setFormat(tr("Video %p %"));
+    }
+    const double elapsed = 1e-3 * static_cast<double>(m_elapsed.elapsed());
+    m_progress->setFormat(tr("Video %p %, %1 left").arg(durationText(elapsed * (1.0 - fraction) / fraction)));
+}
+
+bool VideoActions::isRecorded() const {
+    const auto& frame = m_workspace.play().frame();
+    return m_workspace.play().hasSession() && frame && frame->length > 0;
+}
+
+/// Without a recording, a saved throw can be simulated.
+void VideoActions::updateEnabled() {
+    const Project& project = m_workspace.project();
+    const bool hasThrow = !project.instances.empty() && !project.shots.empty();
+    m_action->setEnabled(m_views.isProjectShown() && (isRecorded() || hasThrow));
+    const QString tip = m_action->isEnabled() ? tr("Export the simulation as a video or images")
+                                              : tr("Start the simulation, or save a throw, to export a video");
+    m_action->setStatusTip(tip);
+    m_action->setToolTip(tip);
+}
+
+void VideoActions::exportWithDialog() {
+    PlayController& play = m_workspace.play();
+    play.pause();
+    if (!confirmStop(tr("A video is being exported. Cancel it and export another one?"), tr("Export Another"))) return;
+    const bool wasRecorded = isRecorded();
+    VideoDialog dialog(subjectOf(m_workspace), &m_views.window());
+    if (dialog.exec() != QDialog::Accepted) return;
+    wasRecorded ? exportRecording(dialog.options()) : exportThrow(dialog.options());
+}
+
+void VideoActions::exportRecording(const VideoOptions& options) {
+    PlayController& play = m_workspace.play();
+    play.requestScript([this, &play, options](PlayScript script) {
+        m_workspace.videos().start({.scene = play.scene(),
+                                    .script = std::move(script),
+                                    .overlays = play.overlays(),
+                                    .plan = planOf(options, play.thread().stepLength(), m_views.scene().viewport()),
+                                    .isCompared = options.isCompared,
+                                    .path = toPath(options.path)});
+    });
+}
+
+void VideoActions::exportThrow(const VideoOptions& options) {
+    const Project& project = m_workspace.project();
+    const auto index = static_cast<std::size_t>(options.savedThrow);
+    if (index >= project.shots.size()) return;
+    const Shot& shot = project.shots[index];
+    PlayScript script{.inputs = std::vector<TimedInput>{{0, ShotInput{shot.name, shot.action}}}, .steps = options.last};
+    const double stepLength = script.settings.dt;
+    m_workspace.videos().start({.project = project,
+                                .script = std::move(script),
+                                .overlays = m_workspace.play().overlays(),
+                                .plan = planOf(options, stepLength, m_views.scene().viewport()),
+                                .isCompared = options.isCompared,
+                                .path = toPath(options.path)});
+}
+
+bool VideoActions::confirmStop(const QString& question, const QString& action) {
+    if (!m_workspace.videos().isBusy()) return true;
+    return confirmLoss(&m_views.window(), question, action, tr("Continue Export"));
+}
+
+bool VideoActions::confirmClose() {
+    return confirmStop(tr("A video is being exported. Cancel it and close the window?"), tr("Close Window"));
+}
+
+void VideoActions::showFinished(const VideoRequest& request) {
+    const QString place = pathText(fromPath(request.path));
+    const QString sentence = tr("Exported %n frame(s) to %1.", nullptr, request.plan.frames).arg(place);
+    m_views.showStatus(sentence);
+    const QString path = fromPath(request.path);
+    offerFolder(&m_views.window(), sentence, isVideoPath(request.path) ? QFileInfo(path).absolutePath() : path);
+}
+
+void VideoActions::showFailed(const QString& sentence) { showError(&m_views.window(), sentence); }
+
+}  // namespace rubble
+
+#include "moc_VideoActions.cpp"

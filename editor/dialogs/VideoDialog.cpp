@@ -1,0 +1,272 @@
+#include "editor/dialogs/VideoDialog.h"
+
+#include "core/asset/project/Ranges.h"
+#include "core/io/media/PictureSequence.h"
+#include "core/io/media/VideoFile.h"
+#include "editor/dialogs/OutputPath.h"
+#include "editor/document/FilePath.h"
+#include "editor/document/ShownText.h"
+#include "editor/widgets/ComboBox.h"
+#include "editor/widgets/NumberField.h"
+#include "editor/widgets/ProjectRange.h"
+#include "editor/widgets/TypedFields.h"
+#include "viewport/render/OffscreenRenderer.h"
+#include "viewport/video/Video.h"
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QSettings>
+
+#include <cmath>
+
+namespace rubble {
+
+namespace {
+
+constexpr int kSamples[] = {0, 8, 32};  // of each quality
+constexpr const char* kVideoSuffix = ".mp4";
+constexpr int kMinVideoDialogWidth = 480;  // pixels, so that a path fits
+constexpr int kMinImageSide = 16;          // pixels
+constexpr double kDefaultDuration = 3.0;   // s, of a saved throw
+
+QHBoxLayout* createRow(const QList<QWidget*>& widgets) {
+    auto* row = new QHBoxLayout;
+    for (QWidget* widget : widgets) row->addWidget(widget);
+    return row;
+}
+
+QLabel* createLabel(const QString& text, QWidget* buddy) {
+    auto* label = new QLabel(text);
+    label->setBuddy(buddy);
+    return label;
+}
+
+NumberField* createField(const FieldRange& range, const QString& unit, const QString& name, const QString& hint) {
+    auto* field = new NumberField;
+    field->setRange(range);
+    field->setFormat({.unit = unit});
+    field->setAccessibleName(name);
+    field->setHint(hint);
+    return field;
+}
+
+std::uint64_t stepsOf(const NumberField& field) { return static_cast<std::uint64_t>(field.value()); }
+
+QString withoutVideoSuffix(const QString& path) {
+    if (!isVideoPath(toPath(path))) return path;
+    return path.left(path.lastIndexOf('.'));
+}
+
+}  // namespace
+
+VideoDialog::VideoDialog(const VideoSubject& subject, QWidget* parent)
+    : QDialog(parent), m_subject(subject), m_hasFfmpeg(findFfmpeg().has_value()) {
+    setWindowTitle(tr("Export Video"));
+    auto* form = new QFormLayout(this);
+    addTarget(*form);
+    addFrames(*form);
+    addTime(*form);
+    m_summary = new QLabel;
+    m_summary->setObjectName("video-summary");
+    m_summary->setWordWrap(true);
+    m_summary->setTextFormat(Qt::PlainText);
+    form->addRow(m_summary);
+    addButtons(*form);
+    restoreOptions();
+    connectFields();
+    updateSummary();
+    resize(sizeHint().expandedTo({kMinVideoDialogWidth, 0}));
+}
+
+void VideoDialog::addTarget(QFormLayout& form) {
+    m_kind = comboBox({tr("Video (MP4)"), tr("Numbered images (PNG)")}, tr("Select the output format"));
+    form.addRow(tr("F&ormat:"), m_kind);
+    if (!m_hasFfmpeg) {
+        m_kind->setEnabled(false);
+        auto* note =
+            new QLabel(tr("Videos need ffmpeg, which is not installed. Install it, or export images instead."));
+        note->setObjectName("video-without-ffmpeg");
+        note->setWordWrap(true);
+        form.addRow(QString(), note);
+    }
+    m_path = new QLineEdit;
+    m_path->setObjectName("video-path");
+    m_path->setToolTip(tr("Set the file of the video or the folder for the images"));
+    form.addRow(createLabel(tr("&Target:"), m_path), createPathRow(*m_path, [this] { browse(); }));
+}
+
+void VideoDialog::addFrames(QFormLayout& form) {
+    const FieldRange sides = FieldRange::whole(kMinImageSide, kMaxImageSide);
+    m_width = createField(sides, tr("px"), tr("Width"), tr("Set the width of the frames"));
+    m_height = createField(sides, tr("px"), tr("Height"), tr("Set the height of the frames"));
+    auto* row = createRow({m_width, new QLabel("×"), m_height});
+    row->addStretch(1);
+    form.addRow(createLabel(tr("&Size:"), m_width), row);
+    m_quality = comboBox({tr("As in the 3D view"), tr("Soft light"), tr("Softest light (slow)")},
+                         tr("Select the quality of light and edges"));
+    m_quality->setObjectName("video-quality");
+    form.addRow(tr("&Quality:"), m_quality);
+    m_compare = new QCheckBox(tr("&Compare without destruction"));
+    m_compare->setToolTip(tr("Show the same simulation without destruction on the left"));
+    form.addRow(QString(), m_compare);
+}
+
+void VideoDialog::addTime(QFormLayout& form) {
+    if (m_subject.length == 0) {
+        m_throw = comboBox(m_subject.throws, tr("Select the saved throw to simulate"));
+        form.addRow(tr("Saved &throw:"), m_throw);
+    }
+    const FieldRange steps = stepRange();
+    m_first = createField(steps, {}, tr("First step"), tr("Set the step of the first frame"));
+    m_last = createField(steps, {}, tr("Last step"), tr("Set the step of the last frame"));
+    m_last->setValue(m_subject.length > 0 ? steps.max : std::round(kDefaultDuration / m_subject.stepLength));
+    auto* row = createRow({m_first, new QLabel(tr("to")), m_last});
+    row->addStretch(1);
+    form.addRow(createLabel(tr("St&eps:"), m_first), row);
+    m_frameRate = createField(fieldRange(ProjectNumber::FrameRate), tr("fps"), tr("Frame rate"),
+                              tr("Set the frames per second; 24 to 60 look smooth"));
+    form.addRow(tr("Frame &rate:"), m_frameRate);
+    m_speed = createField({.min = 0.01, .max = 100.0}, tr("×"), tr("Speed"),
+                          tr("Set the playback speed; values below 1 give slow motion"));
+    m_speed->setValue(m_subject.speed);
+    form.addRow(tr("S&peed:"), m_speed);
+}
+
+void VideoDialog::addButtons(QFormLayout& form) {
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    m_export = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    form.addRow(buttons);
+    m_export->setFocusPolicy(Qt::TabFocus);  // a click leaves the focus in a field, so that its text can be refused
+    m_export->setDefault(true);              // after the button was added to the dialog
+}
+
+void VideoDialog::connectFields() {
+    connect(m_kind, &QComboBox::currentIndexChanged, this, &VideoDialog::updateSuffix);
+    connect(m_path, &QLineEdit::textChanged, this, &VideoDialog::updateSummary);
+    connect(m_compare, &QCheckBox::toggled, this, &VideoDialog::updateSummary);
+    for (NumberField* field : {m_width, m_height, m_first, m_last, m_frameRate, m_speed}) {
+        connect(field, &NumberField::edited, this, &VideoDialog::updateSummary);
+    }
+}
+
+/// Shows the options of the last video.
+void VideoDialog::restoreOptions() {
+    const QSettings settings;
+    m_kind->setCurrentIndex(m_hasFfmpeg ? settings.value("video/pictures", 0).toInt() : 1);
+    m_width->setValue(settings.value("video/width", 1280).toInt());
+    m_height->setValue(settings.value("video/height", 720).toInt());
+    m_quality->setCurrentIndex(settings.value("video/quality", 1).toInt());
+    m_frameRate->setValue(settings.value("video/rate", 30.0).toDouble());
+    const QString folder = pathOf(settings.value("video/folder"));
+    const bool exists = is_directory(statusOf(folder));
+    const QString path =
+        unusedPath(exists ? folder : m_subject.folder, tr("%1 video").arg(m_subject.name), kVideoSuffix);
+    m_path->setText(QDir::toNativeSeparators(path));
+    updateSuffix();
+}
+
+ImageSize VideoOptions::frameSize() const {
+    return {isCompared ? 2 * size.width + kPlaybackGap : size.width, size.height};
+}
+
+/// The steps that can be exported.
+FieldRange VideoDialog::stepRange() const {
+    if (m_subject.length == 0) return wholeFieldRange(ProjectNumber::Step);
+    return FieldRange::whole(0.0, static_cast<double>(m_subject.length));
+}
+
+VideoOptions VideoDialog::options() const {
+    VideoOptions options{.path = QDir::fromNativeSeparators(m_path->text()),
+                         .isVideo = m_kind->currentIndex() == 0,
+                         .size = {static_cast<int>(m_width->value()), static_cast<int>(m_height->value())},
+                         .samples = kSamples[m_quality->currentIndex()],
+                         .frameRate = m_frameRate->value(),
+                         .speed = m_speed->value(),
+                         .first = stepsOf(*m_first),
+                         .last = stepsOf(*m_last),
+                         .savedThrow = m_throw ? m_throw->currentIndex() : 0,
+                         .isCompared = m_compare->isChecked()};
+    if (options.isVideo && !options.path.isEmpty() && !isVideoPath(toPath(options.path))) options.path += kVideoSuffix;
+    return options;
+}
+
+void VideoDialog::accept() {
+    if (!commitFields(*this) || !m_export->isEnabled()) return;
+    const VideoOptions accepted = options();
+    QSettings settings;
+    if (m_hasFfmpeg) settings.setValue("video/pictures", m_kind->currentIndex());
+    settings.setValue("video/width", accepted.size.width);
+    settings.setValue("video/height", accepted.size.height);
+    settings.setValue("video/quality", m_quality->currentIndex());
+    settings.setValue("video/rate", accepted.frameRate);
+    settings.setValue("video/folder", settingOf(QFileInfo(accepted.path).absolutePath()));
+    QDialog::accept();
+}
+
+void VideoDialog::updateSuffix() {
+    const QString base = withoutVideoSuffix(m_path->text());
+    m_path->setText(m_kind->currentIndex() == 0 ? base + kVideoSuffix : base);
+    updateSummary();
+}
+
+void VideoDialog::browse() {
+    const QString title = windowTitle();
+    const QString path =
+        m_kind->currentIndex() == 0
+            ? QFileDialog::getSaveFileName(this, title, m_path->text(), tr("Videos (*.mp4 *.mkv *.mov *.webm)"))
+            : QFileDialog::getExistingDirectory(this, title, QFileInfo(m_path->text()).path());
+    if (!path.isEmpty()) m_path->setText(QDir::toNativeSeparators(path));
+}
+
+/// Shows what will be written, or what is wrong with the options.
+void VideoDialog::updateSummary() {
+    const FieldRange steps = stepRange();
+    m_first->setRange(FieldRange::whole(0, m_last->value()));
+    m_last->setRange(FieldRange::whole(m_first->value(), steps.max));
+    const VideoOptions current = options();
+    const int frames = frameCount(static_cast<double>(current.first), static_cast<double>(current.last),
+                                  current.stepsPerFrame(m_subject.stepLength));
+    const QString wrong = error(current, frames);
+    m_summary->setText(wrong.isEmpty() ? summary(current, frames) : wrong);
+    m_export->setEnabled(wrong.isEmpty());
+}
+
+QString VideoDialog::error(const VideoOptions& options, int frames) const {
+    if (options.path.isEmpty()) return tr("The target is empty. Enter a path.");
+    if (!options.isVideo && isVideoPath(toPath(options.path)))
+        return tr("The target is a file. Enter a folder for the images.");
+    if (frames <= kMaxPictures) return {};
+    return tr("The video would have %L1 frames; at most %L2 are possible. Use fewer steps, a lower frame rate or a "
+              "higher speed.")
+        .arg(frames)
+        .arg(kMaxPictures);
+}
+
+QString VideoDialog::summary(const VideoOptions& options, int frames) const {
+    const auto seconds = [](double time) { return QLocale().toString(time, 'f', 1); };
+    const double simulated = static_cast<double>(options.last - options.first) * m_subject.stepLength;
+    const ImageSize size = options.frameSize();
+    QString text = tr("%Ln frame(s) of %1 × %2 pixels: %3 s of video from %4 s of simulation.", nullptr, frames)
+                       .arg(size.width)
+                       .arg(size.height)
+                       .arg(seconds(static_cast<double>(frames) / options.frameRate), seconds(simulated));
+    if (options.isVideo && exists(statusOf(options.path))) {
+        text += ' ' + tr("%1 will be replaced.").arg(fileNameText(options.path));
+    }
+    return text;
+}
+
+}  // namespace rubble
+
+#include "moc_VideoDialog.cpp"

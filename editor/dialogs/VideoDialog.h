@@ -1,0 +1,88 @@
+#pragma once
+
+#include "viewport/scene/Camera.h"
+
+#include <QDialog>
+#include <QStringList>
+
+#include <cstdint>
+
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace rubble {
+
+class NumberField;
+struct FieldRange;
+
+/// The simulation that is to be exported.
+struct VideoSubject {
+    QString name;              // of the project; the default file name
+    QString folder;            // the default folder, if no video was exported before
+    std::uint64_t length = 0;  // steps that were simulated; 0: none, a saved throw is to be simulated
+    QStringList throws;        // the names of the saved throws
+    double stepLength = 0.0;   // s
+    double speed = 1.0;        // the playback speed
+};
+
+struct VideoOptions {
+    QString path;          // of a video with its suffix, or of the folder of its images
+    bool isVideo = false;  // otherwise a sequence of images
+    ImageSize size;
+    int samples = 0;                    // see VideoPlan
+    double frameRate = 30.0;            // frames per second
+    double speed = 1.0;                 // 1: real time
+    std::uint64_t first = 0, last = 0;  // steps
+    int savedThrow = 0;                 // index in VideoSubject::throws, where nothing was simulated
+    bool isCompared = false;            // beside a simulation without destruction
+    /// The size of a frame.
+    ImageSize frameSize() const;
+    /// Simulation steps from one frame to the next.
+    double stepsPerFrame(double stepLength) const { return speed / (frameRate * stepLength); }
+};
+
+/// Asks how to export a video, and shows how many frames it will have. Starts with the options of the last video.
+class VideoDialog : public QDialog {
+    Q_OBJECT
+public:
+    VideoDialog(const VideoSubject& subject, QWidget* parent);
+    VideoOptions options() const;
+
+    void accept() override;
+
+private:
+    void addTarget(QFormLayout& form);
+    void addFrames(QFormLayout& form);
+    void addTime(QFormLayout& form);
+    void addButtons(QFormLayout& form);
+    void connectFields();
+    void restoreOptions();
+    void updateSuffix();
+    void browse();
+    void updateSummary();
+    FieldRange stepRange() const;
+    QString error(const VideoOptions& options, int frames) const;
+    QString summary(const VideoOptions& options, int frames) const;
+
+    VideoSubject m_subject;
+    bool m_hasFfmpeg;
+    QComboBox* m_kind;
+    QLineEdit* m_path;
+    QComboBox* m_throw = nullptr;  // only where nothing was simulated
+    NumberField* m_width;
+    NumberField* m_height;
+    QComboBox* m_quality;
+    QCheckBox* m_compare;
+    NumberField* m_frameRate;
+    NumberField* m_speed;
+    NumberField* m_first;
+    NumberField* m_last;
+    QLabel* m_summary;
+    QPushButton* m_export = nullptr;
+};
+
+}  // namespace rubble

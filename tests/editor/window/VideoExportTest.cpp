@@ -1,0 +1,254 @@
+// Tests editor/actions/VideoActions.cpp and editor/dialogs/VideoDialog.cpp.
+#include "editor/dialogs/VideoDialog.h"
+#include "editor/widgets/NumberField.h"
+#include "tests/support/TestProgram.h"
+#include "tests/support/editor/Dialogs.h"
+#include "tests/support/editor/EditorStory.h"
+#include "tests/support/editor/Pictures.h"
+#include "tests/support/files/Ffmpeg.h"
+#include "tests/support/files/FileLimits.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QLabel>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QToolButton>
+
+using namespace rubble;
+
+/// Video export from the window: images with and without destruction, videos with ffmpeg, cancelling and errors.
+class VideoExportTest : public EditorStory {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        openFile(RUBBLE_SOURCE_DIR "/projects/house.rubble");
+        play().thread().useSteppedClock();
+        exportSavedThrowBeforePlay();
+        QSettings().remove("video");
+        play().play();
+        QTRY_VERIFY_WITH_TIMEOUT(play().isPlaying(), kPatience);
+        play().fire(project().shots.front());
+        for (int k = 0; k < 90; ++k) play().thread().advance(kStep);
+        play().applyUpdate();
+        QVERIFY(!play().breaks().empty());
+        QVERIFY(video().isEnabled());
+    }
+    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+
+    void withoutFfmpegImagesAreExported() {
+        const test::Ffmpeg none;
+        ask([](VideoDialog& dialog) {
+            QVERIFY(dialog.findChild<QLabel*>("video-without-ffmpeg")->isVisible());
+            QVERIFY(!dialog.options().isVideo);
+            dialog.reject();
+        });
+        QVERIFY(!videos().isBusy());
+    }
+    void dialogShowsNumberOfFrames() {
+        const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
+        ask([this](VideoDialog& dialog) {
+            QVERIFY(dialog.options().isVideo && dialog.options().path.endsWith("house video.mp4"));
+            QCOMPARE(dialog.options().last, 90u);
+            dialog.findChild<QLineEdit*>("video-path")->setText(m_folder->filePath("hit"));
+            QCOMPARE(dialog.options().path, m_folder->filePath("hit.mp4"));
+            QCOMPARE(summary(dialog),
+                     QString("46 frames of 1280 × 720 pixels: 1.5 s of video from 1.5 s of simulation."));
+            setNumber(dialog, "Frame rate", 60.0);
+            setNumber(dialog, "Speed", 0.1);
+            QCOMPARE(summary(dialog),
+                     QString("901 frames of 1280 × 720 pixels: 15.0 s of video from 1.5 s of simulation."));
+            setNumber(dialog, "Speed", 0.01);
+            setNumber(dialog, "Frame rate", 240.0);
+            QVERIFY(summary(dialog).startsWith("The video would have 36,001 frames; at most 10,000 are possible."));
+            QVERIFY(!okButton(dialog).isEnabled());
+            dialog.reject();
+        });
+    }
+    void imagesShowSimulationWithAndWithoutDestruction() {
+        const test::Ffmpeg none;
+        ask([this](VideoDialog& dialog) {
+            fill(dialog, m_folder->filePath("video"), 0, 90, 2.0);
+            dialog.findChild<QCheckBox*>()->setChecked(true);
+            QTest::mouseClick(&okButton(dialog), Qt::LeftButton);
+        });
+        QVERIFY(videos().isBusy() && progress().isVisible());
+        QVERIFY(window().isEnabled() && !QApplication::activeModalWidget());  // the window stays usable
+        QTRY_VERIFY_WITH_TIMEOUT(!videos().isBusy(), kPatience);
+        QVERIFY(!progress().isVisible());
+        QCOMPARE(QDir(m_folder->filePath("video")).entryList(QDir::Files),
+                 (QStringList{"frame-0000.png", "frame-0001.png", "frame-0002.png", "frame-0003.png"}));
+        const QRect left(0, 0, 160, 90), right(168, 0, 160, 90);
+        QCOMPARE(picture(0).size(), QSize(328, 90));
+        QVERIFY(test::meanDifference(picture(0).copy(left), picture(0).copy(right)) == 0.0);
+        QVERIFY(test::meanDifference(picture(3).copy(left), picture(3).copy(right)) > 0.2);
+        QVERIFY(window().statusBar()->currentMessage().startsWith("Exported 4 frames to "));
+        QVERIFY(takeOffer().startsWith("Exported 4 frames to "));
+    }
+    void ffmpegEncodesAVideo() {
+        const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
+        exportVideo(m_folder->filePath("hit.mp4"), 60, 90, 15.0);
+        QTRY_VERIFY_WITH_TIMEOUT(!videos().isBusy(), kPatience);
+        QCOMPARE(QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
+                 QStringList{"hit.mp4"});
+        QFile video(m_folder->filePath("hit.mp4"));
+        QVERIFY(video.open(QIODevice::ReadOnly));
+        QVERIFY(video.readAll().contains("-framerate\n15\n"));
+    }
+    void cancelledVideoLeavesNoFiles() {
+        const test::Ffmpeg none;
+        exportVideo(m_folder->filePath("video"), 0, 90, 200.0);
+        QTRY_VERIFY_WITH_TIMEOUT(progress().value() > 0, kPatience);
+        QVERIFY(QFile::exists(m_folder->filePath("video/frame-0000.png")));
+        QTest::mouseClick(window().findChild<QToolButton*>("video-cancel"), Qt::LeftButton);
+        QVERIFY(!videos().isBusy() && !progress().isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(QDir(m_folder->path()).isEmpty(), kPatience);
+    }
+    void unwritableTargetIsReported() {
+        const test::Ffmpeg none;
+        QVERIFY(QFile(m_folder->filePath("file")).open(QIODevice::WriteOnly));
+        exportVideo(m_folder->filePath("file/video"), 0, 90, 2.0);
+        const QString error = exportError();
+        QVERIFY2(error.startsWith("Cannot create the folder"), qPrintable(error));
+        QVERIFY(!videos().isBusy());
+    }
+    void fullDiskIsReportedAndLeavesNoFiles() {
+        const test::Ffmpeg none;
+        const FileSizeLimit full(2000);
+        exportVideo(m_folder->filePath("video"), 0, 90, 2.0);
+        const QString error = exportError();
+        QVERIFY2(error.contains("File too large"), qPrintable(error));
+        QVERIFY(QDir(m_folder->path()).isEmpty());
+    }
+    void closingTheWindowDuringExportAsksFirst() {
+        const test::Ffmpeg none;
+        exportVideo(m_folder->filePath("video"), 0, 90, 200.0);
+        test::onNextDialog<QMessageBox>([](QMessageBox& box) { box.reject(); });
+        QVERIFY(!window().close());
+        QVERIFY(videos().isBusy());
+        videos().cancel();
+        window().workspace().document().setSaved();
+        QVERIFY(window().close());
+        QTRY_VERIFY_WITH_TIMEOUT(QDir(m_folder->path()).isEmpty(), kPatience);
+    }
+
+    void typedNumbersAreCheckedBeforeExport() {
+        const test::Ffmpeg none;
+        ask([this](VideoDialog& dialog) {
+            fill(dialog, m_folder->filePath("video"), 0, 90, 2.0);
+            for (NumberField* field : dialog.findChildren<NumberField*>()) {
+                if (field->accessibleName() != "Width") continue;
+                field->setFocus();
+                field->selectAll();
+                QTest::keyClicks(field, "3 kg");
+            }
+            dialog.accept();
+            QVERIFY(dialog.isVisible());
+            dialog.reject();
+        });
+        QVERIFY(!videos().isBusy());
+    }
+    void remainingTimeIsShown() {
+        const test::Ffmpeg none;
+        exportVideo(m_folder->filePath("video"), 0, 90, 60.0);
+        QTRY_VERIFY_WITH_TIMEOUT(progress().format().contains(" left"), kPatience);
+        videos().cancel();
+    }
+
+    void cleanupTestCase() { close(); }
+
+private:
+    /// Nothing was simulated yet: a saved throw of the project is.
+    void exportSavedThrowBeforePlay() {
+        init();
+        const test::Ffmpeg none;
+        QVERIFY(video().isEnabled());
+        test::onNextDialog<VideoDialog>([this](VideoDialog& dialog) {
+            fill(dialog, m_folder->filePath("throw"), 0, 60, 1.0);
+            dialog.accept();
+        });
+        video().trigger();
+        QVERIFY(videos().isBusy());
+        QTRY_VERIFY_WITH_TIMEOUT(!videos().isBusy(), kPatience);
+        QVERIFY(!play().isInPlay());
+        QVERIFY2(takeOffer().startsWith("Exported 2 frames to "), "no offer");
+        const QImage first(m_folder->filePath("throw/frame-0000.png")),
+            last(m_folder->filePath("throw/frame-0001.png"));
+        QVERIFY(test::meanDifference(first.convertToFormat(QImage::Format_RGB888),
+                                     last.convertToFormat(QImage::Format_RGB888)) > 0.1);
+    }
+    /// Closes the box that offers the folder, and returns its sentence.
+    QString takeOffer() {
+        auto* box = window().findChild<QMessageBox*>();
+        const QString sentence = box ? box->text() : QString();
+        delete box;
+        return sentence;
+    }
+    PlayController& play() { return window().workspace().play(); }
+    VideoExporter& videos() { return window().workspace().videos(); }
+    QAction& video() { return *action("play-video"); }
+    QProgressBar& progress() { return *window().findChild<QProgressBar*>("video-progress"); }
+    /// The video starts once the simulation has handed over its recording.
+    void ask(const std::function<void(VideoDialog&)>& answer) {
+        test::onNextDialog<VideoDialog>([answer](VideoDialog& dialog) {
+            answer(dialog);
+            if (dialog.isVisible()) dialog.reject();  // a check failed
+        });
+        video().trigger();
+        play().thread().settle();
+        QCoreApplication::sendPostedEvents(&play());
+    }
+    void exportVideo(const QString& path, int first, int last, double rate) {
+        ask([path, first, last, rate](VideoDialog& dialog) {
+            fill(dialog, path, first, last, rate);
+            dialog.accept();
+        });
+    }
+    /// Accepts the error box that follows and returns its text; empty if there is none.
+    static QString exportError() {
+        QString error;
+        test::onNextDialog<QMessageBox>([&error](QMessageBox& box) {
+            error = box.text();
+            box.accept();
+        });
+        (void)QTest::qWaitFor([&error] { return !error.isEmpty(); }, kPatience);
+        return error;
+    }
+    static QString summary(VideoDialog& dialog) { return dialog.findChild<QLabel*>("video-summary")->text(); }
+    static QPushButton& okButton(VideoDialog& dialog) {
+        for (QAbstractButton* button : dialog.findChild<QDialogButtonBox*>()->buttons()) {
+            if (button->text() == "Export") return static_cast<QPushButton&>(*button);
+        }
+        qFatal("Export button not found.");
+    }
+    static void setNumber(VideoDialog& dialog, const QString& name, double value) {
+        for (NumberField* field : dialog.findChildren<NumberField*>()) {
+            if (field->accessibleName() != name) continue;
+            field->setValue(value);
+            emit field->edited(value);
+        }
+    }
+    /// Options of a small, fast video.
+    static void fill(VideoDialog& dialog, const QString& place, int first, int last, double rate) {
+        dialog.findChild<QLineEdit*>("video-path")->setText(place);
+        dialog.findChild<QComboBox*>("video-quality")->setCurrentIndex(0);
+        setNumber(dialog, "Width", 160);
+        setNumber(dialog, "Height", 90);
+        setNumber(dialog, "Last step", last);
+        setNumber(dialog, "First step", first);
+        setNumber(dialog, "Frame rate", rate);
+        setNumber(dialog, "Speed", 1.0);
+    }
+    QImage picture(int k) const {
+        return QImage(m_folder->filePath(QString("video/frame-000%1.png").arg(k)))
+            .convertToFormat(QImage::Format_RGB888);
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+RUBBLE_TEST_WITH(VideoExportTest, QApplication)
+#include "VideoExportTest.moc"

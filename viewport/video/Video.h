@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/base/TaskContext.h"
+#include "viewport/render/Renderer.h"
+#include "viewport/scene/SessionPlayback.h"
+
+#include <filesystem>
+#include <span>
+
+namespace rubble {
+
+/// The frames of a video and its frame rate.
+struct VideoPlan {
+    RenderView view;             // of each playback; its stepFraction is ignored
+    int samples = 0;             // see renderImage(); 0: one pass, antialiased as `view` says
+    double first = 0.0;          // step of the first frame, >= 0
+    double stepsPerFrame = 1.0;  // > 0; poses between two steps are interpolated
+    int frames = 1;              // at most kMaxPictures
+    double frameRate = 30.0;     // frames per second
+};
+
+inline constexpr int kPlaybackGap = 8;  // pixels between two playbacks side by side
+
+/// The number of frames from step `first` to step `last`.
+int frameCount(double first, double last, double stepsPerFrame);
+
+/// Whether the frames of a cancelled or failed video stay on disk.
+enum class Unfinished { Kept, Removed };
+
+/// Renders the frames of playbacks without a display, side by side if there are several, and writes them as images: see
+/// PictureSequence. The playbacks must not have started.
+///
+/// Errors: those of OffscreenRenderer and of PictureSequence; Cancelled.
+Status renderFrames(std::span<SessionPlayback> playbacks, const VideoPlan& plan, const std::filesystem::path& folder,
+                    Unfinished unfinished, const TaskContext& task = {});
+
+/// The same, encoded as a video: see encodeVideo(). The images lie in a hidden folder beside it meanwhile and are
+/// always removed.
+///
+/// Errors: those of renderFrames() and encodeVideo().
+Status renderVideo(std::span<SessionPlayback> playbacks, const VideoPlan& plan, const std::filesystem::path& video,
+                   const TaskContext& task = {});
+
+}  // namespace rubble
