@@ -1,4 +1,4 @@
-#include "editor/background/BackgroundJob.h"
+#include "editor/document/jobs/BackgroundJob.h"
 
 #include "tests/support/TestProgram.h"
 

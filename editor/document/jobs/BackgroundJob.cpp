@@ -1,4 +1,4 @@
-#include "editor/background/BackgroundJob.h"
+#include "editor/document/jobs/BackgroundJob.h"
 
 #include "core/base/HappensBefore.h"
 #include "core/base/Parallel.h"
