@@ -54,6 +54,22 @@ private slots:
         QVERIFY(worker != nullptr && worker != QThread::currentThread());
         QCOMPARE(receiver, QThread::currentThread());
     }
+    void cancellingAndWaitingOutlastsTheFunction() {
+        BackgroundJob job;
+        QSemaphore isStarted;
+        std::atomic<bool> isDone = false;
+        bool isDelivered = false;
+        job.start([&](const TaskContext& task) { return isStarted.release(), untilCancelled(task), isDone = true, 0; },
+                  [&](int) { isDelivered = true; });
+        isStarted.acquire();
+        job.cancelAndWait();
+        QVERIFY(!job.isRunning());
+        QVERIFY(isDone);
+        QCoreApplication::processEvents();
+        QVERIFY(!isDelivered);
+        job.start([](const TaskContext&) { return 0; }, [&](int) { isDelivered = true; });  // it can be used again
+        QTRY_VERIFY(isDelivered);
+    }
     void onlyTheNewestResultIsDelivered() {
         BackgroundJob job;
         std::vector<int> results;
