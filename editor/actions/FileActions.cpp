@@ -177,7 +177,7 @@ void FileActions::askAboutChangeOnDisk() {
     m_isAskingAboutDisk = true;
     do {
         m_hasChangedMeanwhile = false;
-        const DiskState state = m_workspace.file().diskState();
+        const DiskState state = m_workspace.file().seenState();
         if (state == DiskState::Changed) askAboutChange();
         if (state == DiskState::Deleted) askAboutDeletion();
     } while (m_hasChangedMeanwhile);

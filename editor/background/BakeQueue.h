@@ -1,8 +1,8 @@
 #pragma once
 
-#include "editor/background/BackgroundJob.h"
 #include "editor/document/Document.h"
 #include "editor/document/Selection.h"
+#include "editor/document/jobs/BackgroundJob.h"
 
 #include <QElapsedTimer>
 #include <QTimer>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/play/scene/InstanceOverlaps.h"
-#include "editor/background/BackgroundJob.h"
 #include "editor/document/Document.h"
 #include "editor/document/Messages.h"
+#include "editor/document/jobs/BackgroundJob.h"
 
 #include <QStringList>
 #include <QTimer>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/play/session/PlayTestRun.h"
-#include "editor/background/BackgroundJob.h"
 #include "editor/document/Bakes.h"
 #include "editor/document/Document.h"
+#include "editor/document/jobs/BackgroundJob.h"
 
 #include <map>
 #include <vector>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "editor/background/BackgroundJob.h"
 #include "editor/commands/QuickFixes.h"
 #include "editor/document/Document.h"
+#include "editor/document/jobs/BackgroundJob.h"
 
 #include <vector>
 

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/asset/compare/AssetDifference.h"
-#include "editor/background/BackgroundJob.h"
 #include "editor/document/Bakes.h"
 #include "editor/document/Document.h"
 #include "editor/document/Selection.h"
+#include "editor/document/jobs/BackgroundJob.h"
 
 namespace rubble {
 

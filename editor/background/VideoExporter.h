@@ -1,6 +1,6 @@
 #pragma once
 
-#include "editor/background/BackgroundJob.h"
+#include "editor/document/jobs/BackgroundJob.h"
 #include "editor/play/PlayEngine.h"
 #include "viewport/video/Video.h"
 

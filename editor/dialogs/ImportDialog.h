@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/asset/import/AssetImport.h"
-#include "editor/background/BackgroundJob.h"
 #include "editor/document/Edit.h"
 #include "editor/document/Messages.h"
+#include "editor/document/jobs/BackgroundJob.h"
 #include "editor/workspace/Preferences.h"
 
 #include <QDialog>

@@ -10,6 +10,8 @@
 
 #include <QFileInfo>
 
+#include <utility>
+
 namespace rubble {
 
 namespace {
@@ -136,7 +138,7 @@ Status DocumentFile::write(const QString& path) {
     if (!saved) {  // the file may be in place, but not flushed: that is no change by another program
         const Result<std::optional<ContentHash>> onDisk = hashOnDisk(path);
         if (path != m_path || !onDisk || *onDisk != written) return saved;
-        m_base = m_seen = written;
+        expect(written);
         emit originChanged({m_path, m_base});
         return saved;
     }
@@ -151,8 +153,7 @@ void DocumentFile::setFile(const BackupOrigin& origin, const ProjectAccess& acce
     m_path = origin.path;
     m_access = access;
     if (m_access.lock) m_access.lock->holdFile(toPath(m_path));
-    m_base = m_seen = origin.hash;
-    m_seenVersion = {};
+    expect(origin.hash);
     watch();
     emit pathChanged(m_path);
     emit originChanged(origin);
@@ -181,24 +182,48 @@ DocumentFile::Version DocumentFile::versionOf(const QString& path) {
 bool DocumentFile::isKnownVersion() const {
     const Version version = versionOf(m_path);
     const bool isOld = version.changed.msecsTo(QDateTime::currentDateTime()) > kClockPrecision.count();
-    return m_seen && isOld && version == m_seenVersion;
+    return m_seen.hash && isOld && version == m_seen.version;
+}
+
+Result<DocumentFile::SeenFile> DocumentFile::seenFile(const QString& path) {
+    const Version version = versionOf(path);  // first: what is written meanwhile is another version
+    const Result<std::optional<ContentHash>> hash = hashOnDisk(path);
+    if (!hash) return hash.error();
+    return SeenFile{version, *hash};
+}
+
+/// From now on, this content is no change; a check that is running may have read an earlier one.
+void DocumentFile::expect(const std::optional<ContentHash>& content) {
+    m_check.cancel();
+    m_base = content;
+    m_seen = {.version = {}, .hash = content};
 }
 
 DiskState DocumentFile::diskState() {
-    m_seenVersion = versionOf(m_path);
-    const Result<std::optional<ContentHash>> onDisk = hashOnDisk(m_path);
-    if (!onDisk) return DiskState::Unreadable;
-    m_seen = *onDisk;
-    if (m_seen == m_base) return DiskState::Unchanged;
-    return m_seen ? DiskState::Changed : DiskState::Deleted;
+    m_check.cancel();  // it may have read an earlier content
+    const Result<SeenFile> file = seenFile(m_path);
+    if (!file) return DiskState::Unreadable;
+    m_seen = *file;
+    return seenState();
+}
+
+DiskState DocumentFile::seenState() const {
+    if (m_seen.hash == m_base) return DiskState::Unchanged;
+    return m_seen.hash ? DiskState::Changed : DiskState::Deleted;
 }
 
 void DocumentFile::checkForChange() {
     if (!m_watcher.files().contains(m_path) && QFileInfo::exists(m_path)) m_watcher.addPath(m_path);
     if (isKnownVersion()) return;
-    const std::optional<ContentHash> seen = m_seen;
-    const DiskState state = diskState();
-    if (state != DiskState::Unchanged && state != DiskState::Unreadable && m_seen != seen) emit changedOnDisk();
+    if (m_check.isRunning()) return m_watchDelay.start();  // it may have read the file before this change
+    m_check.start([path = m_path](const TaskContext&) { return seenFile(path); },
+                  [this](const Result<SeenFile>& file) { finishCheck(file); });
+}
+
+void DocumentFile::finishCheck(const Result<SeenFile>& file) {
+    if (!file) return;
+    const bool isOther = file->hash != std::exchange(m_seen, *file).hash;
+    if (isOther && seenState() != DiskState::Unchanged) emit changedOnDisk();
 }
 
 }  // namespace rubble

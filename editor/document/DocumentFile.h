@@ -4,6 +4,7 @@
 #include "editor/document/Backup.h"
 #include "editor/document/Document.h"
 #include "editor/document/ProjectAccess.h"
+#include "editor/document/jobs/BackgroundJob.h"
 
 #include <QDateTime>
 #include <QFileSystemWatcher>
@@ -68,6 +69,8 @@ public:
 
     /// Reads the file; changedOnDisk() does not report the same content again, nor a file that cannot be read.
     DiskState diskState();
+    /// The file when it was last read: by diskState(), or in the background before changedOnDisk(). Never Unreadable.
+    DiskState seenState() const;
 
 signals:
     /// The path or the right to write to it.
@@ -80,12 +83,26 @@ signals:
     void noted(const std::vector<rubble::Diagnostic>& notes);
 
 private:
+    /// What changes when a file is written or replaced.
+    struct Version {
+        qint64 size = -1;  // -1: there is no file
+        QDateTime written, changed;
+        bool operator==(const Version&) const = default;
+    };
+    struct SeenFile {
+        Version version;
+        std::optional<ContentHash> hash;  // none: there was no file
+    };
+    static Version versionOf(const QString& path);
+    static Result<SeenFile> seenFile(const QString& path);
     Result<Faults> restore(const Backup& backup, const BackupOrigin& origin, const ProjectAccess& access);
+    void expect(const std::optional<ContentHash>& content);
     void setFile(const BackupOrigin& origin, const ProjectAccess& access);
     Status write(const QString& path);
     void watch();
     void checkForChange();
     bool isKnownVersion() const;
+    void finishCheck(const Result<SeenFile>& file);
 
     Document& m_document;
     QString m_path;
@@ -94,15 +111,8 @@ private:
     QTimer m_watchDelay;                // other programs remove and write in several steps
     QTimer m_poll;                      // of a path that Qt cannot watch
     std::optional<ContentHash> m_base;  // of the file that was loaded or saved last; none: there was no file
-    /// What changes when a file is written or replaced.
-    struct Version {
-        qint64 size = -1;  // -1: there is no file
-        QDateTime written, changed;
-        bool operator==(const Version&) const = default;
-    };
-    static Version versionOf(const QString& path);
-    Version m_seenVersion;              // of m_seen
-    std::optional<ContentHash> m_seen;  // of the file when it was last compared; none: there was no file
+    SeenFile m_seen;                    // when it was last compared
+    BackgroundJob m_check;              // reads the file after a change
 };
 
 }  // namespace rubble

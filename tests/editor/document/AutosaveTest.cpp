@@ -2,8 +2,10 @@
 #include "core/io/project/ProjectFile.h"
 #include "editor/document/Autosave.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/ManyInstances.h"
 #include "tests/support/files/FileLimits.h"
 
+#include <QDeadlineTimer>
 #include <QDir>
 #include <QProcess>
 #include <QTemporaryDir>
@@ -18,6 +20,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
+constexpr int kMany = 5000;  // instances, so that a backup is not written at once
 constexpr const char* kChildFolder = "RUBBLE_AUTOSAVE_CHILD";
 
 void setHeight(Document& document, double height) {
@@ -29,6 +32,15 @@ void setHeight(Document& document, double height) {
 double heightIn(const QString& path) {
     const Result<Project> project = loadProject(path.toStdString());
     return project ? project->ground.height : -1.0;
+}
+
+/// Edits the document and runs the event loop until a backup of it is being written. Returns false where none is.
+bool startBackup(Document& document, Autosave& autosave, double height) {
+    autosave.setInterval(1s);
+    setHeight(document, height);
+    const QDeadlineTimer end(kPatience);
+    while (!autosave.isWriting() && !end.hasExpired()) QCoreApplication::processEvents();
+    return autosave.isWriting();
 }
 
 /// Edits until it is killed: raises the ground by 1 every 20 ms, with a backup every second.
@@ -155,6 +167,65 @@ private slots:
         QCOMPARE(heightIn(adopted[0]), 3.0);
         document.setSaved();
         QVERIFY(backups().isEmpty());
+    }
+    void savingStopsTheBackupThatIsWritten() {
+        Document document(test::manyInstances(kMany));
+        Autosave autosave(document, m_folder->path());
+        QVERIFY(startBackup(document, autosave, 3.0));
+        document.setSaved();
+        QVERIFY(!autosave.isWriting() && backups().isEmpty());  // nothing is left that could write one
+    }
+    void closingStopsTheBackupThatIsWritten() {
+        {
+            Document document(test::manyInstances(kMany));
+            Autosave autosave(document, m_folder->path());
+            QVERIFY(startBackup(document, autosave, 3.0));
+        }
+        QVERIFY(backups().isEmpty());
+    }
+    void writingNowReplacesTheBackupThatIsWritten() {
+        Document document(test::manyInstances(kMany));
+        Autosave autosave(document, m_folder->path());
+        for (const double height : {3.0, 5.0}) {
+            QVERIFY(startBackup(document, autosave, height));
+            autosave.writeNow();  // unchanged since then
+            QVERIFY(!autosave.isWriting());
+            QCOMPARE(backups().size(), 1);
+            QCOMPARE(heightIn(backups()[0]), height);
+            QVERIFY(startBackup(document, autosave, height + 0.5));
+            setHeight(document, height + 1.0);
+            autosave.writeNow();
+            QCOMPARE(heightIn(backups()[0]), height + 1.0);
+        }
+    }
+    void changeWhileABackupIsWrittenIsWrittenNext() {
+        Document document(test::manyInstances(kMany));
+        Autosave autosave(document, m_folder->path());
+        QVERIFY(startBackup(document, autosave, 3.0));
+        setHeight(document, 4.0);
+        QTRY_VERIFY_WITH_TIMEOUT(!backups().isEmpty() && heightIn(backups()[0]) == 4.0, kPatience);
+    }
+    void adoptingStopsTheBackupThatIsWritten() {
+        Document document(test::manyInstances(kMany));
+        Autosave autosave(document, m_folder->path());
+        QVERIFY(startBackup(document, autosave, 3.0));
+        Backup other = newBackup(m_folder->filePath("other"));
+        autosave.adopt(other);
+        QVERIFY(!autosave.isWriting() && backups().isEmpty());
+    }
+    void faultInTheBackgroundIsReported() {
+        Document document(test::manyInstances(kMany));
+        Autosave autosave(document, m_folder->path());
+        QString sentence;
+        connect(&autosave, &Autosave::failed, this, [&](const QString& told) { sentence = told; });
+        {
+            const FileSizeLimit limit(10);
+            QVERIFY(startBackup(document, autosave, 3.0));
+            QTRY_VERIFY_WITH_TIMEOUT(!sentence.isEmpty(), kPatience);
+        }
+        QVERIFY2(sentence.startsWith("The backup could not be written: "), qPrintable(sentence));
+        QVERIFY(backups().isEmpty());
+        QTRY_COMPARE_WITH_TIMEOUT(backups().size(), 1, kPatience);  // tried again
     }
     void killedProgramLeavesABackup() {
         QProcess child;

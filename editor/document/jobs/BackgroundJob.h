@@ -59,6 +59,8 @@ public:
 
     /// Cancels the running function and discards its result.
     void cancel();
+    /// The same, and waits until the function has returned: what it changes outside of it is changed by then, or never.
+    void cancelAndWait();
 
 signals:
     /// The fraction of the running function that is done, in [0, 1]; at most about 25 times a second.

@@ -1,4 +1,4 @@
-#include "editor/background/BackgroundJob.h"
+#include "editor/document/jobs/BackgroundJob.h"
 
 #include "core/base/HappensBefore.h"
 #include "core/base/Parallel.h"
@@ -36,11 +36,7 @@ BackgroundJob::BackgroundJob(QObject* parent) : QObject(parent) {
     connect(&m_watcher, &QFutureWatcherBase::finished, this, &BackgroundJob::finish);
 }
 
-BackgroundJob::~BackgroundJob() {
-    m_cancel.cancel();
-    m_thread.waitForDone();
-    receivedFrom(this);
-}
+BackgroundJob::~BackgroundJob() { cancelAndWait(); }
 
 void BackgroundJob::run(std::function<Call(const TaskContext&, const Post&)> work) {
     cancel();
@@ -109,6 +105,12 @@ void BackgroundJob::finish() {
 void BackgroundJob::cancel() {
     m_cancel.cancel();
     m_isRunning = false;
+}
+
+void BackgroundJob::cancelAndWait() {
+    cancel();
+    m_thread.waitForDone();
+    receivedFrom(this);
 }
 
 }  // namespace rubble

@@ -1,4 +1,4 @@
-#include "editor/background/BackgroundJob.h"
+#include "editor/document/jobs/BackgroundJob.h"
 
 #include "tests/support/TestProgram.h"
 
@@ -53,6 +53,22 @@ private slots:
         QTRY_VERIFY(!job.isRunning());
         QVERIFY(worker != nullptr && worker != QThread::currentThread());
         QCOMPARE(receiver, QThread::currentThread());
+    }
+    void cancellingAndWaitingOutlastsTheFunction() {
+        BackgroundJob job;
+        QSemaphore isStarted;
+        std::atomic<bool> isDone = false;
+        bool isDelivered = false;
+        job.start([&](const TaskContext& task) { return isStarted.release(), untilCancelled(task), isDone = true, 0; },
+                  [&](int) { isDelivered = true; });
+        isStarted.acquire();
+        job.cancelAndWait();
+        QVERIFY(!job.isRunning());
+        QVERIFY(isDone);
+        QCoreApplication::processEvents();
+        QVERIFY(!isDelivered);
+        job.start([](const TaskContext&) { return 0; }, [&](int) { isDelivered = true; });  // it can be used again
+        QTRY_VERIFY(isDelivered);
     }
     void onlyTheNewestResultIsDelivered() {
         BackgroundJob job;

@@ -1,0 +1,111 @@
+// Tests that no event of the interface takes long, whatever is done in the background: editor/document/Autosave.cpp,
+// editor/document/DocumentFile.cpp, editor/background/Baker.cpp.
+#include "core/asset/project/StarterProject.h"
+#include "editor/document/FilePath.h"
+#include "tests/support/TestProgram.h"
+#include "tests/support/asset/ProjectParts.h"
+#include "tests/support/editor/Dialogs.h"
+#include "tests/support/editor/EditorStory.h"
+#include "tests/support/editor/EventLoop.h"
+#include "tests/support/editor/Watchdog.h"
+
+#include <QDir>
+#include <QFile>
+#include <QMessageBox>
+#include <QPushButton>
+
+using namespace rubble;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr double kLongestHandler = 50.0;         // ms of processor time
+constexpr std::uint32_t kPlacedSeeds = 400'000;  // to serialize them takes longer, and so does
+constexpr qint64 kPadding = 128 << 20;           // hashing so many bytes
+
+/// A wall of some thousand fragments, and another one without an instance that has a layer of many seeds, which is off.
+Project largeProject() {
+    Project project = starterProject();
+    project.assets[0].pattern.layers[0].parameters = UniformScatter{.count = 2000};
+    Asset other = project.assets[0];
+    other.name = "other";
+    PlacedSeeds placed;
+    for (std::uint32_t k = 0; k < kPlacedSeeds; ++k)
+        placed.seeds.push_back({k, {-0.4 + 0.8 * k / kPlacedSeeds, 1e-3 * (k % 400)}});
+    test::addAsset(project, std::move(other), {UniformScatter{.count = 2}, std::move(placed)});
+    project.assets[1].pattern.layers[1].isOn = false;
+    return project;
+}
+
+}  // namespace
+
+class WatchdogTest : public EditorStory {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+        QSKIP("The checks of a sanitizer take time themselves.");
+#endif
+    }
+    void init() {
+        QVERIFY(saveProject(toPath(pathOf("wall.rubble")), largeProject()));
+        openFile(pathOf("wall.rubble"));
+        QTRY_VERIFY_WITH_TIMEOUT(bakes().areCurrent(project()), kPatience);
+        viewport().hide();  // here the processor draws it
+        autosave().setInterval(0s);
+        test::runTimersDueWithin(1);
+    }
+    void cleanup() { close(); }
+
+    void backupsAreWrittenInTheBackground() {
+        setHeight(-1.0);
+        test::runTimersDueWithin(1500);
+        const qsizetype before = backupCount();
+        const test::Watchdog watchdog;
+        autosave().setInterval(1s);
+        QTRY_VERIFY_WITH_TIMEOUT(backupCount() > before, kPatience);
+        check(watchdog);
+    }
+    void filesAreComparedInTheBackground() {
+        QString question;
+        test::onNextDialog<QMessageBox>([&](QMessageBox& box) {
+            question = box.text();
+            box.reject();
+        });
+        QFile file(pathOf("wall.rubble"));
+        QVERIFY(file.open(QIODevice::Append) && file.resize(file.size() + kPadding));
+        file.close();
+        const test::Watchdog watchdog;
+        QTRY_VERIFY_WITH_TIMEOUT(question.contains("was changed by another program"), kPatience);
+        check(watchdog);
+    }
+    void assetsAreBakedInTheBackground() {
+        const test::Watchdog watchdog;
+        Asset asset = project().assets[0];
+        asset.pattern.layers[0].randomSeed += 1;
+        const Id id = asset.id;
+        document().push({.text = "Reseed", .swaps = {Swap<Asset>{id, std::move(asset)}}});
+        QTRY_VERIFY_WITH_TIMEOUT(bakes().areCurrent(project()), kPatience);
+        test::runTimersDueWithin(1);
+        check(watchdog);
+    }
+
+private:
+    Document& document() { return window().workspace().document(); }
+    Bakes& bakes() { return window().workspace().bakes(); }
+    Autosave& autosave() { return window().workspace().autosave(); }
+    void setHeight(double height) {
+        SceneSettings scene = sceneSettings(project());
+        scene.ground.height = height;
+        document().push({.text = "Move ground", .swaps = {scene}});
+    }
+    static qsizetype backupCount() { return QDir(backupFolder()).entryList({"*.rubble"}).size(); }
+    static void check(const test::Watchdog& watchdog) {
+        const double time = watchdog.processorTimeOfAHandler();
+        qInfo("%.1f ms of processor time", time);
+        QVERIFY2(time <= kLongestHandler, qPrintable(QString("%1 ms of processor time").arg(time)));
+    }
+};
+
+RUBBLE_TEST_WITH(WatchdogTest, QApplication)
+#include "WatchdogTest.moc"
