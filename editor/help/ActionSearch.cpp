@@ -1,5 +1,7 @@
 #include "editor/help/ActionSearch.h"
 
+#include "editor/widgets/Buttons.h"
+
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
@@ -124,7 +126,7 @@ ActionSearch::ActionSearch(const QList<QAction*>& actions, QWidget* parent)
       m_list(new QListWidget) {
     setAccessibleName(tr("Search actions"));
     m_query->setPlaceholderText(tr("Search actions"));
-    m_query->setClearButtonEnabled(true);
+    addClearButton(*m_query);
     m_query->installEventFilter(this);
     m_list->setFocusPolicy(Qt::NoFocus);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -10,6 +10,7 @@
 #include "editor/view3d/tools/PlacementTool.h"
 #include "editor/view3d/tools/SurfaceMeasureTool.h"
 #include "editor/view3d/tools/TransformTool.h"
+#include "editor/widgets/AccessibleRole.h"
 #include "editor/widgets/Action.h"
 #include "editor/widgets/ComboBox.h"
 #include "editor/workspace/ViewportStyle.h"
@@ -48,6 +49,7 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
       m_picker(new ScenePicker(workspace, *m_viewport)),
       m_timeline(new TimelinePanel(workspace.play())) {
     setFocusProxy(m_viewport);
+    setAccessibleRole(*m_viewport, QAccessible::Canvas);
     m_viewport->setTools({m_measureTool, &m_playView->tool(), m_placementTool, m_transformTool});
     m_viewport->setOverlayItems({m_transformTool, m_placementTool, m_legend, &m_playView->hud(), m_measureTool});
     addViews();

@@ -2,6 +2,7 @@
 
 #include "editor/document/ShownText.h"
 #include "editor/play/PlayController.h"
+#include "editor/widgets/AccessibleRole.h"
 #include "editor/widgets/numbers/RoundStep.h"
 
 #include <QHelpEvent>
@@ -38,6 +39,7 @@ TimelineBar::TimelineBar(PlayController& controller, QWidget* parent) : QWidget(
     setFocusPolicy(Qt::StrongFocus);
     setObjectName("timeline");
     setAccessibleName(tr("Timeline"));
+    setAccessibleRole(*this, QAccessible::Slider);
     setAccessibleDescription(
         tr("Arrow keys move by a step, with Shift by a second; Home and End go to the ends; plus "
            "and minus zoom, 0 shows everything."));

@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QSettings>
+#include <QTabBar>
 
 #include <span>
 
@@ -50,7 +51,15 @@ QDockWidget& DockLayout::add(DockId id, const QString& title, QWidget* content) 
     m_window.addDockWidget(kPlaces[index].area, dock);
     m_docks[index] = dock;
     addAction(*dock);
+    // Queued: the window creates the tab bars of stacked docks afterwards.
+    connect(dock, &QDockWidget::visibilityChanged, this, &DockLayout::nameTabBars, Qt::QueuedConnection);
     return *dock;
+}
+
+/// Names the tab bars of stacked docks for assistive technologies.
+void DockLayout::nameTabBars() {
+    for (QTabBar* bar : m_window.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+        bar->setAccessibleName(tr("Docks"));
 }
 
 /// The action raises a dock that is hidden behind another one; it hides only a dock that is in front.

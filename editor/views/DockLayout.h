@@ -39,6 +39,7 @@ public:
 
 private:
     void addAction(QDockWidget& dock);
+    void nameTabBars();
 
     QMainWindow& m_window;
     std::array<QDockWidget*, kDockCount> m_docks{};

@@ -1,9 +1,19 @@
 #include "editor/widgets/Buttons.h"
 
+#include <QCoreApplication>
+#include <QLineEdit>
 #include <QMenu>
 #include <QToolButton>
 
 namespace rubble {
+
+namespace {
+
+struct ButtonTexts {
+    Q_DECLARE_TR_FUNCTIONS(rubble::Buttons)
+};
+
+}  // namespace
 
 QAction* menuAction(QMenu& menu, const QString& icon, const QString& text, const QString& hint,
                     const std::function<void()>& function) {
@@ -31,6 +41,11 @@ QToolButton* actionButton(QAction* action) {
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     return button;
+}
+
+void addClearButton(QLineEdit& line) {
+    line.setClearButtonEnabled(true);
+    for (QToolButton* button : line.findChildren<QToolButton*>()) button->setAccessibleName(ButtonTexts::tr("Clear"));
 }
 
 }  // namespace rubble

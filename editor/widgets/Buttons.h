@@ -7,6 +7,7 @@
 #include <functional>
 
 class QAction;
+class QLineEdit;
 class QMenu;
 class QToolButton;
 class QWidget;
@@ -21,5 +22,8 @@ QToolButton* panelButton(const QString& icon, const QString& text, const QString
 
 /// A button of an action, as wide as its panel, with icon and text.
 QToolButton* actionButton(QAction* action);
+
+/// Adds the button that clears a line of text, with a name for assistive technologies.
+void addClearButton(QLineEdit& line);
 
 }  // namespace rubble

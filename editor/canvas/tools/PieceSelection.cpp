@@ -11,14 +11,6 @@ namespace rubble {
 
 namespace {
 
-bool isPieceSelected(const CanvasState& state, std::uint32_t piece) {
-    const FragmentSelection& selection = state.selection.fragments();
-    const SeedId cell = state.pattern->cellOf(piece);
-    const FragmentPath& parent = state.pattern->baked().parent;
-    if (!selection.ids) return selection.contains(parent, cell, {});
-    return state.selection.seeds().contains(cell) && selection.contains(parent, cell, state.pattern->fragmentId(piece));
-}
-
 std::shared_ptr<const Bake> bakeOf(const CanvasState& state) {
     const auto baked = state.bakes.find(state.selection.asset());
     return baked ? baked->bake : nullptr;
@@ -55,6 +47,14 @@ FragmentSelection selectionByName(const CanvasState& state, const std::vector<st
 }
 
 }  // namespace
+
+bool isPieceSelected(const CanvasState& state, std::uint32_t piece) {
+    const FragmentSelection& selection = state.selection.fragments();
+    const SeedId cell = state.pattern->cellOf(piece);
+    const FragmentPath& parent = state.pattern->baked().parent;
+    if (!selection.ids) return selection.contains(parent, cell, {});
+    return state.selection.seeds().contains(cell) && selection.contains(parent, cell, state.pattern->fragmentId(piece));
+}
 
 std::vector<std::uint32_t> selectedPieces(const CanvasState& state) {
     std::vector<std::uint32_t> pieces;

@@ -6,6 +6,9 @@
 
 namespace rubble {
 
+/// Whether the fragment of a piece of the shown pattern is selected.
+bool isPieceSelected(const CanvasState& state, std::uint32_t piece);
+
 /// The pieces of the shown pattern whose fragments are selected, ascending. O(pieces).
 std::vector<std::uint32_t> selectedPieces(const CanvasState& state);
 

@@ -8,6 +8,7 @@
 #include "editor/canvas/tools/MeasureTool.h"
 #include "editor/canvas/tools/OutlineTool.h"
 #include "editor/canvas/tools/SeedTool.h"
+#include "editor/canvas/widget/AccessibleCanvas.h"
 #include "editor/canvas/widget/Breadcrumb.h"
 #include "editor/commands/AssetPatterns.h"
 #include "editor/document/EnteredFragment.h"
@@ -50,6 +51,7 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
+    QAccessible::installFactory(makeAccessible);
     setAccessibleName(tr("Pattern canvas"));
     setAccessibleDescription(tr("The outline of the active asset, its seeds and their cells."));
     connect(&document, &Document::changed, this, &PatternCanvas::applyChanges);
@@ -62,7 +64,10 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
     connect(m_breadcrumb, &Breadcrumb::clicked, this,
             [this](const FragmentPath& fragment) { exitToFragment(m_state.selection, fragment); });
     m_breadcrumb->move(static_cast<int>(kRulerWidth) + kBreadcrumbGap, static_cast<int>(kRulerWidth) + kBreadcrumbGap);
-    connect(&selection, &Selection::seedsChanged, this, &PatternCanvas::updateTool);
+    connect(&selection, &Selection::seedsChanged, this, [this] {
+        updateTool();
+        reportAccessible(QAccessible::SelectionWithin);
+    });
     connect(&selection, &Selection::hiddenChanged, this, [this] {
         m_updater.refreshHidden();
         update();
@@ -72,6 +77,7 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
         m_updater.refreshPattern();
         updateHovered();
         update();
+        reportAccessible(QAccessible::ObjectReorder);
     });
     connect(&bakes, &Bakes::changed, this, [this](Id asset) {
         if (asset != m_state.selection.asset()) return;
@@ -88,6 +94,17 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
 }
 
 PatternCanvas::~PatternCanvas() = default;
+
+QAccessibleInterface* PatternCanvas::makeAccessible(const QString& /*className*/, QObject* object) {
+    auto* canvas = qobject_cast<PatternCanvas*>(object);
+    return canvas ? new AccessibleCanvas(*canvas, canvas->m_state) : nullptr;
+}
+
+/// Tells assistive technologies of a change; `event` is a QAccessible::Event.
+void PatternCanvas::reportAccessible(int event) {
+    QAccessibleEvent change(this, static_cast<QAccessible::Event>(event));
+    QAccessible::updateAccessibility(&change);
+}
 
 void PatternCanvas::setTool(CanvasToolKind kind) {
     if (kind == m_toolKind) return;
@@ -183,6 +200,7 @@ void PatternCanvas::refreshAsset() {
     updateHovered();
     fit();
     update();
+    reportAccessible(QAccessible::ObjectReorder);
 }
 
 /// Ends a drag without a change: an undo may have exited the fragment.

@@ -4,6 +4,8 @@
 
 #include <QWidget>
 
+class QAccessibleInterface;
+
 namespace rubble {
 
 class BrushTool;
@@ -101,6 +103,8 @@ private:
     void saveView();
     void refreshFragment();
     void reportOwnPattern(const Changes& changes);
+    static QAccessibleInterface* makeAccessible(const QString& className, QObject* object);
+    void reportAccessible(int event);
     void updateTool();
     void release(const CanvasPointer& pointer);
     void endMissedRelease(const QMouseEvent& event);

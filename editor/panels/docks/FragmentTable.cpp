@@ -5,6 +5,7 @@
 #include "editor/document/FragmentVisibility.h"
 #include "editor/panels/docks/VolumeHistogram.h"
 #include "editor/widgets/Action.h"
+#include "editor/widgets/Buttons.h"
 #include "editor/widgets/Icon.h"
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 
@@ -119,12 +120,13 @@ void FragmentTable::buildView() {
 }
 
 void FragmentTable::buildFilter() {
-    m_filter->setClearButtonEnabled(true);
+    addClearButton(*m_filter);
     m_filter->setPlaceholderText(tr("Filter, for example: neighbours >= 5"));
     m_filter->setToolTip(tr("List only fragments that match all words and conditions, such as mass < 2 kg"));
     m_filter->setStatusTip(m_filter->toolTip());
     m_filter->setAccessibleName(tr("Filter Fragments"));
-    if (const QIcon icon = iconNamed("filter"); !icon.isNull()) m_filter->addAction(icon, QLineEdit::LeadingPosition);
+    if (const QIcon icon = iconNamed("filter"); !icon.isNull())
+        m_filter->addAction(icon, QLineEdit::LeadingPosition)->setText(tr("Filter"));
 }
 
 /// Creates the actions that only the table has. Their names differ from those in the menus, whose icons they share.

@@ -1,5 +1,7 @@
 #include "editor/panels/docks/IntervalBar.h"
 
+#include "editor/widgets/AccessibleRole.h"
+
 #include <QPainter>
 #include <QPainterPath>
 
@@ -19,6 +21,7 @@ const QColor kFits(46, 158, 91), kSurvives(0, 114, 178), kBreaks(213, 94, 0);
 
 IntervalBar::IntervalBar(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Valid thresholds"));
+    setAccessibleRole(*this, QAccessible::Graphic);
     setToolTip(
         tr("Green: thresholds that meet all requirements. Blue lines: impulses it must survive. Orange lines: impulses "
            "it must break by. Triangle: the threshold of the asset"));

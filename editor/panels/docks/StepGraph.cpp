@@ -1,5 +1,6 @@
 #include "editor/panels/docks/StepGraph.h"
 
+#include "editor/widgets/AccessibleRole.h"
 #include "editor/widgets/numbers/RoundStep.h"
 
 #include <QLocale>
@@ -38,6 +39,7 @@ QString milliseconds(double value) { return StepGraph::tr("%1 ms").arg(QLocale()
 
 StepGraph::StepGraph(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Time per step"));
+    setAccessibleRole(*this, QAccessible::Chart);
     setToolTip(tr("Computing time of the last steps, by stage"));
 }
 

@@ -1,5 +1,6 @@
 #include "editor/panels/docks/VolumeHistogram.h"
 
+#include "editor/widgets/AccessibleRole.h"
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include <QHelpEvent>
@@ -26,6 +27,7 @@ constexpr double kMinBarHeight = 2.0;  // of a bar that is not empty
 VolumeHistogram::VolumeHistogram(QWidget* parent) : QWidget(parent), m_axisButton(new QToolButton(this)) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Volume Histogram"));
+    setAccessibleRole(*this, QAccessible::Chart);
     setStatusTip(tr("Click a bar, or drag over several, to select the fragments with these volumes"));
     m_axisButton->setObjectName("histogram-axis");
     connect(m_axisButton, &QToolButton::clicked, this,
