@@ -3,6 +3,7 @@
 #include "editor/widgets/Icon.h"
 
 #include <QAction>
+#include <QChildEvent>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QSettings>
@@ -40,7 +41,7 @@ constexpr DockId kBottomTabs[] = {DockId::Fragments, DockId::Problems, DockId::M
 
 }  // namespace
 
-DockLayout::DockLayout(QMainWindow& window) : m_window(window) {}
+DockLayout::DockLayout(QMainWindow& window) : m_window(window) { window.installEventFilter(this); }
 
 QDockWidget& DockLayout::add(DockId id, const QString& title, QWidget* content) {
     const auto index = static_cast<std::size_t>(id);
@@ -51,15 +52,16 @@ QDockWidget& DockLayout::add(DockId id, const QString& title, QWidget* content) 
     m_window.addDockWidget(kPlaces[index].area, dock);
     m_docks[index] = dock;
     addAction(*dock);
-    // Queued: the window creates the tab bars of stacked docks afterwards.
-    connect(dock, &QDockWidget::visibilityChanged, this, &DockLayout::nameTabBars, Qt::QueuedConnection);
     return *dock;
 }
 
-/// Names the tab bars of stacked docks for assistive technologies.
-void DockLayout::nameTabBars() {
-    for (QTabBar* bar : m_window.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
-        bar->setAccessibleName(tr("Docks"));
+/// Names the tab bars of stacked docks, which the window creates when it needs them, for assistive technologies.
+bool DockLayout::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::ChildPolished) {
+        auto* bar = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child());
+        if (bar) bar->setAccessibleName(tr("Docks"));
+    }
+    return QObject::eventFilter(watched, event);
 }
 
 /// The action raises a dock that is hidden behind another one; it hides only a dock that is in front.
