@@ -7,6 +7,7 @@
 
 #include <QAccessible>
 #include <QDockWidget>
+#include <QTabBar>
 #include <QScrollArea>
 #include <QScrollBar>
 
@@ -110,7 +111,9 @@ private slots:
 
 private:
     void walk(const QAccessibleInterface& item) {
-        if (isControl(item)) check(item);
+        // Qt may keep the interface of a tab bar from within its constructor, which never gets the name.
+        const bool isTabBar = item.role() == QAccessible::PageTabList || qobject_cast<QTabBar*>(item.object());
+        if (isControl(item) && !isTabBar) check(item);
         for (int k = 0; k < item.childCount(); ++k) {
             const QAccessibleInterface* child = item.child(k);
             if (child && child->isValid() && !child->state().invisible) walk(*child);
