@@ -3,11 +3,9 @@
 #include "editor/widgets/Icon.h"
 
 #include <QAction>
-#include <QChildEvent>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QSettings>
-#include <QTabBar>
 
 #include <span>
 
@@ -41,7 +39,7 @@ constexpr DockId kBottomTabs[] = {DockId::Fragments, DockId::Problems, DockId::M
 
 }  // namespace
 
-DockLayout::DockLayout(QMainWindow& window) : m_window(window) { window.installEventFilter(this); }
+DockLayout::DockLayout(QMainWindow& window) : m_window(window) {}
 
 QDockWidget& DockLayout::add(DockId id, const QString& title, QWidget* content) {
     const auto index = static_cast<std::size_t>(id);
@@ -53,15 +51,6 @@ QDockWidget& DockLayout::add(DockId id, const QString& title, QWidget* content) 
     m_docks[index] = dock;
     addAction(*dock);
     return *dock;
-}
-
-/// Names the tab bars of stacked docks, which the window creates when it needs them, for assistive technologies.
-bool DockLayout::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::ChildPolished) {
-        auto* bar = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child());
-        if (bar) bar->setAccessibleName(tr("Docks"));
-    }
-    return QObject::eventFilter(watched, event);
 }
 
 /// The action raises a dock that is hidden behind another one; it hides only a dock that is in front.

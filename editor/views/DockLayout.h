@@ -37,9 +37,6 @@ public:
     /// Restores the saved layout; false if there is none.
     bool restore();
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
     void addAction(QDockWidget& dock);
 

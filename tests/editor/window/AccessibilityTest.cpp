@@ -7,9 +7,9 @@
 
 #include <QAccessible>
 #include <QDockWidget>
-#include <QTabBar>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTabBar>
 
 #include <set>
 
@@ -111,9 +111,10 @@ private slots:
 
 private:
     void walk(const QAccessibleInterface& item) {
-        // Qt may keep the interface of a tab bar from within its constructor, which never gets the name.
-        const bool isTabBar = item.role() == QAccessible::PageTabList || qobject_cast<QTabBar*>(item.object());
-        if (isControl(item) && !isTabBar) check(item);
+        // The window keeps a tab bar without tabs for docks that are stacked later; Qt names a bar by its current tab.
+        const auto* tabs = qobject_cast<QTabBar*>(item.object());
+        const bool isSpare = tabs && tabs->count() == 0;
+        if (isControl(item) && !isSpare) check(item);
         for (int k = 0; k < item.childCount(); ++k) {
             const QAccessibleInterface* child = item.child(k);
             if (child && child->isValid() && !child->state().invisible) walk(*child);
