@@ -90,7 +90,7 @@ void PictureDialog::addButtons(QFormLayout& form) {
 /// Shows the options of the last picture.
 void PictureDialog::restoreOptions() {
     const QSettings settings;
-    m_size->setCurrentIndex(settings.value("picture/size", 0).toInt());
+    restoreIndex(*m_size, settings.value("picture/size", 0).toInt());
     const QString folder = pathOf(settings.value("picture/folder"));
     const bool exists = is_directory(statusOf(folder));
     const QString suffix = settings.value("picture/suffix", kPictureSuffix).toString();

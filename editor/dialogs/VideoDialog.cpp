@@ -163,10 +163,10 @@ void VideoDialog::connectFields() {
 /// Shows the options of the last video.
 void VideoDialog::restoreOptions() {
     const QSettings settings;
-    m_kind->setCurrentIndex(m_hasFfmpeg ? settings.value("video/pictures", 0).toInt() : 1);
-    m_width->setValue(settings.value("video/width", 1280).toInt());
-    m_height->setValue(settings.value("video/height", 720).toInt());
-    m_quality->setCurrentIndex(settings.value("video/quality", 1).toInt());
+    restoreIndex(*m_kind, m_hasFfmpeg ? settings.value("video/pictures", 0).toInt() : 1);
+    m_width->setValue(std::clamp(settings.value("video/width", 1280).toInt(), kMinImageSide, kMaxImageSide));
+    m_height->setValue(std::clamp(settings.value("video/height", 720).toInt(), kMinImageSide, kMaxImageSide));
+    restoreIndex(*m_quality, settings.value("video/quality", 1).toInt());
     m_frameRate->setValue(settings.value("video/rate", 30.0).toDouble());
     const QString folder = pathOf(settings.value("video/folder"));
     const bool exists = is_directory(statusOf(folder));

@@ -26,6 +26,8 @@ QComboBox* comboBox(const QStringList& texts, const QString& toolTip) {
     return box;
 }
 
+void restoreIndex(QComboBox& box, int index) { box.setCurrentIndex(std::clamp(index, 0, box.count() - 1)); }
+
 void setItems(QComboBox& box, const std::vector<ComboItem>& items) {
     box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // long names do not widen a dock
     box.setMinimumContentsLength(kMinCharacters);

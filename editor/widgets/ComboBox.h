@@ -12,6 +12,9 @@ namespace rubble {
 /// A combo box whose items are these texts.
 QComboBox* comboBox(const QStringList& texts, const QString& toolTip);
 
+/// Selects a stored index; the nearest one if there is no such item any more.
+void restoreIndex(QComboBox& box, int index);
+
 /// An item whose data is an id.
 struct ComboItem {
     Id id = 0;

@@ -203,6 +203,10 @@ void MainWindow::restoreWindow() {
 }
 
 void MainWindow::connectWorkspace() {
+    connect(&m_workspace.play(), &PlayController::stateChanged, this, [this] {
+        m_labelledWidth = 0;  // "Stop" is wider than "Play"
+        if (!isPristine()) updateToolButtonStyle();
+    });
     connect(&m_workspace.document(), &Document::modifiedChanged, this, &MainWindow::updateTitle);
     connect(&m_workspace.document(), &Document::memoryRanOut, this, [] {
         if (auto* application = qobject_cast<Application*>(QCoreApplication::instance()))

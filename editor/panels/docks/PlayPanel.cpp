@@ -152,6 +152,7 @@ void PlayPanel::widenColumns() {
             fontMetrics().horizontalAdvance(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
         header.resizeSection(column, std::max(least, title + kPlayColumnMargin));
     }
+    header.setMinimumSectionSize(fontMetrics().horizontalAdvance("front 10.10") + kPlayColumnMargin);
     header.setSectionResizeMode(ImpactModel::kName, QHeaderView::Stretch);
 }
 

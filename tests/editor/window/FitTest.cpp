@@ -1,14 +1,25 @@
 // Tests the layout of editor/views/DockLayout.cpp and of all docks and dialogs: every text fits into its rectangle.
 #include "core/asset/project/StarterProject.h"
+#include "core/io/project/ProjectFile.h"
+#include "editor/dialogs/ImportDialog.h"
 #include "editor/views/Views.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Dialogs.h"
 #include "tests/support/editor/EditorStory.h"
 #include "tests/support/editor/TextFit.h"
+#include "tests/support/files/FileTree.h"
 
 #include <QDockWidget>
 
 using namespace rubble;
+
+namespace {
+
+constexpr const char* kBrick =
+    "o brick\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+    "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+}  // namespace
 
 /// Walks all docks at the smallest supported sizes of the window, in both themes and in all units of length. A screen
 /// of 2560 × 1440 pixels at 2× has the layout of 1280 × 720 points.
@@ -16,7 +27,14 @@ class FitTest : public EditorStory {
     Q_OBJECT
 private slots:
     void initTestCase() {
-        openBaked(starterProject());
+        const Result<Project> house = loadProject(RUBBLE_SOURCE_DIR "/projects/house.rubble");
+        QVERIFY(house.hasValue());
+        Project project = starterProject();
+        project.shots.push_back(house->shots.front());  // for a video
+        project.shots.front().id = project.nextId++;
+        openBaked(project);
+        play().thread().useSteppedClock();
+        writeFileTree(pathOf({}), {{"brick.obj", kBrick}});
         window().show();
         QVERIFY(QTest::qWaitForWindowExposed(&window(), kPatience));
     }
@@ -74,20 +92,41 @@ private slots:
         for (const char* name : kDialogs) {
             QVERIFY2(action(name), name);
             QVERIFY2(action(name)->isEnabled(), name);
-            test::onNextDialog<QDialog>([&](QDialog& dialog) {
+            test::onNextDialog<QDialog>([this](QDialog& dialog) {
                 check(dialog, dialog.windowTitle());
                 dialog.reject();
             });
             action(name)->trigger();
         }
+        ImportDialog importing(pathOf("brick.obj"), project(), preferences().preferences(), &window());
+        QVERIFY(importing.read(RUBBLE_IMPORTER));
+        importing.show();
+        check(importing, importing.windowTitle());
+        checkPlay();
         for (const QString& fault : m_faults) qWarning("%s", qPrintable(fault));
         QVERIFY(m_faults.isEmpty());
     }
 
 private:
-    static constexpr const char* kDialogs[] = {
-        "shape-rectangle",  "shape-triangle",      "shape-polygon",         "edit-preferences", "file-export",
-        "material-library", "instance-grid-array", "instance-radial-array", "select-volume",    "select-random"};
+    static constexpr const char* kDialogs[] = {"shape-rectangle",     "shape-triangle",        "shape-polygon",
+                                               "edit-preferences",    "file-export",           "material-library",
+                                               "instance-grid-array", "instance-radial-array", "select-volume",
+                                               "select-random",       "file-save-picture",     "play-video"};
+
+    PlayController& play() { return window().workspace().play(); }
+    void checkPlay() {
+        play().play();
+        QTRY_VERIFY_WITH_TIMEOUT(play().isPlaying(), kPatience);
+        for (int k = 0; k < 30; ++k) play().thread().advance(kStep);
+        play().applyUpdate();
+        for (const DockId id : {DockId::Play, DockId::Tests}) {
+            QDockWidget& dock = window().views().docks().dock(id);
+            dock.raise();
+            check(dock, dock.windowTitle() + " in play");
+        }
+        check(window(), "Window in play");
+        play().stop();
+    }
 
     void resizeDocks(int width) {
         DockLayout& docks = window().views().docks();

@@ -13,6 +13,7 @@
 #include <QStyleOptionComboBox>
 #include <QTabBar>
 #include <QTextDocument>
+#include <QToolBar>
 #include <QToolButton>
 
 #include <algorithm>
@@ -140,8 +141,9 @@ QStringList clippedTexts(const QWidget& root) {
     for (const QWidget* widget : visibleChildren(root)) {
         if (const auto* header = qobject_cast<const QHeaderView*>(widget)) addHeader(*header, clipped);
         if (const auto* tabs = qobject_cast<const QTabBar*>(widget)) addTabs(*tabs, clipped);
-        if (widget->objectName() == "qt_toolbar_ext_button") {
-            clipped << QString("tool bar '%1' is too narrow").arg(widget->parentWidget()->windowTitle());
+        if (const auto* bar = qobject_cast<const QToolBar*>(widget); bar && bar->width() < bar->sizeHint().width()) {
+            const int room = bar->width(), need = bar->sizeHint().width();
+            clipped << QString("tool bar '%1': %2 of %3").arg(bar->windowTitle()).arg(room).arg(need);
         }
         const std::optional<Fit> fit = fitOf(*widget);
         if (!fit) continue;
