@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rubble {
 namespace {
@@ -22,6 +23,8 @@ public:
         }
     }
     const std::vector<BodyForecast>& bodies() const { return m_bodies; }
+    /// True if it has changed since the last call.
+    bool takeChange() { return std::exchange(m_isChanged, false); }
 
 private:
     static constexpr double kLargestWhole = 1.0 - 1e-9;  // of a body that breaks under no impact, without destruction
@@ -31,11 +34,14 @@ private:
         if (place == m_bodies.end() || place->body != body) {
             m_bodies.insert(place, {body, ratio});
         } else {
-            place->largest = std::max(place->largest, ratio);
+            if (ratio <= place->largest) return;
+            place->largest = ratio;
         }
+        m_isChanged = true;
     }
 
     std::vector<BodyForecast> m_bodies;  // ascending number
+    bool m_isChanged = false;
 };
 
 }  // namespace
@@ -53,7 +59,7 @@ Result<std::vector<BodyForecast>> breakForecast(const ForecastOrder& order, cons
         if (task.isCancelled()) return TaskContext::cancelled();
         session->step();
         record.record(session->events(), order.start->state.nextNumber);
-        if (refine && step % interval == 0 && !record.bodies().empty()) refine(record.bodies());
+        if (refine && step % interval == 0 && record.takeChange()) refine(record.bodies());
     }
     return record.bodies();
 }

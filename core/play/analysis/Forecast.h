@@ -21,6 +21,8 @@ struct ForecastOrder {
 struct BodyForecast {
     std::uint32_t body = 0;  // its number
     double largest = 0.0;    // impact ÷ threshold of the hardest impact: it breaks if this is at least 1
+
+    friend bool operator==(const BodyForecast&, const BodyForecast&) = default;
 };
 
 inline constexpr double kForecastTime = 4.0;  // s, from the throw on: most debris has landed by then
@@ -29,7 +31,7 @@ inline constexpr double kForecastTime = 4.0;  // s, from the throw on: most debr
 /// exist now and will be hit, by ascending number. The session itself does exactly the same, unless something else
 /// happens to it meanwhile.
 ///
-/// Once the projectile has hit something, `refine` is called with what is known, four times per simulated second.
+/// `refine` is called with the bodies so far when they have changed, at most four times per simulated second.
 ///
 /// Errors: those of Session::add(); Cancelled.
 using ForecastRefinement = std::function<void(const std::vector<BodyForecast>&)>;
