@@ -37,15 +37,16 @@ CanvasView panned(CanvasView view, QPointF pixels) {
     return view;
 }
 
-CanvasView fitted(CanvasView view, const Box2& box, double margin) {
+CanvasView fitted(CanvasView view, const QRectF& area, const Box2& box, double margin) {
     const Vec2 extent = box.size();
     if (extent.x < 0.0 || extent.y < 0.0) return view;
-    const double width = std::max(view.size.width() - 2.0 * margin, 1.0);
-    const double height = std::max(view.size.height() - 2.0 * margin, 1.0);
+    const double width = std::max(area.width() - 2.0 * margin, 1.0);
+    const double height = std::max(area.height() - 2.0 * margin, 1.0);
     const double scale = std::min(width / std::max(extent.x, 1e-300), height / std::max(extent.y, 1e-300));
     view.scale = std::clamp(scale, kMinScale, kMaxScale);
     view.centre = box.min + extent / 2.0;
-    return view;
+    const QPointF offset = area.center() - QRectF(QPointF(), view.size).center();
+    return panned(view, offset.toPoint());  // whole pixels, so that round lengths stay on them
 }
 
 }  // namespace rubble

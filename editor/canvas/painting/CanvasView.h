@@ -3,6 +3,7 @@
 #include "core/geometry/polygon/Polygon.h"
 
 #include <QPointF>
+#include <QRectF>
 #include <QSizeF>
 
 namespace rubble {
@@ -24,7 +25,7 @@ struct CanvasView {
 CanvasView zoomed(CanvasView view, double factor, QPointF pixels);
 /// Pans by an offset in pixels.
 CanvasView panned(CanvasView view, QPointF pixels);
-/// Fits a box into the view, with a margin in pixels. An empty box changes nothing.
-CanvasView fitted(CanvasView view, const Box2& box, double margin);
+/// Fits a box into an area of the view, with a margin, both in pixels. An empty box changes nothing.
+CanvasView fitted(CanvasView view, const QRectF& area, const Box2& box, double margin);
 
 }  // namespace rubble

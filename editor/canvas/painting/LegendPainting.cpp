@@ -85,24 +85,27 @@ public:
         if (contents.overlays.hasCells && !contents.hidden.isEmpty()) addHatch();
     }
 
-    QRectF paint(QPainter& painter, const CanvasView& view) const {
-        const bool isScaled = hasScale();
-        if (m_rows.empty() && !isScaled) return {};
-        painter.save();
-        QFont font = painter.font();
-        font.setPixelSize(11);
-        painter.setFont(font);
-        double width = isScaled ? kScaleWidth : 0.0;
+    QRectF area(const QFont& font, const CanvasView& view) const {
+        if (m_rows.empty() && !hasScale()) return {};
+        const QFontMetricsF metrics(legendFont(font));
+        double width = hasScale() ? kScaleWidth : 0.0;
         for (const Row& row : m_rows) {
-            width = std::max(width, kSampleWidth + QFontMetricsF(font).horizontalAdvance(row.text));
+            width = std::max(width, kSampleWidth + metrics.horizontalAdvance(row.text));
         }
-        const double rows = kRowHeight * static_cast<double>(m_rows.size());
-        const QSizeF size(std::ceil(width) + 2.0 * kLegendPadding,
-                          rows + (isScaled ? kScaleHeight : 0.0) + 2.0 * kLegendPadding);
-        const QRectF panel(
+        const double height = kRowHeight * static_cast<double>(m_rows.size()) + (hasScale() ? kScaleHeight : 0.0);
+        const QSizeF size(std::ceil(width) + 2.0 * kLegendPadding, height + 2.0 * kLegendPadding);
+        return {
             QPointF(view.size.width() - size.width() - kEdgeMargin, view.size.height() - size.height() - kEdgeMargin),
-            size);
+            size};
+    }
+
+    QRectF paint(QPainter& painter, const CanvasView& view) const {
+        const QRectF panel = area(painter.font(), view);
+        if (panel.isEmpty()) return panel;
+        painter.save();
+        painter.setFont(legendFont(painter.font()));
         paintPanel(painter, panel);
+        const double width = panel.width() - 2.0 * kLegendPadding;
         double top = panel.top() + kLegendPadding;
         for (const Row& row : m_rows) {
             const QPointF middle(panel.left() + kLegendPadding + kSampleWidth / 2.0 - 4.0, top + kRowHeight / 2.0);
@@ -112,12 +115,17 @@ public:
                              Qt::AlignVCenter, row.text);
             top += kRowHeight;
         }
-        if (isScaled) paintScale(painter, QRectF(panel.left() + kLegendPadding, top, width, kScaleHeight));
+        if (hasScale()) paintScale(painter, QRectF(panel.left() + kLegendPadding, top, width, kScaleHeight));
         painter.restore();
         return panel;
     }
 
 private:
+    static QFont legendFont(QFont font) {
+        font.setPixelSize(11);
+        return font;
+    }
+
     bool hasScale() const {
         const CellColouring colouring = m_contents.colouring();
         return m_contents.overlays.hasCells && colouring != CellColouring::None && colouring != CellColouring::Piece;
@@ -243,6 +251,11 @@ private:
 QRectF paintLegend(QPainter& painter, const CanvasView& view, const CanvasContents& contents,
                    const CanvasColours& colours) {
     return contents.pattern ? Legend(contents, colours).paint(painter, view) : QRectF();
+}
+
+QRectF legendArea(const QFont& font, const CanvasView& view, const CanvasContents& contents,
+                  const CanvasColours& colours) {
+    return contents.pattern ? Legend(contents, colours).area(font, view) : QRectF();
 }
 
 }  // namespace rubble

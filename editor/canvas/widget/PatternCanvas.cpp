@@ -26,13 +26,18 @@ namespace rubble {
 
 namespace {
 
-constexpr double kFitMargin = 24.0;  // pixels around the fitted outline
+constexpr double kFitMargin = 24.0;          // pixels around the fitted outline
+constexpr double kMinFitBesideLegend = 0.5;  // of the scale of the whole canvas
 constexpr double kZoomPerNotch = 1.2;
 constexpr double kAnglePerNotch = 120.0;   // of QWheelEvent::angleDelta()
 constexpr double kSelectionMargin = 0.75;  // around the selection, of its size
 constexpr double kMinFramedSize = 0.02;    // the smallest framed size, of the outline's
 constexpr double kMaxMargin = 0.15;        // around the framed selection, relative to the asset
 constexpr int kBreadcrumbGap = 8;          // pixels between rulers and breadcrumb
+
+QRectF pixelsOf(const Box2& box, const CanvasView& view) {
+    return QRectF(view.pixels(box.min), view.pixels(box.max)).normalized();
+}
 
 }  // namespace
 
@@ -75,6 +80,7 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
     connect(&bakes, &Bakes::patternChanged, this, [this](Id asset) {
         if (asset != m_state.selection.asset()) return;
         m_updater.refreshPattern();
+        if (std::exchange(m_isPatternAwaited, false)) refit();  // edits do not move the view
         updateHovered();
         update();
         reportAccessible(QAccessible::ObjectReorder);
@@ -126,6 +132,7 @@ void PatternCanvas::setTool(CanvasToolKind kind) {
 void PatternCanvas::setOverlays(const CanvasOverlays& overlays) {
     if (overlays == this->overlays()) return;
     m_updater.setOverlays(overlays);
+    refit();
     update();
     emit overlaysChanged();
 }
@@ -143,18 +150,39 @@ void PatternCanvas::setView(const CanvasView& view) {
     update();
 }
 
+/// Fits the asset between the rulers, which cover two edges, and beside the legend where that leaves enough room.
 void PatternCanvas::fit() {
     m_isFitted = true;
     const Asset* shown = m_state.displayedAsset();
     if (!shown) return;
-    // The rulers cover two edges.
-    CanvasView view = m_state.view;
-    view.size = QSizeF(size()) - QSizeF(kRulerWidth, kRulerWidth);
-    view = fitted(view, boundsOf(shown->prism.outline.outer), kFitMargin);
-    view.size = size();
-    m_state.view = panned(view, {kRulerWidth / 2.0, kRulerWidth / 2.0});
+    const Box2 box = boundsOf(shown->prism.outline.outer);
+    m_state.view.size = size();
+    const QRectF area = QRectF(rect()).adjusted(kRulerWidth, kRulerWidth, 0.0, 0.0), legend = legendArea();
+    const auto fitInto = [&](const QRectF& part) { return fitted(m_state.view, part, box, kFitMargin); };
+    CanvasView view = fitInto(area);
+    if (pixelsOf(box, view).intersects(legend)) {
+        QRectF above = area, left = area;
+        above.setBottom(legend.top());
+        left.setRight(legend.left());
+        const CanvasView low = fitInto(above), narrow = fitInto(left);
+        const CanvasView& beside = narrow.scale > low.scale ? narrow : low;
+        if (beside.scale >= kMinFitBesideLegend * view.scale) view = beside;
+    }
+    m_state.view = view;
     updatePointer();
     update();
+}
+
+/// Fits the asset again if it now lies below the legend.
+void PatternCanvas::refit() {
+    const Asset* shown = m_state.displayedAsset();
+    if (!shown || !m_isFitted || m_isPressed) return;
+    if (pixelsOf(boundsOf(shown->prism.outline.outer), m_state.view).intersects(legendArea())) fit();
+}
+
+QRectF PatternCanvas::legendArea() const {
+    if (!contents().overlays.hasLegend) return {};
+    return rubble::legendArea(font(), m_state.view, contents(), m_colours);
 }
 
 void PatternCanvas::frameSelected(std::optional<Vec2> point) {
@@ -169,11 +197,12 @@ void PatternCanvas::frameSelected(std::optional<Vec2> point) {
     // Keeps the size positive for a single point, and some context around it, but shows no more than the asset.
     const double whole = boundsOf(m_state.displayedAsset()->prism.outline.outer).diagonal();
     const Vec2 around(std::clamp(kSelectionMargin * box.diagonal(), kMinFramedSize * whole, kMaxMargin * whole));
-    setView(fitted(m_state.view, {box.min - around, box.max + around}, kFitMargin));
+    setView(fitted(m_state.view, rect(), {box.min - around, box.max + around}, kFitMargin));
 }
 
 void PatternCanvas::setCompared(std::shared_ptr<const ComparedAsset> compared) {
     m_updater.setCompared(std::move(compared));
+    refit();
     update();
 }
 
@@ -198,6 +227,7 @@ void PatternCanvas::refreshAsset() {
     refreshFragment();
     m_updater.refreshAll();
     updateHovered();
+    m_isPatternAwaited = !contents().pattern;
     fit();
     update();
     reportAccessible(QAccessible::ObjectReorder);

@@ -44,6 +44,8 @@ public:
     void setView(const CanvasView& view);
     /// Fits the whole outline into the view; resizing keeps it fitted until the user moves the view.
     void fit();
+    /// In pixels; empty without a legend.
+    QRectF legendArea() const;
     void zoomBy(double factor);
     /// Frames the cells of the selected seeds, and `point` if given, m.
     void frameSelected(std::optional<Vec2> point = std::nullopt);
@@ -114,6 +116,7 @@ private:
     void updatePointer();
     void updateHovered();
 
+    void refit();
     void paintOverlays(QPainter& painter) const;
     void paintHighlights(QPainter& painter) const;
     bool showsFragmentLabel() const;
@@ -140,7 +143,8 @@ private:
     CanvasToolKind m_toolKind = CanvasToolKind::Seeds;
     CanvasTool* m_tool = nullptr;  // of m_toolKind
 
-    bool m_isFitted = true;  // until the user moves the view
+    bool m_isFitted = true;           // until the user moves the view
+    bool m_isPatternAwaited = false;  // and with it the legend, beside which the asset is fitted
     std::optional<CanvasPointer> m_pointer;
     std::uint32_t m_hovered = kNone;  // piece
     std::optional<QPointF> m_panFrom;

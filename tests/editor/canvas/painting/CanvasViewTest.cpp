@@ -34,10 +34,17 @@ private slots:
     }
     void panMovesThePictureWithThePointer() { QCOMPARE(panned(kView, {100.0, 50.0}).centre, Vec2(0.0, 2.5)); }
     void fittedBoxFillsTheCanvasLessTheMargin() {
-        const CanvasView view = fitted(kView, {{0.0, 0.0}, {2.0, 1.0}}, 50.0);
+        const CanvasView view = fitted(kView, QRectF({}, kView.size), {{0.0, 0.0}, {2.0, 1.0}}, 50.0);
         QCOMPARE(view.centre, Vec2(1.0, 0.5));
         QCOMPARE(view.scale, 150.0);  // 300 pixels for 2 m; the height would allow 200
-        QVERIFY(fitted(kView, Box2{}, 50.0) == kView);
+        QVERIFY(fitted(kView, QRectF({}, kView.size), Box2{}, 50.0) == kView);
+    }
+    void fittedBoxIsCentredInTheArea() {
+        const QRectF area(100.0, 20.0, 220.0, 200.0);
+        const CanvasView view = fitted(kView, area, {{0.0, 0.0}, {2.0, 1.0}}, 10.0);
+        QCOMPARE(view.scale, 100.0);
+        QCOMPARE(view.pixels({0.0, 0.5}), QPointF(110.0, 120.0));
+        QCOMPARE(view.pixels({2.0, 0.5}), QPointF(310.0, 120.0));
     }
 };
 

@@ -83,6 +83,25 @@ private slots:
         bench.canvas.fit();
         QVERIFY(bench.canvas.view().scale < scale);
     }
+    void fittedOutlineLiesBesideTheLegend() {
+        CanvasBench bench(projectOf(unitSquare(), twoSeeds()));
+        CanvasOverlays overlays = bench.canvas.overlays();
+        overlays.hasLegend = true;
+        bench.canvas.setOverlays(overlays);
+        for (const QSize size : {QSize(400, 400), QSize(640, 480), QSize(300, 700), QSize(900, 250)}) {
+            bench.canvas.resize(size);
+            const auto isBeside = [&] {
+                const QRectF outline(bench.canvas.view().pixels({0.0, 1.0}), bench.canvas.view().pixels({1.0, 0.0}));
+                return QRectF(bench.canvas.rect()).contains(outline) && !outline.intersects(bench.canvas.legendArea());
+            };
+            QVERIFY(!bench.canvas.legendArea().isEmpty() && isBeside());
+            overlays.hasBonds = !overlays.hasBonds;  // another row
+            bench.canvas.setOverlays(overlays);
+            QVERIFY(isBeside());
+        }
+        bench.canvas.resize(150, 150);  // too small for both
+        QVERIFY(bench.canvas.view().scale > 50.0);
+    }
     void wheelZoomsToThePointer() {
         CanvasBench bench(projectOf(unitSquare(), twoSeeds()));
         const QPointF at(200.0, 150.0);
