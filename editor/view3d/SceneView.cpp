@@ -127,6 +127,7 @@ void SceneView::applyPreferences(const Preferences& preferences) {
     m_transformTool->setUnits(units);
     m_measureTool->setUnits(units);
     m_legend->setUnits(units);
+    m_playView->tool().setUnits(units);
     m_playView->setStatisticsShown(preferences.hasStatistics);
 }
 

@@ -1,6 +1,8 @@
 #include "editor/workspace/ViewportStyle.h"
 
 #include "editor/widgets/Theme.h"
+#include "editor/widgets/numbers/Units.h"
+#include "viewport/render/ScaleBar.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QEvent>
@@ -38,6 +40,9 @@ void applyPreferences(ViewportWidget& viewport, const Preferences& preferences) 
     viewport.setNavigation(preferences.navigation);
     viewport.setCameraAnimation(preferences.isSmooth);
     viewport.setProgressiveRendering(preferences.refining);
+    const NumberFormat lengths = Units{preferences.unit}.lengths();
+    const bool isMetric = preferences.unit == LengthUnit::Metre;  // then the bar selects the unit by its length
+    viewport.setScaleUnit(isMetric ? ScaleUnit{} : ScaleUnit{lengths.size(), lengths.unit.toStdString()});
     RenderSettings settings = viewport.settings();
     settings.msaa = preferences.msaa;
     viewport.setSettings(settings);

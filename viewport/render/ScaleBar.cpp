@@ -1,5 +1,7 @@
 #include "viewport/render/ScaleBar.h"
 
+#include "core/base/QuantityText.h"
+
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -37,17 +39,24 @@ void addLetter(std::vector<BarSegment>& segments, char letter, Vec2 at) {
     }
 }
 
-}  // namespace
-
-RoundLength roundLength(double max) {
-    double power = std::pow(10.0, std::floor(std::log10(max)));
+/// The largest number up to `max` that is 1, 2 or 5 times a power of ten.
+double roundNumber(double max) {
+    const double power = std::pow(10.0, std::floor(std::log10(max)));
     int digit = 1;
     for (const int larger : {2, 5}) {
         if (larger * power <= max * (1.0 + 1e-9)) digit = larger;
     }
-    RoundLength length{digit * power, {}};
-    const auto setText = [&](double unit, const char* name) {
-        length.text = std::to_string(std::llround(length.metres / unit)) + " " + name;
+    return digit * power;
+}
+
+}  // namespace
+
+RoundLength roundLength(double max, const ScaleUnit& unit) {
+    const double number = roundNumber(max / unit.metres);
+    if (!unit.name.empty()) return {number * unit.metres, roundedNumber(number) + ' ' + unit.name};
+    RoundLength length{number, {}};
+    const auto setText = [&](double metres, const char* name) {
+        length.text = std::to_string(std::llround(length.metres / metres)) + " " + name;
     };
     if (length.metres >= 999.0) {
         setText(1000.0, "km");
@@ -61,9 +70,9 @@ RoundLength roundLength(double max) {
     return length;
 }
 
-ScaleBarLength scaleBarLength(const Camera& camera, ImageSize size, double scale) {
+ScaleBarLength scaleBarLength(const Camera& camera, ImageSize size, double scale, const ScaleUnit& unit) {
     const double metresPerPoint = metresPerPixel(camera, size) * scale;
-    const RoundLength length = roundLength(kMaxScaleBarWidth * metresPerPoint);
+    const RoundLength length = roundLength(kMaxScaleBarWidth * metresPerPoint, unit);
     return {length, length.metres / metresPerPoint};
 }
 

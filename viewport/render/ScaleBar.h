@@ -6,12 +6,18 @@
 
 namespace rubble {
 
-/// The largest length up to `max` m that is 1, 2 or 5 times a power of ten, with its text.
+/// The unit of a scale bar.
+struct ScaleUnit {
+    double metres = 1.0;
+    std::string name;  // "ft"; empty: km, m, cm or mm by the length
+};
+
+/// The largest length up to `max` m that is 1, 2 or 5 times a power of ten in its unit, with its text.
 struct RoundLength {
     double metres = 1.0;
     std::string text;  // "50 cm"
 };
-RoundLength roundLength(double max);
+RoundLength roundLength(double max, const ScaleUnit& unit = {});
 
 /// The length at the camera's target that a scale bar shows, and its width in points: at most kMaxScaleBarWidth.
 /// `scale`: pixels per point.
@@ -19,7 +25,7 @@ struct ScaleBarLength {
     RoundLength length;
     double points = 0.0;
 };
-ScaleBarLength scaleBarLength(const Camera& camera, ImageSize size, double scale);
+ScaleBarLength scaleBarLength(const Camera& camera, ImageSize size, double scale, const ScaleUnit& unit = {});
 inline constexpr double kMaxScaleBarWidth = 150.0;
 
 /// A scale bar in the lower right corner: a round length at the camera's target, labelled. `scale`: pixels per point.

@@ -21,10 +21,19 @@ ScaleBarItem::ScaleBarItem(ViewportWidget& viewport) : OverlayItem(&viewport), m
 
 int ScaleBarItem::maxWidth() { return static_cast<int>(kMaxScaleBarWidth) + 2 * kScaleBarMargin; }
 
+void ScaleBarItem::setUnit(ScaleUnit unit) {
+    m_unit = std::move(unit);
+    emit changed();
+}
+
+QString ScaleBarItem::accessibleText() const {
+    return isShown() ? tr("Scale bar: %1").arg(QString::fromStdString(length().length.text)) : QString();
+}
+
 bool ScaleBarItem::isShown() const { return m_viewport.scene().isOutdoors && m_viewport.settings().hasGrid; }
 
 ScaleBarLength ScaleBarItem::length() const {
-    return scaleBarLength(m_viewport.shownCamera(), m_viewport.imageSize(), m_viewport.devicePixelRatioF());
+    return scaleBarLength(m_viewport.shownCamera(), m_viewport.imageSize(), m_viewport.devicePixelRatioF(), m_unit);
 }
 
 std::vector<QRect> ScaleBarItem::plates(QSize size, const QFont& font) const {

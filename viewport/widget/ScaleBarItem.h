@@ -14,6 +14,9 @@ public:
     /// The width at the right edge that it never exceeds, points.
     static int maxWidth();
 
+    void setUnit(ScaleUnit unit);
+
+    QString accessibleText() const override;
     void paint(QPainter& painter, QSize size) const override;
     std::vector<QRect> plates(QSize size, const QFont& font) const override;
 
@@ -22,6 +25,7 @@ private:
     ScaleBarLength length() const;
 
     ViewportWidget& m_viewport;
+    ScaleUnit m_unit;
 };
 
 }  // namespace rubble

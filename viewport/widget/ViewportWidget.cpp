@@ -191,6 +191,8 @@ void ViewportWidget::setProjection(Projection projection) {
     setCamera(camera);
 }
 
+void ViewportWidget::setScaleUnit(const ScaleUnit& unit) { m_scaleBar->setUnit(unit); }
+
 void ViewportWidget::frame(const Box3& box) {
     if (box.isEmpty()) return;
     m_strips = m_overlay->strips(size());

@@ -20,6 +20,8 @@ class QRubberBand;
 namespace rubble {
 
 class OverlayItem;
+class ScaleBarItem;
+struct ScaleUnit;
 class ViewportCanvas;
 class ViewportOverlay;
 class ViewportTool;
@@ -64,6 +66,8 @@ public:
     void setSettings(const RenderSettings& settings);
     const RenderSettings& settings() const { return m_settings; }
     void setNavigation(NavigationStyle style) { m_navigation = style; }
+    /// The unit of the scale bar.
+    void setScaleUnit(const ScaleUnit& unit);
     /// Whether camera changes are animated.
     void setCameraAnimation(bool isOn) { m_isAnimated = isOn; }
     void setProgressiveRendering(ProgressiveRendering mode);
@@ -134,7 +138,7 @@ private:
 
     ViewportCanvas* m_canvas = nullptr;  // null if there is no OpenGL
     QLabel* m_errorLabel = nullptr;      // null if there is
-    OverlayItem* m_scaleBar;
+    ScaleBarItem* m_scaleBar;
     ViewportOverlay* m_overlay;
     std::vector<ViewportTool*> m_tools;
     std::shared_ptr<const RenderScene> m_scene;

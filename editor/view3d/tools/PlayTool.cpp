@@ -2,10 +2,10 @@
 
 #include "core/asset/project/Ranges.h"
 #include "editor/play/PlayController.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -110,7 +110,7 @@ bool PlayTool::wheel(const QWheelEvent& event) {
     radius *= std::pow(kRadiusPerNotch, event.angleDelta().y() / double{QWheelEvent::DefaultDeltasPerStep});
     radius = std::clamp(radius, kLeastRadius, range.max);
     m_controller.setToolSettings(settings);
-    emit statusMessage(tr("Blast radius: %1 m").arg(QLocale().toString(radius, 'f', 2)));
+    emit statusMessage(tr("Blast radius: %1").arg(localizedQuantity(QuantityKind::Length, radius, m_units)));
     return true;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/hull/Ray.h"
+#include "editor/widgets/numbers/Units.h"
 #include "viewport/widget/ViewportTool.h"
 
 #include <QPointF>
@@ -22,6 +23,8 @@ public:
 
     /// The charge of the throw being charged, in [0, 1].
     std::optional<double> charge() const;
+    void setUnits(const Units& units) { m_units = units; }
+
     /// Act at the pointer; at the centre of the view while the pointer is elsewhere, as in a menu. Ignored unless in
     /// play.
     void throwAtPointer();
@@ -59,6 +62,7 @@ private:
     std::optional<double> m_chargingSince;  // clock time, s
     std::optional<QPointF> m_pressedAt;     // by the left button, until it is released or starts to grab
     bool m_isGrabbing = false;
+    Units m_units;
 };
 
 }  // namespace rubble
