@@ -75,8 +75,11 @@ void selectPieces(CanvasState& state, const std::vector<std::uint32_t>& pieces, 
         return state.selection.setFragments(selectionOf(set, *bake, state.pattern->baked().parent));
     }
     std::vector<std::uint32_t> all = isAdding ? selectedPieces(state) : std::vector<std::uint32_t>{};
+    std::vector<bool> isIn(state.pattern->partition().pieceCount(), false);
+    for (const std::uint32_t piece : all) isIn[piece] = true;
     for (const std::uint32_t piece : pieces) {
-        if (std::ranges::find(all, piece) == all.end()) all.push_back(piece);
+        if (!isIn[piece]) all.push_back(piece);
+        isIn[piece] = true;
     }
     state.selection.setFragments(selectionByName(state, all));
 }

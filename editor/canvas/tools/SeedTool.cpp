@@ -61,7 +61,7 @@ std::uint32_t SeedTool::pieceAt(const CanvasPointer& pointer) const {
 
 void SeedTool::press(const CanvasPointer& pointer) {
     m_pressed = pointer.pixels;
-    m_pressedSeed = kNone;
+    m_pressedSeed.reset();
     m_hasMoved = false;
     if (!m_state.displayedAsset()) return;
     if (m_handles.press(pointer)) return emit changed();
@@ -74,7 +74,7 @@ void SeedTool::press(const CanvasPointer& pointer) {
         return;
     }
     if (!m_isPlacing) {  // a click selects the fragment, a drag moves the seed
-        m_pressedSeed = seed;
+        m_pressedSeed = m_state.pattern->seeds().ids[seed];
         return;
     }
     const SeedId id = m_state.pattern->seeds().ids[seed];
@@ -107,11 +107,13 @@ void SeedTool::move(const CanvasPointer& pointer) {
     m_pointer = pointer;
     if ((pointer.pixels - m_pressed).manhattanLength() >= QApplication::startDragDistance() / 2.0) m_hasMoved = true;
     m_handles.move(pointer, m_hasMoved);
-    if (m_pressedSeed != kNone && m_hasMoved) {
-        const std::uint32_t seed = std::exchange(m_pressedSeed, kNone);
-        const SeedId id = m_state.pattern->seeds().ids[seed];
-        if (!m_state.selection.seeds().contains(id)) m_state.selection.setSeeds({id});
-        beginDrag(seed);
+    if (m_pressedSeed && m_hasMoved) {
+        const SeedId id = *std::exchange(m_pressedSeed, std::nullopt);
+        const std::uint32_t seed = m_state.pattern ? m_state.pattern->find(id) : kNone;  // a bake may have ended
+        if (seed != kNone) {
+            if (!m_state.selection.seeds().contains(id)) m_state.selection.setSeeds({id});
+            beginDrag(seed);
+        }
     }
     if (m_drag && m_hasMoved) {
         CanvasPointer seed = pointer;
@@ -137,10 +139,10 @@ void SeedTool::dragBy(Vec2 by) {
 void SeedTool::release(const CanvasPointer& pointer) {
     if (m_area && m_hasMoved) {
         selectArea();
-    } else if (m_area || m_pressedSeed != kNone) {
+    } else if (m_area || m_pressedSeed) {
         click(pointer);
     }
-    m_pressedSeed = kNone;
+    m_pressedSeed.reset();
     m_area.reset();
     m_drag.reset();
     m_handles.endDrag();
@@ -234,7 +236,7 @@ void SeedTool::place(Vec2 position) {
 
 bool SeedTool::cancel() {
     if (!isDragOfSeed() && !m_area && !m_handles.isDragging()) return false;
-    m_pressedSeed = kNone;
+    m_pressedSeed.reset();
     m_handles.cancel();
     if (m_drag && m_state.asset() && m_state.asset()->id == m_drag->before.id) dragBy({0.0, 0.0});
     m_drag.reset();
@@ -244,7 +246,7 @@ bool SeedTool::cancel() {
 }
 
 void SeedTool::endDrag() {
-    m_pressedSeed = kNone;
+    m_pressedSeed.reset();
     m_drag.reset();
     m_handles.endDrag();
     emit changed();

@@ -56,7 +56,7 @@ private:
 
     std::uint32_t seedAt(const CanvasPointer& pointer) const;
     std::uint32_t pieceAt(const CanvasPointer& pointer) const;
-    bool isDragOfSeed() const { return m_drag || m_pressedSeed != kNone; }
+    bool isDragOfSeed() const { return m_drag || m_pressedSeed; }
     std::map<SeedId, Vec2> selectedPositions() const;
     void beginDrag(std::uint32_t seed);
     void dragBy(Vec2 by);
@@ -76,7 +76,7 @@ private:
     std::optional<Drag> m_drag;
     std::optional<AreaDrag> m_area;
     QPointF m_pressed;
-    std::uint32_t m_pressedSeed = kNone;  // that a drag will move
+    std::optional<SeedId> m_pressedSeed;  // that a drag will move
     bool m_hasMoved = false;
     bool m_isPlacing = false;
     CanvasPointer m_pointer{};

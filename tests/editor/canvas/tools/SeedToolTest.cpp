@@ -4,6 +4,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Canvas.h"
 
+#include <QMouseEvent>
 #include <QTest>
 
 using namespace rubble;
@@ -137,6 +138,22 @@ private slots:
         QVERIFY(std::abs(off.x) < 1e-12 && std::abs(off.y) < 1e-12);
         bench.document.undoStack().undo();
         QVERIFY(placedSeeds(bench) == fourSeeds().seeds);
+    }
+    void dragMovesThePressedSeedIfABakeEndsMeanwhile() {
+        CanvasBench bench(projectOf(unitSquare(), fourSeeds()));
+        Asset asset = bench.asset();
+        asset.pattern.layers[0].parameters = PlacedSeeds{{{2, {0.75, 0.75}}, {3, {0.25, 0.75}}}};
+        const QPointF at(bench.pixels({0.25, 0.75}));
+        QMouseEvent press(QEvent::MouseButtonPress, at, bench.canvas.mapToGlobal(at), Qt::LeftButton, Qt::LeftButton,
+                          Qt::NoModifier);
+        bench.document.push(modify("Delete Seeds", asset));
+        QCoreApplication::sendEvent(&bench.canvas, &press);  // in the old pattern
+        QCOMPARE(bench.canvas.displayedPattern()->seeds().ids.size(), std::size_t{4});
+        bench.settle();
+        bench.moveTo({0.4, 0.6});
+        bench.release({0.4, 0.6});
+        QVERIFY((placedSeeds(bench)[0] == PlacedSeeds::Seed{2, {0.75, 0.75}}));
+        QVERIFY(placedSeeds(bench)[1].position.x > 0.3);
     }
     void layerCentreDragIsOneUndoStep() {
         CanvasBench bench(projectOf(unitSquare(), RadialPattern{.centre = {0.5, 0.5}, .radius = 0.6}));
