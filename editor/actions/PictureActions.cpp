@@ -15,13 +15,14 @@
 #include <QMainWindow>
 #include <QStandardPaths>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rubble {
 
 namespace {
 
-constexpr int kPictureSamples = 16;  // a picture of 12 differs from one of 256 by 0.4 %
+constexpr int kPictureSamples = 16;  // a pixel: with 12, a picture differs from one with 256 by 0.4 %
 
 SceneMoment momentOf(const ViewportWidget& viewport) {
     RenderView view{.camera = viewport.shownCamera(),

@@ -33,7 +33,7 @@ VideoSubject subjectOf(Workspace& workspace) {
                          .folder = path.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::MoviesLocation)
                                                   : QFileInfo(path).absolutePath(),
                          .length = workspace.play().hasSession() && frame ? frame->length : 0,
-                         .stepLength = SessionSettings().dt,
+                         .stepLength = workspace.play().timeStep(),
                          .speed = workspace.play().timeScale()};
     if (subject.length > 0) subject.stepLength = workspace.play().thread().stepLength();
     for (const Shot& shot : workspace.project().shots) subject.throws.append(nameText(shot.name));
@@ -72,8 +72,7 @@ VideoActions::VideoActions(Views& views)
     : QObject(&views.window()),
       m_views(views),
       m_workspace(views.workspace()),
-      m_action(
-          makeAction(this, {"play-video", tr("Export V&ideo…"), tr("Export the simulation as a video or images")})) {
+      m_action(makeAction(this, {"play-video", tr("Export V&ideo…"), {}})) {
     addProgress();
     VideoExporter& videos = m_workspace.videos();
     connect(m_action, &QAction::triggered, this, &VideoActions::exportWithDialog);
@@ -113,14 +112,16 @@ void VideoActions::updateProgress() {
 
 /// Estimates the remaining time once there are frames.
 void VideoActions::showProgress(double fraction) {
-    constexpr double kFirstFrames = 0.02;
+    constexpr double kFirstFrames = 0.07;  // after baking, whose speed is another
     m_progress->setValue(static_cast<int>(100.0 * fraction));
     if (fraction < kFirstFrames) {
-        m_elapsed.start();
+        m_clock.start();
+        m_clockStart = fraction;
         return m_progress->setFormat(tr("Video %p %"));
     }
-    const double elapsed = 1e-3 * static_cast<double>(m_elapsed.elapsed());
-    m_progress->setFormat(tr("Video %p %, %1 left").arg(durationText(elapsed * (1.0 - fraction) / fraction)));
+    const double elapsed = 1e-3 * static_cast<double>(m_clock.elapsed());
+    const double left = elapsed * (1.0 - fraction) / (fraction - m_clockStart);
+    m_progress->setFormat(tr("Video %p %, %1 left").arg(durationText(left)));
 }
 
 bool VideoActions::isRecorded() const {
@@ -151,6 +152,7 @@ void VideoActions::exportWithDialog() {
 
 void VideoActions::exportRecording(const VideoOptions& options) {
     PlayController& play = m_workspace.play();
+    if (!play.hasSession()) return m_views.showStatus(tr("Nothing was exported: the simulation was stopped."));
     play.requestScript([this, &play, options](PlayScript script) {
         m_workspace.videos().start({.scene = play.scene(),
                                     .script = std::move(script),
@@ -166,7 +168,9 @@ void VideoActions::exportThrow(const VideoOptions& options) {
     const auto index = static_cast<std::size_t>(options.savedThrow);
     if (index >= project.shots.size()) return;
     const Shot& shot = project.shots[index];
-    PlayScript script{.inputs = std::vector<TimedInput>{{0, ShotInput{shot.name, shot.action}}}, .steps = options.last};
+    PlayScript script{.settings = m_workspace.play().nextSettings(),
+                      .inputs = std::vector<TimedInput>{{0, ShotInput{shot.name, shot.action}}},
+                      .steps = options.last};
     const double stepLength = script.settings.dt;
     m_workspace.videos().start({.project = project,
                                 .script = std::move(script),

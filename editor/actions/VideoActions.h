@@ -43,7 +43,8 @@ private:
     QAction* m_action;
     QProgressBar* m_progress = nullptr;
     QList<QWidget*> m_progressWidgets;
-    QElapsedTimer m_elapsed;  // since the export started
+    QElapsedTimer m_clock;      // since the progress was m_clockStart
+    double m_clockStart = 0.0;  // in [0, 1]
 };
 
 }  // namespace rubble

@@ -8,6 +8,8 @@ namespace rubble {
 
 namespace {
 
+constexpr double kBakingFraction = 0.05;  // of the time of an export, if there is no scene yet
+
 Result<SessionPlayback> playbackOf(const VideoRequest& request, const SessionSettings& settings,
                                    std::vector<TimedInput> inputs) {
     Result<Session> session = Session::start(request.scene, settings);
@@ -37,8 +39,6 @@ Result<std::vector<SessionPlayback>> playbacksOf(const VideoRequest& request) {
     if (const Status added = add(); !added) return added.error();
     return playbacks;
 }
-
-constexpr double kBakingFraction = 0.05;  // of the time of an export, if there is no scene yet
 
 Status exportVideo(VideoRequest request, TaskContext task) {
     if (!request.scene) {

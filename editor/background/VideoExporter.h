@@ -20,7 +20,8 @@ struct VideoRequest {
     std::filesystem::path path;  // of the video (see isVideoPath()), or of the folder for its frames
 };
 
-/// Exports videos in the background, one at a time: replays the recorded session and renders it without a display.
+/// Exports videos in the background, one at a time: replays a recorded session, or plays a saved throw, and renders it
+/// without a display.
 class VideoExporter : public QObject {
     Q_OBJECT
 public:

@@ -5,6 +5,7 @@
 #include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/ComboBox.h"
+#include "viewport/render/OffscreenRenderer.h"
 
 #include <QBuffer>
 #include <QDialogButtonBox>
@@ -18,6 +19,7 @@
 #include <QPushButton>
 #include <QSettings>
 
+#include <algorithm>
 #include <array>
 
 namespace rubble {
@@ -52,6 +54,9 @@ PictureDialog::PictureDialog(const PictureSubject& subject, QWidget* parent) : Q
     updateSizes();
     restoreOptions();
     connect(m_view, &QComboBox::currentIndexChanged, this, &PictureDialog::updateSizes);
+    connect(m_size, &QComboBox::currentIndexChanged, this, [this] {
+        if (m_size->currentIndex() >= 0) updateSummary();  // it is filled again for another view
+    });
     connect(m_path, &QLineEdit::textChanged, this, &PictureDialog::updateSummary);
     updateSummary();
     resize(sizeHint().expandedTo({kMinPictureDialogWidth, 0}));
@@ -147,6 +152,9 @@ QString PictureDialog::error() const {
     const QString path = options().path;
     if (path.isEmpty()) return tr("The file is empty. Enter a path.");
     if (is_directory(statusOf(path))) return tr("\"%1\" is a folder. Enter a file.").arg(fileNameText(path));
+    const ImageSize size = options().size;
+    if (std::max(size.width, size.height) > kMaxImageSide)
+        return tr("Pictures have at most %L1 pixels a side. Select a smaller size.").arg(kMaxImageSide);
     if (!formatOf(path).isEmpty()) return {};
     return tr("Pictures are saved as .png or .jpg; \"%1\" is neither.").arg(fileNameText(path));
 }

@@ -163,12 +163,15 @@ void VideoDialog::connectFields() {
 /// Shows the options of the last video.
 void VideoDialog::restoreOptions() {
     const QSettings settings;
-    restoreIndex(*m_kind, m_hasFfmpeg ? settings.value("video/pictures", 0).toInt() : 1);
-    m_width->setValue(std::clamp(settings.value("video/width", 1280).toInt(), kMinImageSide, kMaxImageSide));
-    m_height->setValue(std::clamp(settings.value("video/height", 720).toInt(), kMinImageSide, kMaxImageSide));
-    restoreIndex(*m_quality, settings.value("video/quality", 1).toInt());
-    m_frameRate->setValue(settings.value("video/rate", 30.0).toDouble());
-    const QString folder = pathOf(settings.value("video/folder"));
+    const auto stored = [&](const QString& key, const QVariant& otherwise = {}) {
+        return settings.value("video/" + key, settings.value("film/" + key, otherwise));  // of version 0.1
+    };
+    restoreIndex(*m_kind, m_hasFfmpeg ? stored("pictures", 0).toInt() : 1);
+    m_width->setValue(std::clamp(stored("width", 1280).toInt(), kMinImageSide, kMaxImageSide));
+    m_height->setValue(std::clamp(stored("height", 720).toInt(), kMinImageSide, kMaxImageSide));
+    restoreIndex(*m_quality, stored("quality", 1).toInt());
+    m_frameRate->setValue(stored("rate", 30.0).toDouble());
+    const QString folder = pathOf(stored("folder"));
     const bool exists = is_directory(statusOf(folder));
     const QString path =
         unusedPath(exists ? folder : m_subject.folder, tr("%1 video").arg(m_subject.name), kVideoSuffix);

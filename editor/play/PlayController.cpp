@@ -237,9 +237,11 @@ void PlayController::requestScript(std::function<void(PlayScript)> receive) {
         });
 }
 
-void PlayController::restart() {
-    prepare({.settings = {.dt = m_timeStep, .hasDestruction = m_hasDestruction, .threads = availableProcessors()}});
+SessionSettings PlayController::nextSettings() const {
+    return {.dt = m_timeStep, .hasDestruction = m_hasDestruction, .threads = availableProcessors()};
 }
+
+void PlayController::restart() { prepare({.settings = nextSettings()}); }
 
 void PlayController::prepare(PlayScript script) {
     m_script = std::move(script);
@@ -320,7 +322,8 @@ void PlayController::applyUpdate() {
     if (m_soughtStep == m_frame->step) m_soughtStep.reset();
     applyDestruction(*m_frame);
     for (const Diagnostic& one : update.diagnostics) emit statusMessage(QString::fromStdString(one.message));
-    if (update.isBranchKept) emit statusMessage(tr("The former future is kept as a branch of the timeline."));
+    if (update.isBranchKept)
+        emit statusMessage(tr("The earlier timeline is kept: see Play ▸ Timeline ▸ Earlier Timelines."));
     if (haveImpactsChanged) emit impactsChanged();
     emit frameChanged();
     if (update.order) emit forecastOrdered(update.order);

@@ -63,6 +63,8 @@ public:
     void setTimeStep(double seconds);
     /// Whether bodies can break, at the displayed step: replays and seeking may switch it.
     bool hasDestruction() const { return m_hasDestruction; }
+    /// The settings of the next session.
+    SessionSettings nextSettings() const;
     void setDestruction(bool isOn);
     const PlayOverlays& overlays() const { return m_overlays; }
     void setOverlays(const PlayOverlays& overlays);

@@ -166,13 +166,21 @@ private:
         init();
         const test::Ffmpeg none;
         QVERIFY(video().isEnabled());
+        play().setTimeStep(1.0 / 120.0);
         test::onNextDialog<VideoDialog>([this](VideoDialog& dialog) {
-            fill(dialog, m_folder->filePath("throw"), 0, 60, 1.0);
+            QCOMPARE(dialog.options().last, 360u);  // 3 s
+            fill(dialog, m_folder->filePath("throw"), 0, 120, 1.0);
             dialog.accept();
         });
+        double stepLength = 0.0;
+        connect(&videos(), &VideoExporter::finished, this,
+                [&](const VideoRequest& request) { stepLength = request.script.settings.dt; });
         video().trigger();
         QVERIFY(videos().isBusy());
         QTRY_VERIFY_WITH_TIMEOUT(!videos().isBusy(), kPatience);
+        videos().disconnect(this);
+        play().setTimeStep(1.0 / 60.0);
+        QCOMPARE(stepLength, 1.0 / 120.0);
         QVERIFY(!play().isInPlay());
         QVERIFY2(takeOffer().startsWith("Exported 2 frames to "), "no offer");
         const QImage first(m_folder->filePath("throw/frame-0000.png")),
