@@ -232,6 +232,8 @@ bool MainWindow::isUntouched() {
     return !isEdited && m_workspace.file().path().isEmpty() && document.project().assets.empty();
 }
 
+bool MainWindow::confirmStop() { return m_videoActions->confirmClose(); }
+
 bool MainWindow::closeWithoutSaving() {
     const QScopedValueRollback discarding(m_isDiscarding, true);
     return close();
@@ -273,8 +275,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         activateWindow();
         return event->ignore();
     }
-    if (!m_videoActions->confirmClose()) return event->ignore();
-    if (!m_isDiscarding && !m_fileActions->confirmClose()) return event->ignore();
+    if (!m_isDiscarding && (!confirmStop() || !m_fileActions->confirmClose())) return event->ignore();
     QSettings().setValue(kGeometryKey, saveGeometry());
     if (!isPristine()) m_views->saveLayout();
     event->accept();

@@ -38,7 +38,9 @@ public:
     bool isPristine() const;
     /// Whether another project may be opened in it: it shows the start page, or an empty project that was never saved.
     bool isUntouched();
-    /// Closes the window and loses its changes; false if it stays open for another reason.
+    /// Asks whether to stop what is being exported; false if the window has to stay open for it.
+    bool confirmStop();
+    /// Closes the window without questions, and loses its changes; false if a dialog keeps it open.
     bool closeWithoutSaving();
 
 signals:

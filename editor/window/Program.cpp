@@ -242,6 +242,11 @@ void Program::quit() {
     modified.removeIf([](MainWindow* window) { return !window->workspace().document().isModified(); });
     const Unsaved unsaved = modified.size() > 1 ? askForUnsaved(modified) : Unsaved::Ask;
     if (unsaved == Unsaved::Cancel) return;
+    if (unsaved == Unsaved::Discard) {  // before any is closed
+        for (MainWindow* window : windows()) {
+            if (!window->confirmStop()) return;
+        }
+    }
     for (MainWindow* window : windows()) {
         if (!(unsaved == Unsaved::Discard ? window->closeWithoutSaving() : window->close())) return;
     }

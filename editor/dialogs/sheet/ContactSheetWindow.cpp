@@ -370,7 +370,8 @@ ContactSheetWindow::FragmentSettings ContactSheetWindow::askForSettings(const As
     const Asset& own = *asset();
     const bool isSame = own.edits == variant.edits && own.leaves == variant.leaves &&
                         own.fragmentThresholds == variant.fragmentThresholds;
-    if (isSame) return FragmentSettings::OfVariant;
+    const bool hasNone = own.edits.empty() && own.leaves.empty() && own.fragmentThresholds.empty();
+    if (isSame || hasNone) return FragmentSettings::OfVariant;
     Question question{.text = tr("Keep what was changed in single fragments of \"%1\"?").arg(nameText(own.name)),
                       .informativeText = fragmentChanges(own),
                       .answers = {{tr("&Keep"), QMessageBox::AcceptRole},
