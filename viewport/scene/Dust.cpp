@@ -15,7 +15,6 @@ constexpr double kFadeIn = 0.04;           // s
 constexpr double kDrag = 2.2;              // 1/s, air drag
 constexpr double kMostSize = 1.0;          // m: what breaks off a larger body makes no larger clouds
 constexpr Colour kPale{0.90, 0.88, 0.85};  // most of any dust's colour
-constexpr double kGravity = 9.81;          // m/s^2, of splinters
 constexpr double kNoGround = 1e9;          // m, a depth below all
 constexpr double kTough = 5e6;             // Pa·√m: above, as metals are, materials tear and make hardly any dust
 
@@ -63,8 +62,9 @@ struct Splinter {
     double turn = 0.0;      // its rotation, in turns
     double spin = 0.0;      // turns/s
 
-    Vec3 positionAt(double age, double lowest) const {
-        Vec3 position = from + velocity * (age / (1.0 + kDrag * age)) - Vec3(0.0, 0.5 * kGravity * age * age, 0.0);
+    /// `gravity`: m/s^2; `lowest`: the height at which it lies on the ground.
+    Vec3 positionAt(double age, Vec3 gravity, double lowest) const {
+        Vec3 position = from + velocity * (age / (1.0 + kDrag * age)) + 0.5 * age * age * gravity;
         position.y = std::max(position.y, lowest);
         return position;
     }
@@ -155,12 +155,13 @@ public:
             write({puff.positionAt(age), puff.positionAt(age - m_dt)}, puff.radiusAt(age), puff.opacityAt(age),
                   {mixed(material.inside, style.pale), puff.seed});
         }
+        const Vec3 gravity = m_session.world().gravity();
         for (int k = 0; k < style.splinters; ++k) {
             const Splinter splinter = splinterOf(startOf(broken, fracture, random), random);
             if (age >= splinter.lifetime) continue;
             const double lowest = m_scene.hasGround ? m_scene.groundHeight + splinter.radius : -kNoGround;
-            write({splinter.positionAt(age, lowest), splinter.positionAt(age - m_dt, lowest)}, splinter.radius,
-                  splinter.opacityAt(age), {mixed(material.outside, 0.0), 1.0 + splinter.turnAt(age)});
+            write({splinter.positionAt(age, gravity, lowest), splinter.positionAt(age - m_dt, gravity, lowest)},
+                  splinter.radius, splinter.opacityAt(age), {mixed(material.outside, 0.0), 1.0 + splinter.turnAt(age)});
         }
     }
 

@@ -25,8 +25,9 @@ Session brokenBlock() {
 }
 
 /// The same of another material.
-Session brokenBlockOf(const Material& like) {
+Session brokenBlockOf(const Material& like, const Vec3& gravity = Vec3(0.0)) {
     Project project = floatingBlock(5);
+    project.gravity = gravity;
     Material& material = project.materials[0];
     material.outside = like.outside;
     material.inside = like.inside;
@@ -92,7 +93,7 @@ private slots:
         QVERIFY(puffsOf(session).empty());
     }
     void glassSplintersAndMakesHardlyAnyDust() {
-        Session session = brokenBlockOf({.opacity = 0.3});
+        Session session = brokenBlockOf({.opacity = 0.3}, {0.0, -9.81, 0.0});
         step(session, 2);
         const std::vector<DustPuff> early = puffsOf(session);
         const auto splinters = std::ranges::count_if(early, &DustPuff::isSplinter);
