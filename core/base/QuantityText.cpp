@@ -25,6 +25,7 @@ constexpr std::array kMasses{Unit{"t", 1e3, 1e4}, Unit{"kg", 1.0, 0.1}, Unit{"g"
 constexpr std::array kDensities{Unit{"kg/m³", 1.0, 0.0}};
 constexpr std::array kTimes{Unit{"s", 1.0, 0.1}, Unit{"ms", 1e-3, 0.0}};
 constexpr std::array kSpeeds{Unit{"m/s", 1.0, 0.1}, Unit{"mm/s", 1e-3, 0.0}};
+constexpr std::array kForces{Unit{"MN", 1e6, 1e6}, Unit{"kN", 1e3, 1e3}, Unit{"N", 1.0, 0.0}};
 constexpr std::array kImpulses{Unit{"kN·s", 1e3, 1e4}, Unit{"N·s", 1.0, 0.0}};
 constexpr std::array kEnergies{Unit{"MJ", 1e6, 1e6}, Unit{"kJ", 1e3, 1e3}, Unit{"J", 1.0, 0.0}};
 constexpr std::array kPressures{Unit{"GPa", 1e9, 1e9}, Unit{"MPa", 1e6, 1e6}, Unit{"kPa", 1e3, 1e3},
@@ -39,6 +40,7 @@ std::span<const Unit> unitsOf(QuantityKind kind) {
         case QuantityKind::Density: return kDensities;
         case QuantityKind::Time: return kTimes;
         case QuantityKind::Speed: return kSpeeds;
+        case QuantityKind::Force: return kForces;
         case QuantityKind::Impulse: return kImpulses;
         case QuantityKind::Energy: return kEnergies;
         case QuantityKind::Pressure: return kPressures;

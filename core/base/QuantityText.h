@@ -7,7 +7,7 @@
 namespace rubble {
 
 /// The physical quantities; each is stored in its SI unit.
-enum class QuantityKind { Length, Area, Volume, Mass, Density, Time, Speed, Impulse, Energy, Pressure };
+enum class QuantityKind { Length, Area, Volume, Mass, Density, Time, Speed, Force, Impulse, Energy, Pressure };
 
 /// A value in the unit that suits its size.
 struct ScaledQuantity {

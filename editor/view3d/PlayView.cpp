@@ -13,20 +13,6 @@ constexpr int kMilliseconds = 16;  // between frames
 
 QString number(double value, int digits) { return QLocale().toString(value, 'f', digits); }
 
-/// 4.1 kN.
-QString forceText(double newton) {
-    if (newton >= 1e6) return PlayView::tr("%1 MN").arg(number(newton / 1e6, 2));
-    if (newton >= 1e3) return PlayView::tr("%1 kN").arg(number(newton / 1e3, 1));
-    return PlayView::tr("%1 N").arg(number(newton, 1));
-}
-
-/// 12 kJ.
-QString energyText(double joule) {
-    if (std::abs(joule) >= 1e6) return PlayView::tr("%1 MJ").arg(number(joule / 1e6, 2));
-    if (std::abs(joule) >= 1e3) return PlayView::tr("%1 kJ").arg(number(joule / 1e3, 1));
-    return PlayView::tr("%1 J").arg(number(joule, 1));
-}
-
 }  // namespace
 
 PlayView::PlayView(PlayController& controller, ViewportWidget& viewport)
@@ -111,7 +97,7 @@ QStringList PlayView::statisticsLines() const {
             tr("%1 ms per step").arg(number(statistics.cost.total(), 2)) + separator + rate,
         tr("bodies: %L1, asleep: %L2").arg(statistics.bodies).arg(statistics.asleep) + separator +
             tr("pairs: %L1, contact points: %L2").arg(statistics.candidatePairs).arg(statistics.contactPoints),
-        last + separator + tr("energy %1").arg(energyText(statistics.energy)),
+        last + separator + tr("energy %1").arg(localizedQuantity(QuantityKind::Energy, statistics.energy)),
     };
 }
 
@@ -123,7 +109,8 @@ void PlayView::setGrab(PlayHud::Content& content, const GrabbedBody& grabbed) co
     const QString mass = localizedQuantity(QuantityKind::Mass, grabbed.mass);
     content.grabText = content.isTooHeavy
                            ? tr("Too heavy to lift: %1 weighs %2, the grab pulls with up to %3 (see Play Tools)")
-                                 .arg(mass, forceText(grabbed.weight), forceText(grabbed.force))
+                                 .arg(mass, localizedQuantity(QuantityKind::Force, grabbed.weight),
+                                      localizedQuantity(QuantityKind::Force, grabbed.force))
                            : mass;
 }
 

@@ -33,6 +33,7 @@ private slots:
         add(QuantityKind::Density, 2400.0, "2400 kg/m³");
         add(QuantityKind::Time, 0.0166, "16.6 ms");
         add(QuantityKind::Speed, 0.001, "1 mm/s");
+        add(QuantityKind::Force, 4905.0, "4.905 kN");
         add(QuantityKind::Impulse, 1229.39, "1229 N·s");
         add(QuantityKind::Impulse, 100000.0, "100 kN·s");
         add(QuantityKind::Energy, 2500.0, "2.5 kJ");
