@@ -12,8 +12,8 @@
 
 namespace rubble {
 
-/// The head-up display of play over the 3D view: a coloured frame, statistics, and the charge and trajectory of a
-/// throw, and the spring of a grab.
+/// The head-up display of play over the 3D view: a coloured frame, statistics, the charge and trajectory of a throw,
+/// and the spring of a grab.
 class PlayHud : public OverlayItem {
     Q_OBJECT
 public:

@@ -43,7 +43,7 @@ private slots:
         writeHouse(place.filePath("house.rubble"), R"({"kind": "breaks", "instance": 21, "value": 0})",
                    R"({"kind": "doesNotBreak", "instance": 21, "value": 0})");
         const ProgramOutcome outcome = tested(place.filePath("house.rubble"), pictures);
-        QCOMPARE(outcome.error, "1 of 1 play-tests failed.\n");
+        QCOMPARE(outcome.error, "1 of 1 tests failed.\n");
         QCOMPARE(outcome.exit, 1);
         const QRegularExpression told("after step (\\d+): " +
                                       QRegularExpression::escape(pictures + "/play-test-93.png"));

@@ -21,7 +21,7 @@ namespace rubble {
 namespace {
 
 constexpr const char* kTestFooter =
-    R"(Runs the play-tests that are saved in the project, with their shots, and prints the expectations that are not
+    R"(Runs the tests that are saved in the project, with their saved throws, and prints the expectations that are not
 met. Exits with 1 if a test fails.
 
 Examples:
@@ -45,10 +45,10 @@ struct TestOptions {
 Result<std::vector<PlayTest>> selectedTests(const Project& project, const std::vector<std::string>& names) {
     for (const std::string& name : names) {
         if (std::ranges::find(project.playTests, name, &PlayTest::name) != project.playTests.end()) continue;
-        return Error{ErrorCode::NotFound, "The project has no play-test " + quotedName(name) + "; " +
-                                              quotedNamesOf(project.playTests) + "."};
+        return Error{ErrorCode::NotFound,
+                     "The project has no test " + quotedName(name) + "; " + quotedNamesOf(project.playTests) + "."};
     }
-    if (project.playTests.empty()) return Error{ErrorCode::NotFound, "The project has no play-tests."};
+    if (project.playTests.empty()) return Error{ErrorCode::NotFound, "The project has no tests."};
     std::vector<PlayTest> selected;
     for (const PlayTest& test : project.playTests) {
         if (names.empty() || std::ranges::find(names, test.name) != names.end()) selected.push_back(test);
@@ -127,16 +127,16 @@ Status test(const TestOptions& options, const CliContext& context) {
     const auto failed = std::ranges::count_if(*done, [](const TimedPlayTest& one) { return !one.outcome.isPassed(); });
     if (failed == 0) return success();
     return Error{ErrorCode::BadInput,
-                 std::to_string(failed) + " of " + std::to_string(done->size()) + " play-tests failed."};
+                 std::to_string(failed) + " of " + std::to_string(done->size()) + " tests failed."};
 }
 
 }  // namespace
 
 Verb addTest(CLI::App& program) {
-    Command command(program, "test", "Run the play-tests of a project", kTestFooter);
+    Command command(program, "test", "Run the tests of a project", kTestFooter);
     const auto options = std::make_shared<TestOptions>();
     addProjectArgument(command, options->file);
-    command.option("--test", options->names, "Run only this play-test; repeatable").repeatable().valueName("NAME");
+    command.option("--test", options->names, "Run only this test; repeatable").repeatable().valueName("NAME");
     command.option("--junit", options->junit, "Write a report as JUnit XML").valueName("FILE.xml");
     command.option("--pictures", options->pictures, "Render the moment of each failure into this folder")
         .valueName("FOLDER");

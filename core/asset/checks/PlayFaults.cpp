@@ -83,13 +83,13 @@ std::optional<std::string> faultOf(const Debris& debris) {
 }
 
 std::optional<std::string> faultOf(const Shot& shot) {
-    const std::string owner = ownerText("Shot", shot.id, shot.name);
+    const std::string owner = ownerText("Saved throw", shot.id, shot.name);
     if (Sentence fault = rangeFault(owner, {{ProjectNumber::ShotTime, shot.time}})) return fault;
     return std::visit([&](const auto& action) { return actionFault(owner, action); }, shot.action);
 }
 
 std::optional<std::string> faultOf(const PlayTest& test) {
-    const std::string owner = ownerText("Play-test", test.id, test.name);
+    const std::string owner = ownerText("Test", test.id, test.name);
     if (Sentence fault = rangeFault(owner, {{ProjectNumber::TestDuration, test.duration}})) return fault;
     for (const Expectation& expectation : test.expectations) {
         if (Sentence fault = rangeFault(owner, {{numberOf(expectation.kind), expectation.value}})) return fault;

@@ -57,8 +57,8 @@ std::vector<IdUse> allIds(const Project& project) {
     addIds(project.assets, "Asset", uses);
     for (const Asset& asset : project.assets) addLayerIds(asset, uses);
     addIds(project.instances, "Instance", uses);
-    addIds(project.shots, "Shot", uses);
-    addIds(project.playTests, "Play-test", uses);
+    addIds(project.shots, "Saved throw", uses);
+    addIds(project.playTests, "Test", uses);
     return uses;
 }
 
@@ -114,12 +114,12 @@ Sentence referenceFault(const Project& project) {
     for (const Shot& shot : project.shots) {
         const Throw* thrown = std::get_if<Throw>(&shot.action);
         if (!thrown || thrown->kind != ProjectileKind::Asset || findAsset(project, thrown->asset)) continue;
-        return missing(ownerText("Shot", shot.id, shot.name), "asset", thrown->asset);
+        return missing(ownerText("Saved throw", shot.id, shot.name), "asset", thrown->asset);
     }
     for (const PlayTest& test : project.playTests) {
-        const std::string owner = ownerText("Play-test", test.id, test.name);
+        const std::string owner = ownerText("Test", test.id, test.name);
         for (const Id shot : test.shots) {
-            if (!findById(project.shots, shot)) return missing(owner, "shot", shot);
+            if (!findById(project.shots, shot)) return missing(owner, "saved throw", shot);
         }
         for (const Expectation& expectation : test.expectations) {
             if (expectation.instance == 0 || findById(project.instances, expectation.instance)) continue;
@@ -135,8 +135,8 @@ std::optional<std::string> structureFault(const Project& project) {
     if (Sentence fault = listFault(project.materials, "Material")) return fault;
     if (Sentence fault = listFault(project.assets, "Asset")) return fault;
     if (Sentence fault = listFault(project.instances, "Instance")) return fault;
-    if (Sentence fault = listFault(project.shots, "Shot")) return fault;
-    if (Sentence fault = listFault(project.playTests, "Play-test")) return fault;
+    if (Sentence fault = listFault(project.shots, "Saved throw")) return fault;
+    if (Sentence fault = listFault(project.playTests, "Test")) return fault;
     if (Sentence fault = idFault(project)) return fault;
     return referenceFault(project);
 }

@@ -59,7 +59,7 @@ std::string shapingText(const SmallPieces& small) {
         case PieceMeasure::FractionOfMean: return rule + limit + " of the mean";
         case PieceMeasure::FractionOfWhole: break;
     }
-    return rule + limit + " of the whole";
+    return rule + limit + " of the asset";
 }
 
 std::string roughnessText(const Roughness& rough) {

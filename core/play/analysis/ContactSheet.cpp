@@ -69,11 +69,11 @@ Status checkStage(const SheetRequest& request) {
     const std::string name = quotedName(findAsset(request.project, request.asset)->name);
     if (std::ranges::find(request.project.instances, request.asset, &Instance::asset) ==
         request.project.instances.end()) {
-        return Error{ErrorCode::NotFound, "The scene has no instance of " + name + " that a shot could hit."};
+        return Error{ErrorCode::NotFound, "The scene has no instance of " + name + " that a saved throw could hit."};
     }
     for (const Id shot : request.stage->shots) {
         if (std::ranges::find(request.project.shots, shot, &Shot::id) != request.project.shots.end()) continue;
-        return Error{ErrorCode::NotFound, "The project has no shot " + std::to_string(shot) + "."};
+        return Error{ErrorCode::NotFound, "The project has no saved throw " + std::to_string(shot) + "."};
     }
     return success();
 }

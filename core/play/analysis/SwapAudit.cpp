@@ -93,10 +93,9 @@ void measureOverlap(const Session& session, SwapAudit& audit) {
         place = placeOf(session.bodies()[overlap.first]);
     }
     if (audit.deepestOverlap <= kCleanOverlap) return;
-    addWarning(
-        audit, DiagnosticCode::OverlappingPieces, place,
-        "Two fragments overlap by " + roundedText(1e3 * audit.deepestOverlap, 3) + " mm when they are swapped in.",
-        audit.deepestOverlap, kCleanOverlap);
+    addWarning(audit, DiagnosticCode::OverlappingPieces, place,
+               "Two fragments overlap by " + roundedText(1e3 * audit.deepestOverlap, 3) + " mm when the asset breaks.",
+               audit.deepestOverlap, kCleanOverlap);
 }
 
 double massOf(const Session& session) {
@@ -193,13 +192,13 @@ void checkSpeed(const PlayAsset& asset, SwapAudit& audit, const std::string& whe
 void checkDrift(const PlayAsset& asset, SwapAudit& audit, const std::string& what, double drift, double limit) {
     if (drift <= limit) return;
     addWarning(audit, DiagnosticCode::SwapDrift, {.asset = asset.bake->asset},
-               "In flight the swap " + what + " by " + roundedText(drift, 3) + " (relative); at most " +
+               "In flight the break " + what + " by " + roundedText(drift, 3) + " (relative); at most " +
                    messageText(limit) + " is clean.",
                drift, limit);
 }
 
 void checkLimits(const PlayAsset& asset, SwapAudit& audit) {
-    const std::string steps = std::to_string(kAuditSteps) + " steps after the swap";
+    const std::string steps = std::to_string(kAuditSteps) + " steps after the break";
     checkSpeed(asset, audit, steps + " without any force", audit.resting, kCleanSpeed);
     checkSpeed(asset, audit, "on average for " + steps + " lying flat on the ground", audit.lying, kCleanLyingSpeed);
     // The gap removes momenta along with mass; far from the centre that is more than its part of the mass.
@@ -230,7 +229,7 @@ Status measureMoving(Session session, const PlayAsset& asset, SwapAudit& audit) 
     const Momenta before = session.world().momenta();
     if (!(before.kinetic > 0.0)) {
         return Error{ErrorCode::Degenerate,
-                     "It left the world before its swap; move its outline nearer to its origin."};
+                     "It left the world before it broke; move its outline nearer to its origin."};
     }
     breakAll(session);
     session.step();
@@ -251,7 +250,7 @@ bool SwapAudit::isClean() const {
 Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const PlayAsset>& asset) {
     const Asset& authored = *findAsset(project, asset->bake->asset);
     if (asset->fractureOf(kNone) == nullptr) {
-        return ofAsset(authored, {ErrorCode::NotFound, "It has no fragments, so there is no swap to audit."});
+        return ofAsset(authored, {ErrorCode::NotFound, "It has no fragments, so there is no break to check."});
     }
     Project scene = isolated(project, authored.id);
     Result<Session> floating = started(scene, asset);

@@ -107,7 +107,7 @@ void strikeAndBreak(const SessionParts& parts, Blow& blow, const PlayBody& body,
 void strike(const SessionParts& parts, Blow& blow, const PlayBody& body, const std::string& name) {
     MovingMass whole = movingMass(parts.world, body.body);
     const double given = giveTo(parts, blow, body.number, whole, blow.head.impulse);
-    reportRefused(parts, nullptr, "Shot " + quotedName(name),
+    reportRefused(parts, nullptr, "Saved throw " + quotedName(name),
                   parts.world.applyImpulse(body.body, given * blow.direction, blow.point));
 }
 

@@ -37,11 +37,11 @@ Sentence faultOfInput(const ShotInput& shot, const PlayScene& scene, const Sessi
     const Throw* thrown = std::get_if<Throw>(&shot.action);
     if (thrown == nullptr) return std::nullopt;
     if (thrown->kind == ProjectileKind::Asset && !scene.assets.contains({thrown->asset})) {
-        return "Shot " + quotedName(shot.name) + " throws asset " + std::to_string(thrown->asset) +
+        return "Saved throw " + quotedName(shot.name) + " throws asset " + std::to_string(thrown->asset) +
                ", which does not exist.";
     }
     const Result<BodyDefinition> body = projectileBodyOf(*thrown, scene, state);
-    if (!body) return "Shot " + quotedName(shot.name) + ": " + body.error().message;
+    if (!body) return "Saved throw " + quotedName(shot.name) + ": " + body.error().message;
     return std::nullopt;
 }
 
@@ -95,7 +95,7 @@ Sentence faultOfInput(const ReleaseInput&, const PlayScene&, const SessionState&
 void applyAction(const SessionParts& parts, const std::string& name, const Throw& thrown) {
     const Result<BodyDefinition> definition = projectileBodyOf(thrown, parts.scene, parts.state);
     if (!definition) {  // its material has changed since the input was added
-        return addUnapplied(parts, nullptr, "Shot " + quotedName(name) + ": " + definition.error().message);
+        return addUnapplied(parts, nullptr, "Saved throw " + quotedName(name) + ": " + definition.error().message);
     }
     PlayBody body{.role = PlayRole::Projectile, .origin = static_cast<std::uint32_t>(parts.state.origins.size())};
     PlayOrigin origin{.name = name};
@@ -107,7 +107,7 @@ void applyAction(const SessionParts& parts, const std::string& name, const Throw
     }
     const Result<std::uint32_t> added = addBody(parts, *definition, body);
     if (!added) {
-        addUnapplied(parts, &body, "Shot " + quotedName(name) + ": " + added.error().message);
+        addUnapplied(parts, &body, "Saved throw " + quotedName(name) + ": " + added.error().message);
         return;
     }
     parts.state.origins.push_back(std::move(origin));
@@ -124,7 +124,7 @@ void applyAction(const SessionParts& parts, const std::string& name, const Hamme
 }
 
 void applyAction(const SessionParts& parts, const std::string& name, const Explosion& explosion) {
-    reportRefused(parts, nullptr, "Shot " + quotedName(name), applyBlast(parts, explosion));
+    reportRefused(parts, nullptr, "Saved throw " + quotedName(name), applyBlast(parts, explosion));
 }
 
 void applyInput(const SessionParts& parts, const ShotInput& shot) {

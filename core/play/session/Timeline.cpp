@@ -70,7 +70,7 @@ std::uint64_t Timeline::forkOf(const TimelineBranch& branch) const {
 
 Status Timeline::switchTo(std::uint32_t id, const TaskContext& task) {
     const auto found = std::ranges::find(m_branches, id, &TimelineBranch::id);
-    if (found == m_branches.end()) return Error{ErrorCode::BadInput, "There is no such branch of the timeline."};
+    if (found == m_branches.end()) return Error{ErrorCode::BadInput, "There is no such earlier timeline."};
     const std::uint64_t fork = forkOf(*found);
     TimelineBranch current{m_id, std::move(m_inputs), m_length};
     m_id = found->id;

@@ -361,7 +361,7 @@ void StrengthPanel::refreshAudit() {
     m_fix->setVisible(faultySeed().has_value());
     if (faultySeed()) m_fix->setText(tr("Delete Seed %1").arg(QString::fromStdString(faultySeed()->text())));
     if (audit == nullptr) {
-        return m_auditText->setText(tr("Not audited since the last change"));
+        return m_auditText->setText(tr("Not checked since the last change"));
     }
     QStringList lines{audit->isClean() ? tr("<b>Passed</b>") : tr("<b>Failed</b>")};
     for (const Diagnostic& one : audit->diagnostics) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* kNoDirection =
-    "Shot 7 \"box\": it starts where it aims, so that it has no direction; the start "
+    "Saved throw 7 \"box\": it starts where it aims, so that it has no direction; the start "
     "and the aim must be at least 0.000001 m apart.";
 
 /// One of everything, ids 1 to 8, all in order.
@@ -77,7 +77,7 @@ private slots:
     void faultsOfIdsAndNamesAreNamed_data() {
         QTest::addColumn<ProjectChange>("change");
         row("Asset 0 \"wall\" has the id 0, which names nothing.", [](Project& p) { p.assets[0].id = 0; });
-        row("Play-test 8 \"stands\" has an id that is not below the project's next id, 8.",
+        row("Test 8 \"stands\" has an id that is not below the project's next id, 8.",
             [](Project& p) { p.nextId = 8; });
         row("Material 2 \"brick\" and Asset 2 \"wall\" have the same id.", [](Project& p) { p.materials[0].id = 2; });
         row("Layer 5 of asset 2 \"wall\" and Instance 5 \"left\" have the same id.",
@@ -106,12 +106,12 @@ private slots:
             [](Project& p) { p.assets[0].material = 9; });
         row("Instance 5 \"left\" refers to asset 1, which does not exist.",
             [](Project& p) { p.instances[0].asset = 1; });
-        row("Shot 7 \"box\" refers to asset 4, which does not exist.",
+        row("Saved throw 7 \"box\" refers to asset 4, which does not exist.",
             [](Project& p) { p.shots[0].action = Throw{.kind = ProjectileKind::Asset, .asset = 4}; });
-        row("Play-test 8 \"stands\" refers to shot 6, which does not exist.", [](Project& p) {
+        row("Test 8 \"stands\" refers to saved throw 6, which does not exist.", [](Project& p) {
             p.playTests[0].shots = {7, 6};
         });
-        row("Play-test 8 \"stands\" refers to instance 2, which does not exist.",
+        row("Test 8 \"stands\" refers to instance 2, which does not exist.",
             [](Project& p) { p.playTests[0].expectations[0].instance = 2; });
     }
     void missingReferencesAreNamed() { changeIsReported(); }
@@ -179,7 +179,7 @@ private slots:
             [](Project& p) { p.gravity.y = kNan; });
         row("The project: the thesis threshold is 0, but it must be from 1e-09 to 1e+24.",
             [](Project& p) { p.damage.thesisThreshold = 0.0; });
-        row("Play-test 8 \"stands\": the expected value is -1, but it must be from 0 to 100000.", [](Project& p) {
+        row("Test 8 \"stands\": the expected value is -1, but it must be from 0 to 100000.", [](Project& p) {
             p.playTests[0].expectations[0] = {.kind = ExpectationKind::StandsUntouched, .value = -1.0};
         });
         row("The debris: the lifetime is 0, but it must be from 1e-09 to 1000000000.",
@@ -188,16 +188,16 @@ private slots:
             [](Project& p) { p.debris.fade = -1.0; });
         row("The debris: the maximum number of fragments is 0, but it must be at least 1.",
             [](Project& p) { p.debris.maxPieces = 0; });
-        row("Shot 7 \"box\": the time is -1, but it must be from 0 to 100000.",
+        row("Saved throw 7 \"box\": the time is -1, but it must be from 0 to 100000.",
             [](Project& p) { p.shots[0].time = -1.0; });
-        row("Shot 7 \"box\": the size in y is 0, but it must be from 0.001 to 1000.", [](Project& p) {
+        row("Saved throw 7 \"box\": the size in y is 0, but it must be from 0.001 to 1000.", [](Project& p) {
             p.shots[0].action = Throw{.size = {1.0, 0.0, 1.0}};
         });
         row(kNoDirection, [](Project& p) { p.shots[0].action = Throw{.from = {0.0, 1.0, 0.0}}; });
-        row("Shot 7 \"box\": the impulse is (0, 0, nan), but it must be from -1e+15 to 1e+15.", [](Project& p) {
+        row("Saved throw 7 \"box\": the impulse is (0, 0, nan), but it must be from -1e+15 to 1e+15.", [](Project& p) {
             p.shots[0].action = Hammer{.impulse = {0.0, 0.0, kNan}};
         });
-        row("Shot 7 \"box\": the radius is 0, but it must be from 0.001 to 100000.",
+        row("Saved throw 7 \"box\": the radius is 0, but it must be from 0.001 to 100000.",
             [](Project& p) { p.shots[0].action = Explosion{.radius = 0.0}; });
         row("The project: the gravity is (0, 10000000, 0), but it must be from -1000 to 1000.",
             [](Project& p) { p.gravity.y = 1e7; });
@@ -217,17 +217,17 @@ private slots:
             [](Project& p) {
                 for (Vec2& corner : p.assets[0].prism.outline.outer) corner.x *= 20000.0;
             });
-        row("Shot 7 \"box\": the size in x is 1e+100, but it must be from 0.001 to 1000.",
+        row("Saved throw 7 \"box\": the size in x is 1e+100, but it must be from 0.001 to 1000.",
             [](Project& p) { p.shots[0].action = Throw{.kind = ProjectileKind::Ball, .size = Vec3(1e100)}; });
-        row("Shot 7 \"box\": the size in x is 1e-12, but it must be from 0.001 to 1000.",
+        row("Saved throw 7 \"box\": the size in x is 1e-12, but it must be from 0.001 to 1000.",
             [](Project& p) { p.shots[0].action = Throw{.kind = ProjectileKind::Ball, .size = Vec3(1e-12)}; });
-        row("Shot 7 \"box\": the impulse is 1e+300, but it must be from 0 to 1e+15.",
+        row("Saved throw 7 \"box\": the impulse is 1e+300, but it must be from 0 to 1e+15.",
             [](Project& p) { p.shots[0].action = Explosion{.impulse = 1e300}; });
-        row("Shot 7 \"box\": the time is 1e+300, but it must be from 0 to 100000.",
+        row("Saved throw 7 \"box\": the time is 1e+300, but it must be from 0 to 100000.",
             [](Project& p) { p.shots[0].time = 1e300; });
-        row("Play-test 8 \"stands\": the duration is 1e+300, but it must be from 0.00001 to 100000.",
+        row("Test 8 \"stands\": the duration is 1e+300, but it must be from 0.00001 to 100000.",
             [](Project& p) { p.playTests[0].duration = 1e300; });
-        row("Play-test 8 \"stands\": the duration is 0, but it must be from 0.00001 to 100000.",
+        row("Test 8 \"stands\": the duration is 0, but it must be from 0.00001 to 100000.",
             [](Project& p) { p.playTests[0].duration = 0.0; });
     }
     void numbersOutOfRangeAreNamed() { changeIsReported(); }

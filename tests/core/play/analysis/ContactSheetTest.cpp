@@ -113,9 +113,9 @@ private slots:
         };
         SheetRequest request = orderOf(stage(), 2, true);
         request.stage->shots = {77};
-        QCOMPARE(refusal(request), QString("The project has no shot 77."));
+        QCOMPARE(refusal(request), QString("The project has no saved throw 77."));
         request.project.instances.clear();
-        QCOMPARE(refusal(request), QString("The scene has no instance of \"block\" that a shot could hit."));
+        QCOMPARE(refusal(request), QString("The scene has no instance of \"block\" that a saved throw could hit."));
         request.asset = 99;
         QCOMPARE(refusal(request), QString("The project has no asset 99."));
     }

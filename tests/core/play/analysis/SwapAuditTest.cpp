@@ -149,10 +149,10 @@ private slots:
         const Diagnostic overlap = found(*audit, DiagnosticCode::OverlappingPieces);
         QVERIFY(overlap.place.asset == project.assets[0].id && !overlap.place.path.empty());
         QCOMPARE(overlap.value, audit->deepestOverlap);
-        QVERIFY2(faults.find("Two fragments overlap by 10 mm when they are swapped in.") != std::string::npos,
+        QVERIFY2(faults.find("Two fragments overlap by 10 mm when the asset breaks.") != std::string::npos,
                  faults.c_str());
-        QVERIFY2(faults.find("In flight the swap changes the momentum by ") != std::string::npos, faults.c_str());
-        QVERIFY2(faults.find("In flight the swap changes the angular momentum by ") != std::string::npos,
+        QVERIFY2(faults.find("In flight the break changes the momentum by ") != std::string::npos, faults.c_str());
+        QVERIFY2(faults.find("In flight the break changes the angular momentum by ") != std::string::npos,
                  faults.c_str());
     }
     /// A fragment with a collision box 2 cm wider than itself: both are pushed, the lighter one faster.
@@ -175,7 +175,8 @@ private slots:
         QVERIFY(audit->resting.speed > 1e-3 && audit->restingEnergy > 1e-6);
         QVERIFY2(faults.find("collision shapes may push it: move their seeds") != std::string::npos, faults.c_str());
         QVERIFY(!audit->lying.piece.empty());
-        QVERIFY2(faults.find("In flight the swap adds to the kinetic energy by ") != std::string::npos, faults.c_str());
+        QVERIFY2(faults.find("In flight the break adds to the kinetic energy by ") != std::string::npos,
+                 faults.c_str());
         // The advice is about the lighter one if its own shape is simplified.
         damaged.diagnostics = {simplified(lighter)};
         const Result<SwapAudit> other = swapAudit(project, std::make_shared<const PlayAsset>(damaged));
@@ -196,7 +197,7 @@ private slots:
         const Result<SwapAudit> audit = swapAudit(project, std::make_shared<const PlayAsset>(std::move(damaged)));
         QVERIFY(audit.hasValue() && !audit->isClean());
         const std::string faults = joined(*audit);
-        QVERIFY2(faults.find(" mm/s 30 steps after the swap without any force; at most 1 mm/s is clean.") !=
+        QVERIFY2(faults.find(" mm/s 30 steps after the break without any force; at most 1 mm/s is clean.") !=
                      std::string::npos,
                  faults.c_str());
         QVERIFY2(faults.find("collision shapes may push it: move their seeds") != std::string::npos ||
@@ -204,17 +205,17 @@ private slots:
                  faults.c_str());
         QVERIFY2(
             faults.find(
-                " mm/s on average for 30 steps after the swap lying flat on the ground; at most 10 mm/s is clean.") !=
+                " mm/s on average for 30 steps after the break lying flat on the ground; at most 10 mm/s is clean.") !=
                 std::string::npos,
             faults.c_str());
-        QVERIFY2(faults.find("In flight the swap changes the mass by ") != std::string::npos, faults.c_str());
+        QVERIFY2(faults.find("In flight the break changes the mass by ") != std::string::npos, faults.c_str());
     }
     void assetWithoutFragmentsIsRejected() {
         const Project project = test::floatingBlock(1);
         const Result<SwapAudit> audit = swapAudit(project, test::playSceneOf(project)->assets.begin()->second);
         QVERIFY(!audit && audit.error().code == ErrorCode::NotFound);
         QCOMPARE(audit.error().message,
-                 std::string("Asset \"block\": It has no fragments, so there is no swap to audit."));
+                 std::string("Asset \"block\": It has no fragments, so there is no break to check."));
     }
 };
 

@@ -408,7 +408,7 @@ private slots:
 
     void invalidInputsAreRejected_data() {
         QTest::addColumn<QString>("sentence");
-        QTest::newRow("asset") << "Shot \"a\" throws asset 77, which does not exist.";
+        QTest::newRow("asset") << "Saved throw \"a\" throws asset 77, which does not exist.";
         QTest::newRow("threshold") << "Cannot set a threshold: the threshold is 0, but it must be from 1e-09 to 1e+24.";
         QTest::newRow("instance") << "Cannot set a threshold: there is no instance 66.";
         QTest::newRow("material") << "Cannot set a material: there is no material 55.";

@@ -135,14 +135,14 @@ private slots:
     }
     void swapAuditFollowsTheAsset() {
         Desk desk;
-        QVERIFY(desk.says("Not audited"));
+        QVERIFY(desk.says("Not checked"));
         QTest::mouseClick(&desk.button("audit-swap"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(desk.says("Passed"), kPatience);
         QVERIFY(desk.button("fix-swap").isHidden());
         Asset asset = desk.asset();
         asset.prism.depth = 0.3;
         desk.stage.document.push({.text = "Resize", .swaps = {Swap<Asset>{asset.id, asset}}});
-        QVERIFY(desk.says("Not audited"));
+        QVERIFY(desk.says("Not checked"));
     }
 };
 
