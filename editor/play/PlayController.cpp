@@ -203,10 +203,6 @@ void PlayController::release() {
     post([](PlayEngine& engine) { engine.release(); });
 }
 
-void PlayController::showForecast(const Throw& thrown, std::vector<BodyForecast> bodies) {
-    post([thrown, bodies = std::move(bodies)](PlayEngine& engine) { engine.setForecast(thrown, bodies); });
-}
-
 std::vector<ImpactRecord> PlayController::breaks(std::uint64_t last) const {
     std::vector<ImpactRecord> breaks;
     std::ranges::copy_if(m_impacts, std::back_inserter(breaks),
@@ -326,7 +322,6 @@ void PlayController::applyUpdate() {
         emit statusMessage(tr("The earlier timeline is kept: see Play ▸ Timeline ▸ Earlier Timelines."));
     if (haveImpactsChanged) emit impactsChanged();
     emit frameChanged();
-    if (update.order) emit forecastOrdered(update.order);
     if (update.isReplayOver && m_state == PlayState::Playing) {
         pause();
         emit statusMessage(tr("The replay has ended. Resume to simulate on from here."));

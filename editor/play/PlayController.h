@@ -80,8 +80,6 @@ public:
     void grabAlong(const Ray& ray);
     void dragAlong(const Ray& ray);
     void release();
-    /// Shows a forecast while its throw is aimed.
-    void showForecast(const Throw& thrown, std::vector<BodyForecast> bodies);
     /// Fires a shot of the project now.
     void fire(const Shot& shot);
     /// Starts, or restarts from the document's state, and fires a shot before the first step.
@@ -117,8 +115,6 @@ signals:
     /// A new frame is available.
     void frameChanged();
     void impactsChanged();
-    /// A forecast of the aimed throw is to be computed; showForecast() shows it.
-    void forecastOrdered(std::shared_ptr<const rubble::ForecastOrder> order);
     void toolSettingsChanged();
     /// Time scale, time step, destruction or overlays changed.
     void settingsChanged();

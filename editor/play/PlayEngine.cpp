@@ -70,7 +70,7 @@ PlayScript scriptOf(const Project& project, const PlayTest& test, std::uint64_t 
     script.steps = std::max<std::uint64_t>(stepOf(test.duration, script.settings.dt), 1);
     for (const Shot& shot : project.shots) {
         if (std::ranges::find(test.shots, shot.id) == test.shots.end()) continue;
-        script.inputs.push_back({stepOf(shot.time, script.settings.dt), ShotInput{shot.name, shot.action}});
+        script.inputs.emplace_back(stepOf(shot.time, script.settings.dt), ShotInput{shot.name, shot.action});
     }
     std::ranges::stable_sort(script.inputs, {}, &TimedInput::step);
     return script;

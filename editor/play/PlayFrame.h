@@ -100,7 +100,7 @@ struct PlayUpdate {
     std::vector<StepCost> costs;  // of new steps
     std::vector<Diagnostic> diagnostics;
     std::optional<ShotInput> shot;               // the last that was fired
-    std::shared_ptr<const ForecastOrder> order;  // the newest forecast to compute
+    std::shared_ptr<const ForecastOrder> order;  // a forecast to compute, see PlayEngine::setForecast()
     bool isReplayOver = false;                   // a script has ended
     bool isBranchKept = false;                   // an input in the past has made the former future a branch
 };

@@ -27,14 +27,16 @@ void merge(PlayUpdate& update, PlayUpdate&& newer) {
     append(update.diagnostics, newer.diagnostics);
     if (newer.frame) update.frame = std::move(newer.frame);
     if (newer.shot) update.shot = std::move(newer.shot);
-    if (newer.order) update.order = std::move(newer.order);
     update.isReplayOver |= newer.isReplayOver;
     update.isBranchKept |= newer.isBranchKept;
 }
 
 }  // namespace
 
-PlayThread::PlayThread(QObject* parent) : QObject(parent) {}
+PlayThread::PlayThread(QObject* parent)
+    : QObject(parent), m_forecasts([this](const Throw& thrown, std::vector<BodyForecast> bodies) {
+          post([thrown, bodies = std::move(bodies)](PlayEngine& engine) { engine.setForecast(thrown, bodies); });
+      }) {}
 
 PlayThread::~PlayThread() {
     {
@@ -49,6 +51,7 @@ PlayThread::~PlayThread() {
 void PlayThread::cancelAll() {
     m_cancelStart.cancel();
     m_cancelSeek.cancel();
+    m_forecasts.cancel();
 }
 
 /// Emits `failed` once the caller has returned to the event loop.
@@ -260,6 +263,7 @@ void PlayThread::publish(std::unique_lock<std::mutex>& lock, double shownFor) {
     PlayUpdate update = m_engine->takeUpdate();
     lock.lock();
     if (m_isStopping || m_factory) return;
+    if (update.order) m_forecasts.start(std::exchange(update.order, nullptr));
     update.frame->shownFrom = nowLocked();
     update.frame->shownFor = shownFor;
     merge(m_update, std::move(update));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "editor/play/ForecastThread.h"
 #include "editor/play/PlayEngine.h"
 
 #include <QObject>
@@ -13,6 +14,7 @@ namespace rubble {
 
 /// Runs a PlayEngine on a thread, one step every `dt / timeScale` seconds of a clock, and pauses at the end of a
 /// script. Slow steps make play fall behind; it does not catch up. Tasks run between steps, in order, asynchronously.
+/// The engine's forecasts are computed beside it.
 class PlayThread : public QObject {
     Q_OBJECT
 public:
@@ -93,6 +95,7 @@ private:
     PlayUpdate m_update;
     bool m_isUpdateSignalled = false;
 
+    ForecastThread m_forecasts;
     std::unique_ptr<PlayEngine> m_engine;  // used on the thread only
     std::jthread m_thread;                 // started with the first engine
 };

@@ -12,7 +12,6 @@ Workspace::Workspace(Project project, const QString& backups, QObject* parent)
       m_problems(m_document, m_bakes),
       m_baker(m_document, m_selection, m_bakes),
       m_play(m_document, m_bakes),
-      m_forecasts(m_play),
       m_playTests(m_document, m_bakes),
       m_swapAudits(m_document, m_bakes) {
     m_selection.prune(m_document.project());

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "editor/background/Baker.h"
-#include "editor/background/ForecastRunner.h"
 #include "editor/background/PlayTestRunner.h"
 #include "editor/background/ProblemWatch.h"
 #include "editor/background/SwapAuditRunner.h"
@@ -45,7 +44,6 @@ private:
     ProblemWatch m_problems;
     Baker m_baker;
     PlayController m_play;
-    ForecastRunner m_forecasts;
     PlayTestRunner m_playTests;
     SwapAuditRunner m_swapAudits;
     VideoExporter m_videos;

@@ -414,35 +414,6 @@ private slots:
         stage.settle();
         QVERIFY(!stage.controller.frame()->trajectory);
     }
-    void heatOrdersAForecastOfEachThrow() {
-        test::Stage stage;
-        stage.controller.setToolSettings(test::heavyBox());
-        stage.start();
-        stage.controller.pause();
-        stage.settle();
-        QSignalSpy orders(&stage.controller, &PlayController::forecastOrdered);
-        stage.controller.aim(test::kAtBlock);
-        stage.settle();
-        QCOMPARE(orders.size(), 0);  // not shown
-        stage.controller.setOverlays({.hasHeat = true});
-        stage.settle();
-        QCOMPARE(orders.size(), 1);
-        stage.controller.aim(test::kAtBlock);
-        stage.settle();
-        QCOMPARE(orders.size(), 1);  // the same throw
-        const auto order = orders[0][0].value<std::shared_ptr<const ForecastOrder>>();
-        QVERIFY(!stage.controller.frame()->hasForecast);
-        stage.controller.showForecast(order->thrown, {{.body = 1, .largest = 2.0}});
-        stage.settle();
-        QVERIFY(stage.controller.frame()->hasForecast);
-        stage.controller.aim(Ray{{0.1, 5.0, 4.0}, {0.0, 0.0, -1.0}});
-        stage.settle();
-        QCOMPARE(orders.size(), 2);
-        QVERIFY(!stage.controller.frame()->hasForecast);
-        stage.controller.showForecast(order->thrown, {{.body = 1, .largest = 2.0}});  // too late
-        stage.settle();
-        QVERIFY(!stage.controller.frame()->hasForecast);
-    }
     void aimingShowsTheTrajectory() {
         test::Stage stage;
         stage.start();
