@@ -7,6 +7,11 @@
 #include <QVBoxLayout>
 
 namespace rubble {
+namespace {
+
+constexpr std::size_t kMostShadowedTriangles = 200'000;  // shadows draw each triangle dozens of times
+
+}  // namespace
 
 ImportView::ImportView(const Preferences& preferences, QWidget* parent)
     : QWidget(parent), m_viewport(new ViewportWidget), m_legend(new QLabel) {
@@ -22,6 +27,9 @@ ImportView::ImportView(const Preferences& preferences, QWidget* parent)
 
 void ImportView::setModel(SourceModel model) {
     m_model = std::move(model);
+    RenderSettings settings = m_viewport->settings();
+    settings.hasShadows = m_model.geometry->indices.size() / 3 <= kMostShadowedTriangles;
+    m_viewport->setSettings(settings);
     setPrism(nullptr);
     m_viewport->frameAll();
 }

@@ -1,6 +1,7 @@
 // Tests that no event of the interface takes long, whatever is done in the background: editor/document/Autosave.cpp,
-// editor/document/DocumentFile.cpp, editor/background/Baker.cpp.
+// editor/document/DocumentFile.cpp, editor/background/Baker.cpp, editor/dialogs/ImportDialog.cpp.
 #include "core/asset/project/StarterProject.h"
+#include "editor/dialogs/ImportDialog.h"
 #include "editor/document/FilePath.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/ProjectParts.h"
@@ -12,6 +13,7 @@
 #include <QDir>
 #include <QFile>
 #include <QMessageBox>
+#include <QProgressBar>
 #include <QPushButton>
 
 using namespace rubble;
@@ -22,6 +24,7 @@ namespace {
 constexpr double kLongestHandler = 50.0;         // ms of processor time
 constexpr std::uint32_t kPlacedSeeds = 400'000;  // to serialize them takes longer, and so does
 constexpr qint64 kPadding = 128 << 20;           // hashing so many bytes
+constexpr int kPlateColumns = 500;               // of squares, each of four triangles: two above, two below
 
 /// A wall of some thousand fragments, and another one without an instance that has a layer of many seeds, which is off.
 Project largeProject() {
@@ -35,6 +38,31 @@ Project largeProject() {
     test::addAsset(project, std::move(other), {UniformScatter{.count = 2}, std::move(placed)});
     project.assets[1].pattern.layers[1].isOn = false;
     return project;
+}
+
+/// A plate of a million triangles, without its sides.
+QByteArray finePlate() {
+    constexpr int kPoints = kPlateColumns + 1;
+    QByteArray text;
+    for (const char* height : {"0.1", "0"}) {
+        for (int z = 0; z < kPoints; ++z) {
+            for (int x = 0; x < kPoints; ++x)
+                text += "v " + QByteArray::number(x) + ' ' + height + ' ' + QByteArray::number(z) + '\n';
+        }
+    }
+    const auto addFace = [&](int a, int b, int c) {
+        text += "f " + QByteArray::number(a) + ' ' + QByteArray::number(b) + ' ' + QByteArray::number(c) + '\n';
+    };
+    for (int z = 0; z < kPlateColumns; ++z) {
+        for (int x = 0; x < kPlateColumns; ++x) {
+            const int a = 1 + z * kPoints + x, b = a + 1, c = a + kPoints, d = c + 1, below = kPoints * kPoints;
+            addFace(a, c, b);
+            addFace(b, c, d);
+            addFace(a + below, b + below, c + below);
+            addFace(b + below, d + below, c + below);
+        }
+    }
+    return text;
 }
 
 }  // namespace
@@ -88,6 +116,21 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(bakes().areCurrent(project()), kPatience);
         test::runTimersDueWithin(1);
         check(watchdog);
+    }
+    void millionTrianglesAreImportedInTheBackground() {
+        QFile file(pathOf("plate.obj"));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(finePlate()) > 0);
+        file.close();
+        const test::Watchdog watchdog;
+        ImportDialog dialog(file.fileName(), project(), {}, nullptr);
+        QVERIFY(dialog.read(RUBBLE_IMPORTER));
+        check(watchdog);
+        auto& view = *dialog.findChild<ViewportWidget*>();
+        view.hide();  // here the processor draws it
+        dialog.show();
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.findChild<QProgressBar*>()->isVisible(), kPatience);
+        check(watchdog);
+        QVERIFY(!view.scene().poses.empty() && !view.settings().hasShadows);
     }
 
 private:
