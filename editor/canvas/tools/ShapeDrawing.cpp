@@ -144,17 +144,17 @@ QString ShapeDrawing::nextStep() const {
     const std::size_t count = m_draft->points().size();
     switch (m_draft->shape()) {
         case DraftShape::Polygon:
-            if (count == 0) return tr("Click the first corner · Esc cancels");
-            if (count < 3) return tr("Click the next corner · Backspace removes the last one · Esc cancels");
+            if (count == 0) return tr("Click the first corner · Esc: cancel");
+            if (count < 3) return tr("Click the next corner · Backspace: remove the last one · Esc: cancel");
             return tr(
                 "Click the next corner · Enter or a click on the first corner closes the shape · "
-                "Backspace removes the last one · Esc cancels");
+                "Backspace: remove the last one · Esc: cancel");
         case DraftShape::Rectangle:
-            return count == 0 ? tr("Click a corner of the rectangle, or drag it · Esc cancels")
-                              : tr("Click the opposite corner · Shift: no snapping · Esc cancels");
+            return count == 0 ? tr("Click a corner of the rectangle, or drag it · Esc: cancel")
+                              : tr("Click the opposite corner · Shift: no snapping · Esc: cancel");
         case DraftShape::Circle:
-            return count == 0 ? tr("Click the centre of the circle, or drag from it · Esc cancels")
-                              : tr("Click a point on the circle · Shift: no snapping · Esc cancels");
+            return count == 0 ? tr("Click the centre of the circle, or drag from it · Esc: cancel")
+                              : tr("Click a point on the circle · Shift: no snapping · Esc: cancel");
     }
     return {};
 }
