@@ -62,7 +62,7 @@ class Reading:
             self.canvas = node
         if node.get_role() in CONTROLS and is_shown(node):
             self.controls += 1
-            if not name and not node.get_description():
+            if not name:
                 self.nameless.append(" ▸ ".join(path))
 
     def fragments(self):
