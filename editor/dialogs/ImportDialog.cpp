@@ -7,6 +7,7 @@
 #include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/ComboBox.h"
+#include "editor/widgets/ScreenFit.h"
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include <QCheckBox>
@@ -125,7 +126,7 @@ ImportDialog::ImportDialog(const QString& path, const Project& project, const Pr
     layout->addWidget(m_progress);
     layout->addWidget(buttons);
     m_import->setDefault(true);  // after the button was added to the dialog
-    resize(kImportDialogSize);
+    resizeWithinScreen(*this, kImportDialogSize);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     for (QComboBox* box : {m_unit, m_up}) {

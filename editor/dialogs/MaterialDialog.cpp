@@ -6,6 +6,7 @@
 #include "editor/dialogs/PatternPreview.h"
 #include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
+#include "editor/widgets/ScreenFit.h"
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include <QCheckBox>
@@ -56,7 +57,7 @@ MaterialDialog::MaterialDialog(Document& document, Selection& selection, const Q
     connect(m_list, &QListWidget::itemDoubleClicked, this,
             [this] { (m_apply->isEnabled() ? m_apply : m_add)->click(); });
     fill();
-    resize(kMaterialDialogSize);
+    resizeWithinScreen(*this, kMaterialDialogSize);
     m_list->setFocus();
 }
 

@@ -3,6 +3,7 @@
 #include "editor/dialogs/MeshReading.h"
 #include "editor/dialogs/OutlinePreview.h"
 #include "editor/widgets/ComboBox.h"
+#include "editor/widgets/ScreenFit.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
@@ -45,7 +46,7 @@ MeshSeedsDialog::MeshSeedsDialog(const QString& fileName, SourceScene mesh, Poly
     layout->addWidget(m_summary);
     layout->addWidget(buttons);
     m_add->setDefault(true);  // after the button was added to the dialog
-    resize(kMeshSeedsSize);
+    resizeWithinScreen(*this, kMeshSeedsSize);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     for (QComboBox* box : {m_unit, m_along}) {

@@ -2,6 +2,7 @@
 
 #include "editor/help/ManualPage.h"
 #include "editor/widgets/Action.h"
+#include "editor/widgets/ScreenFit.h"
 
 #include <QFileInfo>
 #include <QLineEdit>
@@ -45,7 +46,7 @@ ManualWindow::ManualWindow(const QString& folder) : m_page(new ManualPage) {
         m_page->setPlainText(
             tr("The manual is not installed: the folder \"%1\" is missing. Reinstall Rubble.").arg(folder));
     }
-    resize(860, 900);
+    resizeWithinScreen(*this, {860, 900});
 }
 
 /// Finds the next occurrence, continuing at the top of the page.

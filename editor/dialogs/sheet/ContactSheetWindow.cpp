@@ -8,6 +8,7 @@
 #include "editor/dialogs/sheet/VariationTree.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/Icon.h"
+#include "editor/widgets/ScreenFit.h"
 #include "editor/workspace/ViewportStyle.h"
 #include "editor/workspace/Workspace.h"
 
@@ -22,7 +23,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScopedValueRollback>
-#include <QScreen>
 #include <QSignalBlocker>
 #include <QSpinBox>
 
@@ -36,9 +36,8 @@ namespace {
 
 constexpr QSize kPictureSize{240, 180};
 constexpr QSize kSheetSize{1180, 760};
-constexpr double kMaxScreenFraction = 0.9;  // of the default size
-constexpr int kSettingsWidth = 300;         // pixels
-constexpr int kProgressWidth = 160;         // pixels
+constexpr int kSettingsWidth = 300;  // pixels
+constexpr int kProgressWidth = 160;  // pixels
 constexpr int kDefaultVariants = 12;
 constexpr int kDefaultStep = 60;    // one second after the start
 constexpr int kDefaultSpread = 15;  // per cent
@@ -89,7 +88,7 @@ ContactSheetWindow::ContactSheetWindow(Workspace& workspace, const Units& units,
       m_cancel(createButton("remove", tr("&Cancel"), tr("Cancel and keep the finished variants"))) {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName("contact-sheet");
-    resize(kSheetSize.boundedTo(parent->screen()->availableSize() * kMaxScreenFraction));
+    resizeWithinScreen(*this, kSheetSize);
     auto* columns = new QHBoxLayout(this);
     columns->addWidget(createSettings());
     auto* rows = new QVBoxLayout;
