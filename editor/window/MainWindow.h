@@ -38,6 +38,8 @@ public:
     bool isPristine() const;
     /// Whether another project may be opened in it: it shows the start page, or an empty project that was never saved.
     bool isUntouched();
+    /// Starts the simulation of the demo: a click in the 3D view throws.
+    void playDemo();
     /// Closes the window and loses its changes; false if it stays open for another reason.
     bool closeWithoutSaving();
 
@@ -46,6 +48,8 @@ signals:
     void openProjectRequested(const QString& path);
     /// Requests to open a copy of a project, such as an example.
     void openCopyRequested(const QString& path);
+    /// Requests to open a copy of the demo project and to play it.
+    void playDemoRequested(const QString& path);
     void quitRequested();
     /// The colours of the desktop have changed.
     void desktopThemeChanged();
