@@ -207,6 +207,10 @@ void PlayActions::addReplays() {
 
 void PlayActions::startOrStop() {
     if (controller().isInPlay()) return controller().stop();
+    start();
+}
+
+void PlayActions::start() {
     m_views.setSceneVisible(true);
     m_views.scene().viewport().setFocus();
     controller().play();
@@ -220,7 +224,7 @@ void PlayActions::fillShots() {
         QAction* action = m_shots->addAction(menuText(nameText(shot.name)));
         action->setStatusTip(tr("Repeat this throw"));
         connect(action, &QAction::triggered, this, [this, shot] {
-            if (!controller().isInPlay()) startOrStop();
+            if (!controller().isInPlay()) start();
             controller().fire(shot);
         });
     }

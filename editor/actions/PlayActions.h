@@ -24,6 +24,9 @@ public:
     QMenu* menu() const { return m_menu; }
     QList<QAction*> toolbarActions() const { return {m_play, m_pause, m_step, m_reset}; }
 
+    /// Starts the simulation in the 3D view, which gets the keyboard focus.
+    void start();
+
 private:
     void addRun();
     void addTools();

@@ -9,6 +9,7 @@ struct PlayToolSettings {
     // Its places say nothing; the speed, of a tapped throw, counts only if it is not automatic.
     Throw projectile{.size = {0.6, 0.6, 0.6}, .mass = 1500.0, .speed = 40.0};
     bool isSpeedAutomatic = true;                            // see reachingSpeed()
+    bool throwsOnClick = false;                              // else a click selects
     double hammerImpulse = 5000.0;                           // N·s
     bool isHammerRadiusAutomatic = true;                     // see patchRadius()
     double hammerRadius = 0.2;                               // m, of the patch that it strikes, if not automatic

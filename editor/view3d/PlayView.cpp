@@ -126,6 +126,7 @@ PlayHud::Content PlayView::content() const {
         content.title += tr(" at %1×").arg(QLocale().toString(m_controller.timeScale()));
     if (!m_controller.hasDestruction()) content.title += tr(" · destruction off");
     content.hint =
+        (m_controller.toolSettings().throwsOnClick ? tr("Click: throw · ") : QString()) +
         tr("F: throw, hold to charge · H: hammer · X: blast, Ctrl and wheel: its radius · Drag: grab · P: pause · "
            "Comma, period: step · "
            "L: loop · R: reset · Esc: stop");

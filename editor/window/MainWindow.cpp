@@ -138,6 +138,7 @@ void MainWindow::addStartPage() {
     connect(page, &StartPage::importRequested, m_fileActions->importAction(), &QAction::trigger);
     connect(page, &StartPage::recentRequested, m_fileActions, &FileActions::openFile);
     connect(page, &StartPage::exampleRequested, this, &MainWindow::openCopyRequested);
+    connect(page, &StartPage::demoRequested, this, &MainWindow::playDemoRequested);
     auto* scroll = new QScrollArea;  // on small screens
     scroll->setWidget(page);
     scroll->setWidgetResizable(true);
@@ -233,6 +234,14 @@ bool MainWindow::isUntouched() {
 }
 
 bool MainWindow::confirmStop() { return m_videoActions->confirmClose(); }
+
+void MainWindow::playDemo() {
+    PlayController& play = m_workspace.play();
+    PlayToolSettings tools = play.toolSettings();
+    tools.throwsOnClick = true;
+    play.setToolSettings(tools);
+    m_playActions->start();
+}
 
 bool MainWindow::closeWithoutSaving() {
     const QScopedValueRollback discarding(m_isDiscarding, true);

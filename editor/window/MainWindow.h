@@ -40,6 +40,8 @@ public:
     bool isUntouched();
     /// Asks whether to stop what is being exported; false if the window has to stay open for it.
     bool confirmStop();
+    /// Starts the simulation of the demo: a click in the 3D view throws.
+    void playDemo();
     /// Closes the window without questions, and loses its changes; false if a dialog keeps it open.
     bool closeWithoutSaving();
 
@@ -48,6 +50,8 @@ signals:
     void openProjectRequested(const QString& path);
     /// Requests to open a copy of a project, such as an example.
     void openCopyRequested(const QString& path);
+    /// Requests to open a copy of the demo project and to play it.
+    void playDemoRequested(const QString& path);
     void quitRequested();
     /// The colours of the desktop have changed.
     void desktopThemeChanged();

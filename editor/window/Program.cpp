@@ -91,6 +91,9 @@ MainWindow* Program::createWindow(Project project) {
             [this, window](const QString& path) { open(path, window); });
     connect(window, &MainWindow::openCopyRequested, this,
             [this, window](const QString& path) { openCopy(path, window); });
+    connect(window, &MainWindow::playDemoRequested, this, [this, window](const QString& path) {
+        if (MainWindow* opened = openCopy(path, window)) opened->playDemo();
+    });
     connect(window, &MainWindow::quitRequested, this, &Program::quit);
     connect(window, &MainWindow::desktopThemeChanged, this, [this] {
         if (m_theme == ColourScheme::System) applyTheme(m_theme);

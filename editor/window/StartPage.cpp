@@ -81,13 +81,22 @@ QWidget* StartPage::startColumn() {
     auto* rows = new QVBoxLayout(column);
     rows->setContentsMargins({});
     rows->addWidget(heading(tr("Start"), kHeadingScale));
-    const auto add = [&](const char* icon, const QString& text, const QString& tip, void (StartPage::*signal)()) {
+    const auto add = [&](const char* icon, const QString& text, const QString& tip, auto request) {
         auto* button = new QCommandLinkButton(text, tip);
         button->setIcon(iconNamed(icon));
         button->setToolTip(tip);
-        connect(button, &QCommandLinkButton::clicked, this, signal);
+        button->setAutoDefault(true);  // Return clicks it, as in a dialog
+        button->setAccessibleName(text);
+        button->setAccessibleDescription(tip);
+        connect(button, &QCommandLinkButton::clicked, this, request);
         rows->addWidget(button);
+        return button;
     };
+    if (const QString demo = demoProject(); !demo.isEmpty()) {
+        const auto request = [this, demo] { emit demoRequested(demo); };
+        const QString tip = tr("Open a copy and click in it to break it");
+        add("play-start", tr("Play the Demo House"), tip, request)->setObjectName("play-demo");
+    }
     add("file-new", tr("New Project"), tr("Create an empty project"), &StartPage::newProjectRequested);
     add("file-open", tr("Open Project"), tr("Open an existing project"), &StartPage::openRequested);
     add("file-import", tr("Import Mesh"), tr("Import an OBJ, glTF, GLB, FBX, STL or PLY file"),
@@ -152,7 +161,6 @@ void StartPage::fillRecent() {
     if (paths.isEmpty()) {
         auto* placeholder = new QLabel(tr("Projects that you open or save are listed here."));
         placeholder->setWordWrap(true);
-        placeholder->setForegroundRole(QPalette::PlaceholderText);
         m_recentRows->addWidget(placeholder);
     }
     for (const QString& path : paths) {

@@ -22,6 +22,7 @@ signals:
     void importRequested();
     void recentRequested(const QString& path);
     void exampleRequested(const QString& path);
+    void demoRequested(const QString& path);
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -22,4 +22,9 @@ QStringList exampleProjects() {
     return paths;
 }
 
+QString demoProject() {
+    const QFileInfo demo(installedDataFolder() + "/projects/house.rubble");
+    return demo.isFile() ? demo.absoluteFilePath() : QString();
+}
+
 }  // namespace rubble

@@ -10,5 +10,7 @@ namespace rubble {
 QString installedDataFolder();
 /// Returns the paths of the example projects.
 QStringList exampleProjects();
+/// Returns the path of the example that the start page plays; empty if it is not installed.
+QString demoProject();
 
 }  // namespace rubble

@@ -75,6 +75,16 @@ void PlayToolsPanel::addThrow(Section& section) {
     m_mass = addField(section, tr("Mass"), tr("Mass of the projectile"), Units::masses(), ProjectNumber::Mass,
                       [](PlayToolSettings& tools) -> double& { return tools.projectile.mass; });
     addSpeed(section);
+    m_throwsOnClick = new QCheckBox(tr("Throw on Click"));
+    m_throwsOnClick->setObjectName("throwOnClick");
+    m_throwsOnClick->setToolTip(tr("Throw where you click, instead of selecting what is there"));
+    m_throwsOnClick->setStatusTip(m_throwsOnClick->toolTip());
+    section.addWide(m_throwsOnClick);
+    connect(m_throwsOnClick, &QCheckBox::clicked, this, [this](bool isOn) {
+        PlayToolSettings tools = m_controller.toolSettings();
+        tools.throwsOnClick = isOn;
+        m_controller.setToolSettings(tools);
+    });
 }
 
 void PlayToolsPanel::addSpeed(Section& section) {
@@ -176,6 +186,7 @@ void PlayToolsPanel::refresh() {
     m_throw->setRowVisible(m_mass, !isAsset);
     m_isSpeedAutomatic->setChecked(tools.isSpeedAutomatic);
     m_throw->setRowVisible(m_speed, !tools.isSpeedAutomatic);
+    m_throwsOnClick->setChecked(tools.throwsOnClick);
     m_isRadiusAutomatic->setChecked(tools.isHammerRadiusAutomatic);
     m_hammer->setRowVisible(m_hammerRadius, !tools.isHammerRadiusAutomatic);
 }

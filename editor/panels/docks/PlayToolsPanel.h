@@ -50,6 +50,7 @@ private:
     NumberField* m_mass = nullptr;
     QCheckBox* m_isSpeedAutomatic = nullptr;
     NumberField* m_speed = nullptr;
+    QCheckBox* m_throwsOnClick = nullptr;
     Section* m_hammer = nullptr;
     QCheckBox* m_isRadiusAutomatic = nullptr;
     NumberField* m_hammerRadius = nullptr;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rubble {
 
@@ -169,6 +170,11 @@ bool PlayTool::press(const QMouseEvent& event) {
     return false;
 }
 
+bool PlayTool::doubleClick(const QMouseEvent& event) {
+    press(event);
+    return m_pressedAt && m_controller.toolSettings().throwsOnClick;
+}
+
 bool PlayTool::move(const QMouseEvent& event) {
     if (!m_controller.isInPlay()) return false;
     m_pointer = event.position();
@@ -191,7 +197,11 @@ bool PlayTool::move(const QMouseEvent& event) {
 
 bool PlayTool::release(const QMouseEvent& event) {
     if (!m_controller.isInPlay() || event.button() != Qt::LeftButton) return false;
-    m_pressedAt.reset();
+    const bool isClick = std::exchange(m_pressedAt, std::nullopt).has_value();
+    if (isClick && m_controller.toolSettings().throwsOnClick) {
+        throwWith(0.0);
+        return true;
+    }
     if (!m_isGrabbing) return false;
     m_isGrabbing = false;
     m_controller.release();

@@ -13,9 +13,9 @@ namespace rubble {
 class PlayController;
 class ViewportWidget;
 
-/// The tool of play: F throws at the pointer, harder if it is held; H hits with a hammer, X sets off an explosion,
-/// dragging with the left button grabs a body; P, the period, the comma, L and R pause, step, step back, loop and
-/// reset; Escape stops. Inactive unless the controller is in play.
+/// The tool of play: F throws at the pointer, harder if it is held, and so does a click if that is set; H hits with a
+/// hammer, X sets off an explosion, dragging with the left button grabs a body; P, the period, the comma, L and R
+/// pause, step, step back, loop and reset; Escape stops. Inactive unless the controller is in play.
 class PlayTool : public ViewportTool {
     Q_OBJECT
 public:
@@ -35,7 +35,8 @@ public:
     void updateAim();
 
     bool press(const QMouseEvent& event) override;
-    bool doubleClick(const QMouseEvent& /*event*/) override { return false; }
+    /// The second of two quick clicks throws as the first one does.
+    bool doubleClick(const QMouseEvent& event) override;
     bool move(const QMouseEvent& event) override;
     bool release(const QMouseEvent& event) override;
     /// With Ctrl, changes the radius of the blast.

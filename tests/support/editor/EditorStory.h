@@ -35,6 +35,11 @@ protected:
         show();
         viewport().setCameraAnimation(false);
     }
+    void openStartPage() {
+        begin();
+        m_window.reset(m_program->showStartPage());
+        show();
+    }
     void openFile(const QString& path) {
         begin();
         m_window.reset(m_program->open(path));

@@ -76,6 +76,16 @@ private slots:
         QVERIFY(!stage.controller.toolSettings().isSpeedAutomatic);
         QVERIFY(!(*speed)->isHidden());
     }
+    void clickThrowsIfChecked() {
+        test::Stage stage;
+        const PlayToolsPanel panel(stage.document, stage.controller);
+        auto* box = panel.findChild<QCheckBox*>("throwOnClick");
+        QVERIFY(!box->isChecked());
+        box->click();
+        QVERIFY(stage.controller.toolSettings().throwsOnClick);
+        stage.controller.setToolSettings({});
+        QVERIFY(!box->isChecked());
+    }
     void radiusOfTheHammerIsAutomaticUntilSwitchedOff() {
         test::Stage stage;
         const PlayToolsPanel panel(stage.document, stage.controller);

@@ -1,0 +1,85 @@
+// Tests editor/window/StartPage.cpp and what its demo starts.
+#include "editor/document/Bakes.h"
+#include "editor/widgets/Theme.h"
+#include "tests/support/TestProgram.h"
+#include "tests/support/editor/EditorStory.h"
+#include "tests/support/editor/TextFit.h"
+
+#include <QCommandLinkButton>
+#include <QScrollArea>
+#include <QScrollBar>
+
+using namespace rubble;
+
+/// The demo house plays with one click or one key, and a click in the view breaks it.
+class StartPageTest : public EditorStory {
+    Q_OBJECT
+private slots:
+    void cleanup() { close(); }
+
+    void oneClickPlaysTheDemoHouse() {
+        openStartPage();
+        if (!hasView()) QSKIP("There is no OpenGL here.");
+        play().thread().useSteppedClock();
+        QTest::mouseClick(demo(), Qt::LeftButton);
+        playsDemo();
+        const QPoint middle = viewport().rect().center();
+        QTest::mouseMove(&viewport(), middle);
+        QTest::mouseClick(&viewport(), Qt::LeftButton, {}, middle);
+        QTRY_VERIFY_WITH_TIMEOUT(breaksAfterAStep(), kPatience);
+        QVERIFY(!window().isWindowModified());
+        QCOMPARE(window().workspace().file().path(), QString());  // a copy
+    }
+    void returnPlaysTheDemoHouse() {
+        openStartPage();
+        QCOMPARE(demo()->accessibleName(), "Play the Demo House");
+        QVERIFY(!demo()->accessibleDescription().isEmpty());
+        QVERIFY(!demo()->toolTip().isEmpty());
+        for (int k = 0; k < 20 && !demo()->hasFocus(); ++k) QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QVERIFY(demo()->hasFocus());
+        QTest::keyClick(demo(), Qt::Key_Return);
+        playsDemo();
+    }
+    void clickSelectsInOtherSimulations() {
+        openStartPage();
+        QVERIFY(!play().toolSettings().throwsOnClick);
+    }
+    void fitsOnASmallScreen_data() {
+        QTest::addColumn<int>("theme");
+        QTest::newRow("light") << static_cast<int>(ColourScheme::Light);
+        QTest::newRow("dark") << static_cast<int>(ColourScheme::Dark);
+    }
+    void fitsOnASmallScreen() {
+        QFETCH(const int, theme);
+        openStartPage();
+        preferences().setPreferences({.theme = static_cast<ColourScheme>(theme)});
+        QTRY_COMPARE(isDark(window().palette()), theme == static_cast<int>(ColourScheme::Dark));
+        window().resize(1280, 720);
+        QTRY_COMPARE_WITH_TIMEOUT(window().size(), QSize(1280, 720), kPatience);
+        auto* page = window().centralWidget()->findChild<QScrollArea*>();
+        QTRY_VERIFY(page->verticalScrollBar()->maximum() == 0 && page->horizontalScrollBar()->maximum() == 0);
+        const QString folder = qEnvironmentVariable("RUBBLE_PICTURES");  // for inspection by a person
+        if (!folder.isEmpty()) window().grab().save(QString("%1/start-%2.png").arg(folder, QTest::currentDataTag()));
+        const QStringList faults = test::clippedTexts(*page) + test::faintTexts(*page);
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));
+    }
+
+private:
+    PlayController& play() { return window().workspace().play(); }
+    QCommandLinkButton* demo() { return window().findChild<QCommandLinkButton*>("play-demo"); }
+    void playsDemo() {
+        QVERIFY(!window().isPristine());
+        QVERIFY(play().isInPlay());
+        QVERIFY(play().toolSettings().throwsOnClick);
+        QTRY_VERIFY_WITH_TIMEOUT(play().isPlaying(), kPatience);
+        QCOMPARE(text(), projectText(*loadProject(RUBBLE_SOURCE_DIR "/projects/house.rubble")));
+    }
+    bool breaksAfterAStep() {
+        play().thread().advance(kStep);
+        play().applyUpdate();
+        return !play().breaks().empty();
+    }
+};
+
+RUBBLE_TEST_WITH(StartPageTest, QApplication)
+#include "StartPageTest.moc"
