@@ -67,6 +67,7 @@ void offer(QWidget* parent, const QString& text, const QString& action, std::fun
     box->setModal(false);
     const QPushButton* button = box->addButton(action, QMessageBox::ActionRole);
     QObject::connect(button, &QPushButton::clicked, box, std::move(perform));
+    box->setDefaultButton(QMessageBox::Close);  // Return is pressed without reading
     box->show();
 }
 

@@ -6,10 +6,12 @@
 #include "editor/workspace/InstalledData.h"
 #include "editor/workspace/RecentFiles.h"
 
+#include <QAbstractButton>
 #include <QCommandLinkButton>
 #include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -85,7 +87,6 @@ QWidget* StartPage::startColumn() {
         auto* button = new QCommandLinkButton(text, tip);
         button->setIcon(iconNamed(icon));
         button->setToolTip(tip);
-        button->setAutoDefault(true);  // Return clicks it, as in a dialog
         button->setAccessibleName(text);
         button->setAccessibleDescription(tip);
         connect(button, &QCommandLinkButton::clicked, this, request);
@@ -145,6 +146,14 @@ void StartPage::showPictures() {
     const QString theme = isDark(palette()) ? "dark" : "light";
     for (QToolButton* card : m_examples)
         card->setIcon(QIcon(QString(":/examples/%1-%2.png").arg(card->property(kPictureName).toString(), theme)));
+}
+
+/// Return clicks the button with the focus, as in a dialog.
+void StartPage::keyPressEvent(QKeyEvent* event) {
+    const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    auto* button = qobject_cast<QAbstractButton*>(focusWidget());
+    if (!isReturn || !button) return QWidget::keyPressEvent(event);
+    button->click();
 }
 
 void StartPage::changeEvent(QEvent* event) {

@@ -25,6 +25,7 @@ signals:
     void demoRequested(const QString& path);
 
 protected:
+    void keyPressEvent(QKeyEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:

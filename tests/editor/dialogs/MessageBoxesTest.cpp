@@ -34,6 +34,15 @@ private slots:
         answer(shown, Qt::Key_Return);
         QVERIFY(!confirmLoss(nullptr, "Discard all changes?", "Discard", "Cancel"));
     }
+    void enterClosesAnOffer() {
+        QWidget window;
+        int opened = 0;
+        offer(&window, "Exported 2 assets.", "Open Folder", [&] { ++opened; });
+        auto* box = window.findChild<QMessageBox*>();
+        QTest::keyClick(box, Qt::Key_Return);
+        QTRY_VERIFY(!window.findChild<QMessageBox*>());
+        QCOMPARE(opened, 0);
+    }
     void offerDoesNotBlock() {
         QWidget window;
         int opened = 0;

@@ -8,6 +8,7 @@
 #include <QCommandLinkButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QToolButton>
 
 using namespace rubble;
 
@@ -39,6 +40,17 @@ private slots:
         QVERIFY(demo()->hasFocus());
         QTest::keyClick(demo(), Qt::Key_Return);
         playsDemo();
+    }
+    void returnOpensTheExampleWithTheFocus() {
+        openStartPage();
+        QToolButton* card = nullptr;
+        for (auto* one : window().centralWidget()->findChildren<QToolButton*>()) {
+            if (one->toolTip() == "Open a copy of this example") card = one;
+        }
+        QVERIFY(card);
+        card->setFocus();
+        QTest::keyClick(card, Qt::Key_Return);
+        QTRY_VERIFY(!window().isPristine());
     }
     void clickSelectsInOtherSimulations() {
         openStartPage();
