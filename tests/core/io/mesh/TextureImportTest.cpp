@@ -3,6 +3,7 @@
 #include "core/asset/import/AssetImport.h"
 #include "core/base/limits/ImageLimits.h"
 #include "core/io/mesh/MeshImport.h"
+#include "core/io/pack/PackMeshes.h"
 #include "core/io/project/ProjectDifference.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/text/Base64.h"
@@ -156,6 +157,22 @@ private slots:
         project.assets[1].texture.reset();
         QVERIFY(!nlohmann::json::parse(projectText(project)).contains("images"));
         QVERIFY(read != project);
+    }
+    void exportsBringTheTextureBack() {
+        const TexturedMesh mesh("map_Kd a b.png", "map_Kd a b.png");
+        mesh.write("a b.png", checkerPng());
+        const Project project = outcomeOf(mesh.path()).project;
+        const Asset& asset = project.assets[0];
+        const Bake whole = bake(asset).value();
+        const PackMeshes meshes = packMeshes(whole, asset, materialsOf(project, asset), {}).value();
+        for (const ExportFile& file : meshes.files) mesh.write("pack/" + file.name, file.bytes);
+        for (const char* name : {"pack/wall-intact.obj", "pack/wall-intact.glb"}) {
+            const ImportOutcome again = outcomeOf(mesh.path(name));
+            QVERIFY2(textureOf(again).has_value(), qPrintable(notesOf(again)));
+            QVERIFY(textureOf(again)->image->bytes() == checkerPng());
+            QCOMPARE(textureOf(again)->name, std::string("a_b.png"));
+            QCOMPARE(textureOf(again)->materials, (std::vector<std::uint32_t>{0, 1}));
+        }
     }
     void comparisonNamesTheTexture() {
         const TexturedMesh mesh("map_Kd a.png");
