@@ -2,6 +2,7 @@
 
 #include "app/importer/files/AssimpValues.h"
 #include "app/importer/files/MeshError.h"
+#include "app/importer/files/MeshImages.h"
 #include "app/importer/files/PolygonTriangles.h"
 #include "app/importer/files/TextWords.h"
 #include "app/importer/gltf/GltfDocument.h"
@@ -102,6 +103,29 @@ std::vector<SourceMaterial> materialsOf(const aiScene& scene, Format format) {
     }
     if (materials.empty()) materials.emplace_back();
     return materials;
+}
+
+/// Reads the images of the base colours of materials, in files or in the mesh.
+void readImages(const aiScene& source, MeshFiles& files, SourceScene& scene) {
+    MeshImages images(files, scene);
+    for (unsigned i = 0; i < source.mNumMaterials; ++i) {
+        aiString path;
+        const aiMaterial& material = *source.mMaterials[i];
+        if (material.GetTexture(aiTextureType_BASE_COLOR, 0, &path) != aiReturn_SUCCESS &&
+            material.GetTexture(aiTextureType_DIFFUSE, 0, &path) != aiReturn_SUCCESS)
+            continue;
+        const aiTexture* texture = source.GetEmbeddedTexture(path.C_Str());
+        const std::string name = path.C_Str(), held = texture == nullptr ? "" : texture->mFilename.C_Str();
+        if (texture == nullptr) {
+            if (!name.empty()) scene.materials[i].image = images.file(name);
+        } else if (texture->mHeight != 0) {  // pixels
+            images.note(name, "is neither PNG nor JPEG; save it as one of them");
+        } else {
+            const std::string_view bytes(reinterpret_cast<const char*>(texture->pcData), texture->mWidth);
+            scene.materials[i].image = images.embedded("embedded " + name, held.empty() ? name : held, bytes);
+        }
+        if (scene.materials[i].image) scene.materials[i].colour = Vec3(1.0);  // which the image replaces in FBX
+    }
 }
 
 /// Returns an error for missing points and for indices of missing points and materials, which the library does not
@@ -295,7 +319,7 @@ std::optional<SourceScene> ownReading(const std::string& bytes, MeshFiles& files
 }
 
 /// Reads a file with the library: FBX, PLY and glTF 1.
-Result<SourceScene> libraryReading(Assimp::Importer& importer, const MeshFiles& files) {
+Result<SourceScene> libraryReading(Assimp::Importer& importer, MeshFiles& files) {
     const std::string& name = files.meshName();
     const aiScene* source = importer.ReadFile(name, 0);  // no path, so that no message holds one
     if (source == nullptr || source->mRootNode == nullptr) return rejection(importer, files, name);
@@ -305,6 +329,7 @@ Result<SourceScene> libraryReading(Assimp::Importer& importer, const MeshFiles& 
     if (!added) return fileError(added.error().code, name, added.error().message);
     removeInventedNames(scene);
     noteUnread(*source, scene);
+    readImages(*source, files, scene);
     return scene;
 }
 

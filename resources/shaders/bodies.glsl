@@ -10,8 +10,10 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
 layout(location = 3) in uint piece;
 layout(location = 4) in vec2 across;
-layout(location = 5) in uint side;  // 0 outside, 1 inside
+layout(location = 5) in uint side;  // see VertexSide
 layout(location = 6) in uint firstBody;
+
+const uint kInside = 1u, kTextured = 2u;  // sides
 
 const uint kHidden = 1u;
 const uint kSelected = 2u;
@@ -45,7 +47,7 @@ vec3 pointInScene(BodyPose pose) {
     vec3 point = pose.position.xyz + rotated(pose.orientation, (1.0 - pose.position.w) * position);
     return edges.z > 0.0 ? point + edges.z * texelFetch(explodeOffsets, bodyIndex()).xyz : point;
 }
-float opacityOf(uvec4 appearance) { return 1.0 - float((side == 0u ? appearance.x : appearance.y) >> 24) / 255.0; }
+float opacityOf(uvec4 appearance) { return 1.0 - float((side == kInside ? appearance.y : appearance.x) >> 24) / 255.0; }
 // Whether the body is visible and the surface is one of `surfaces`.
 bool isShown(uvec4 appearance) {
     bool isOfKind = surfaces == 0u || (surfaces == 2u) == (opacityOf(appearance) < 1.0);

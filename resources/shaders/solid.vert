@@ -5,6 +5,10 @@ out vec2 placeAcross;
 out float edgeWidth;  // pixels, on each side of an edge
 flat out vec3 colour;  // sRGB
 flat out float opacity;
+#ifdef TEXTURED
+out vec2 placeInImage;  // from its top left corner
+flat out float hasImage;  // 1 on textured faces
+#endif
 
 const float kEdgeWidth = 0.0065;  // of the size of its fragment
 const float kThinnest = 0.12, kWidest = 0.75;  // points
@@ -19,7 +23,11 @@ void main() {
     placeAcross = across;
     float size = exp2((sizeCode - 128.0) / 8.0) * pixelsPerMetre(max(dot(eye.xyz - scenePoint, back.xyz), 1e-6));
     edgeWidth = clamp(kEdgeWidth * size, kThinnest * edges.x, kWidest * edges.x);
-    colour = unpackedColour(side == 0u ? appearance.x : appearance.y);
+    colour = unpackedColour(side == kInside ? appearance.y : appearance.x);
     opacity = opacityOf(appearance);
+#ifdef TEXTURED
+    placeInImage = vec2(uv.x, 1.0 - uv.y);
+    hasImage = side == kTextured ? 1.0 : 0.0;
+#endif
     gl_Position = isShown(appearance) ? clipFromScene * vec4(scenePoint, 1.0) : kClipped;
 }

@@ -5,6 +5,11 @@ in vec2 placeAcross;
 in float edgeWidth;  // pixels, on each side of an edge
 flat in vec3 colour;
 flat in float opacity;
+#ifdef TEXTURED
+uniform sampler2D baseColour;
+in vec2 placeInImage;
+flat in float hasImage;
+#endif
 
 vec3 towardsEye() { return eye.w > 0.5 ? normalize(eye.xyz - scenePoint) : back.xyz; }
 
@@ -19,6 +24,9 @@ vec3 lit(vec3 albedo, vec3 n) {
 // The linear colour of the surface without edges.
 vec3 shadedSurface() {
     vec3 albedo = linearOf(colour);
+#ifdef TEXTURED
+    albedo *= mix(vec3(1.0), texture(baseColour, placeInImage).rgb, hasImage);
+#endif
     return lit(albedo, normalize(sceneNormal));
 }
 const float kEdgeShade = 0.22;  // brightness of edges, of that of the surface

@@ -3,6 +3,7 @@
 #include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Fragments.h"
+#include "tests/support/files/TestImages.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -56,7 +57,10 @@ class RoundTripTest : public QObject {
 private slots:
     void initTestCase() {
         if (QStandardPaths::findExecutable("blender").isEmpty()) QSKIP("Blender is not installed.");
-        const Asset asset = ringAsset();
+        Asset asset = ringAsset();
+        asset.texture = Texture{.name = "checker.png",
+                                .image = std::make_shared<const EncodedImage>(imageOf(checkerPng())),
+                                .materials = {0}};
         m_bake = bake(asset).value();
         QStringList paths;
         for (const PartPlacement place : {PartPlacement::Assembled, PartPlacement::Centred}) {
@@ -64,11 +68,12 @@ private slots:
             const QString prefix = place == PartPlacement::Assembled ? "" : "centred-";
             const PackMeshes meshes = packMeshes(m_bake, asset, Material{.id = 1, .name = "brick"}, options).value();
             for (const ExportFile& file : meshes.files) {
-                // In one folder, so that each OBJ file finds its MTL file.
+                // In one folder, so that each OBJ file finds its MTL file and image.
                 const QString name = prefix + QString::fromStdString(file.name);
-                const QString path = m_folder.filePath(name.endsWith(".mtl") ? name.mid(prefix.size()) : name);
+                const bool isMesh = name.endsWith(".obj") || name.endsWith(".glb");
+                const QString path = m_folder.filePath(isMesh ? name : name.mid(prefix.size()));
                 QVERIFY(writeFileAtomically(path.toStdString(), file.bytes));
-                if (!path.endsWith(".mtl")) paths << path;
+                if (isMesh) paths << path;
             }
         }
         m_files = imported(paths);
@@ -127,6 +132,14 @@ private slots:
             QVERIFY2(object["materials"].toArray().contains("brick_outside"), name);
         }
         QVERIFY(std::abs(volumeOf(objects) - volume) < 1e-6 * m_bake.whole.volume);
+    }
+
+    void outsideHasTheTexture() {
+        for (const char* name : {"old_ring-fragments.obj", "old_ring-fragments.glb"}) {
+            const QJsonObject textured = m_files[name]["textured"].toObject();
+            QVERIFY2(textured["brick_outside"] == QJsonArray({16, 16}), name);
+            QVERIFY2(!textured.contains("brick_inside"), name);
+        }
     }
 
     void yIsUpAndFragmentsAreInPlace() {

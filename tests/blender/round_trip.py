@@ -54,10 +54,20 @@ def described(thing, path):
     return result
 
 
+def image_size(material):
+    """Of the image that the base colour is multiplied by or is; None without one."""
+    for node in material.node_tree.nodes:
+        if node.type == "TEX_IMAGE" and node.outputs["Color"].is_linked:
+            return list(node.image.size)
+    return None
+
+
 for path in sys.argv[sys.argv.index("--") + 1:]:
     open_file(path)
     things = [described(thing, path) for thing in bpy.data.objects if thing.type == "MESH"]
     corners = [thing.matrix_world @ vertex.co for thing in bpy.data.objects if thing.type == "MESH"
                for vertex in thing.data.vertices]
     highest = [max(corner[axis] for corner in corners) for axis in range(3)]
-    print("ROUND TRIP", json.dumps({"file": path, "objects": things, "highest": highest}))
+    textured = {material.name: image_size(material) for material in bpy.data.materials
+                if material.use_nodes and image_size(material)}
+    print("ROUND TRIP", json.dumps({"file": path, "objects": things, "highest": highest, "textured": textured}))

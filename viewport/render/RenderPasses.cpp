@@ -94,14 +94,20 @@ const ShaderProgram& RenderPasses::lit(const LitPrograms& variants) const {
 void RenderPasses::drawSolid() {
     glEnable(GL_CULL_FACE);
     glDepthFunc(GL_LESS);
-    lit(programs.solid).use();
-    lit(programs.solid).set("surfaces", kOpaqueSurfaces);
-    scene.draw(SceneBuffers::Part::Bodies);
+    const auto drawWith = [&](const ShaderProgram& program, SceneBuffers::Batches batches) {
+        program.use();
+        program.set("surfaces", kOpaqueSurfaces);
+        scene.draw(SceneBuffers::Part::Bodies, batches);
+    };
+    drawWith(lit(programs.solid), SceneBuffers::Batches::Plain);
+    if (scene.hasTextures()) drawWith(lit(programs.texturedSolid), SceneBuffers::Batches::Textured);
     glDisable(GL_CULL_FACE);
 }
 
 void RenderPasses::drawTransparent(const RenderView& view) {
-    if (summary.hasTransparent) transparency.draw(scene, view.size, lit(programs.transparent), view.camera.distance);
+    if (summary.hasTransparent)
+        transparency.draw(scene, view.size, lit(programs.transparent), lit(programs.texturedTransparent),
+                          view.camera.distance);
 }
 
 void RenderPasses::drawEdges(const EdgePass& pass) {

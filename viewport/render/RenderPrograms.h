@@ -12,7 +12,8 @@ struct LitPrograms {
 /// All shader programs.
 struct RenderPrograms {
     LitPrograms solid, transparent, ground;
-    ShaderProgram surfaces, light, lightBlur;  // of the light buffer
+    LitPrograms texturedSolid, texturedTransparent;  // of batches with an image
+    ShaderProgram surfaces, light, lightBlur;        // of the light buffer
     ShaderProgram wires, depth, glassShadow, pick, screenLines, sceneLines, dust, mean;
 };
 

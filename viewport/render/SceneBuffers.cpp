@@ -1,6 +1,7 @@
 #include "viewport/render/SceneBuffers.h"
 
 #include "core/base/limits/SoftwareRendererNeeds.h"
+#include "viewport/render/ImageDecoding.h"
 
 #include <epoxy/gl.h>
 
@@ -30,9 +31,33 @@ std::size_t bytesOf(const SceneGeometry& geometry) {
 /// What is uploaded of a scene, bytes, counting what several batches share once for each.
 std::size_t geometryBytes(const RenderScene& scene) {
     std::size_t bytes = 0;
-    for (const SceneBatch& batch : scene.batches)
+    for (const SceneBatch& batch : scene.batches) {
         bytes += bytesOf(*batch.geometry) + (batch.hulls ? bytesOf(*batch.hulls) : 0);
+        if (batch.texture)
+            bytes += std::size_t{8} * batch.texture->width() * batch.texture->height();  // decoded, twice
+    }
     return bytes;
+}
+
+void bindTexture(std::uint32_t texture) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(TextureUnit::BaseColour));
+    glBindTexture(GL_TEXTURE_2D, texture);
+}
+
+/// An image that repeats, with all of its mipmaps.
+GlTexture textureOf(const DecodedImage& image) {
+    GlTexture texture = GlTexture::create();
+    bindTexture(texture.id());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8, static_cast<GLsizei>(image.width), static_cast<GLsizei>(image.height), 0,
+                 GL_RGB, GL_UNSIGNED_BYTE, image.pixels.data());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glGenerateMipmap(GL_TEXTURE_2D);
+    return texture;
 }
 
 const void* at(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
@@ -72,9 +97,21 @@ const SceneBuffers::Geometry& SceneBuffers::uploaded(const std::shared_ptr<const
     return m_geometries.back();
 }
 
+std::uint32_t SceneBuffers::uploaded(const std::shared_ptr<const EncodedImage>& source) {
+    const auto known = std::ranges::find(m_textures, source, &Texture::source);
+    if (known != m_textures.end()) return known->texels.id();
+    m_textures.push_back({source, {}});
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    const std::optional<DecodedImage> image = decoded(*source, static_cast<std::uint32_t>(largest));
+    if (image) m_textures.back().texels = textureOf(*image);
+    return m_textures.back().texels.id();
+}
+
 SceneBuffers::Batch SceneBuffers::batchOf(const SceneBatch& batch) {
     m_counts.geometryBytes += std::span(batch.firstBodies).size_bytes();
     Batch made{bufferOf(GL_ARRAY_BUFFER, batch.firstBodies), GlVertexArray::create(), {}};
+    if (batch.texture) made.texture = uploaded(batch.texture);
     const Geometry& geometry = uploaded(batch.geometry);
     glBindVertexArray(made.bodies.id());
     describeVertices(geometry.vertices, geometry.indices, made.firstBodies);
@@ -96,6 +133,9 @@ void SceneBuffers::uploadBatches() {
         });
     };
     std::erase_if(m_geometries, [&](const Geometry& geometry) { return !isUsed(geometry); });
+    std::erase_if(m_textures, [&](const Texture& texture) {
+        return std::ranges::find(m_scene->batches, texture.source, &SceneBatch::texture) == m_scene->batches.end();
+    });
     for (const SceneBatch& batch : m_scene->batches) m_batches.push_back(batchOf(batch));
 }
 
@@ -116,12 +156,15 @@ void SceneBuffers::upload(std::shared_ptr<const RenderScene> scene) {
     write(m_appearances, m_scene->appearances);
 }
 
-void SceneBuffers::draw(Part part) const {
+void SceneBuffers::draw(Part part, Batches batches) const {
     for (const TexelBuffer* texels : {&m_poses, &m_previousPoses, &m_explodeOffsets, &m_appearances}) texels->bind();
     for (std::size_t k = 0; k < m_batches.size(); ++k) {
         const SceneBatch& batch = m_scene->batches[k];
         const SceneGeometry* geometry = (part == Part::Hulls ? batch.hulls : batch.geometry).get();
-        if (geometry == nullptr || batch.firstBodies.empty()) continue;
+        const std::uint32_t texture = m_batches[k].texture;
+        const bool isOther = batches != Batches::All && (texture != 0) != (batches == Batches::Textured);
+        if (geometry == nullptr || batch.firstBodies.empty() || isOther) continue;
+        if (batches == Batches::Textured) bindTexture(texture);
         glBindVertexArray((part == Part::Hulls ? m_batches[k].hulls : m_batches[k].bodies).id());
         glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(geometry->indices.size()), GL_UNSIGNED_INT, nullptr,
                                 static_cast<GLsizei>(batch.firstBodies.size()));

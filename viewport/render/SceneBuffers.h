@@ -24,8 +24,11 @@ public:
     const std::shared_ptr<const RenderScene>& scene() const { return m_scene; }
 
     enum class Part { Bodies, Hulls };
+    /// Plain: those without an image, or with one that cannot be decoded.
+    enum class Batches { All, Plain, Textured };
     /// Draws all triangles with the current program: one call per batch.
-    void draw(Part part) const;
+    void draw(Part part, Batches batches = Batches::All) const;
+    bool hasTextures() const { return !m_textures.empty(); }
     const RenderCounts& counts() const { return m_counts; }
 
 private:
@@ -38,13 +41,20 @@ private:
         GlBuffer firstBodies;
         GlVertexArray bodies;
         GlVertexArray hulls;
+        std::uint32_t texture = 0;  // 0: none
+    };
+    struct Texture {
+        std::shared_ptr<const EncodedImage> source;
+        GlTexture texels;  // none: it cannot be decoded
     };
     void uploadBatches();
     const Geometry& uploaded(const std::shared_ptr<const SceneGeometry>& source);
+    std::uint32_t uploaded(const std::shared_ptr<const EncodedImage>& source);
     Batch batchOf(const SceneBatch& batch);
 
     std::shared_ptr<const RenderScene> m_scene;
     std::vector<Geometry> m_geometries;
+    std::vector<Texture> m_textures;
     std::vector<Batch> m_batches;
     TexelBuffer m_poses, m_previousPoses, m_explodeOffsets, m_appearances;
     mutable RenderCounts m_counts;

@@ -69,7 +69,7 @@ void TransparencyPass::allocate(ImageSize size, int samples) {
 }
 
 void TransparencyPass::draw(const SceneBuffers& scene, ImageSize size, const ShaderProgram& surfaces,
-                            double focusDistance) {
+                            const ShaderProgram& texturedSurfaces, double focusDistance) {
     GLint bound = 0, samples = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
     glGetIntegerv(GL_SAMPLES, &samples);
@@ -88,10 +88,14 @@ void TransparencyPass::draw(const SceneBuffers& scene, ImageSize size, const Sha
     glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_LESS);
-    surfaces.use();
-    surfaces.set("surfaces", kTransparentSurfaces);
-    surfaces.set("focusDistance", static_cast<float>(focusDistance));
-    scene.draw(SceneBuffers::Part::Bodies);
+    const auto drawWith = [&](const ShaderProgram& program, SceneBuffers::Batches batches) {
+        program.use();
+        program.set("surfaces", kTransparentSurfaces);
+        program.set("focusDistance", static_cast<float>(focusDistance));
+        scene.draw(SceneBuffers::Part::Bodies, batches);
+    };
+    drawWith(surfaces, SceneBuffers::Batches::Plain);
+    if (scene.hasTextures()) drawWith(texturedSurfaces, SceneBuffers::Batches::Textured);
     glDisable(GL_CULL_FACE);
     for (const GLenum attachment : kBoth) {
         if (samples == 0) break;

@@ -13,8 +13,10 @@ public:
     /// Errors: see ShaderProgram::create().
     static Result<TransparencyPass> create();
 
-    /// Draws to the bound framebuffer of a size, whose depths occlude. `surfaces`: the program of transparent.frag.
-    void draw(const SceneBuffers& scene, ImageSize size, const ShaderProgram& surfaces, double focusDistance);
+    /// Draws to the bound framebuffer of a size, whose depths occlude. `surfaces`: the program of transparent.frag,
+    /// `texturedSurfaces`: its variant for batches with an image.
+    void draw(const SceneBuffers& scene, ImageSize size, const ShaderProgram& surfaces,
+              const ShaderProgram& texturedSurfaces, double focusDistance);
 
 private:
     explicit TransparencyPass(ShaderProgram blend) : m_blend(std::move(blend)) {}

@@ -35,7 +35,7 @@ public:
                                   .aspect = aspectRatio(solid.outline()),
                                   .level = fragment.level,
                                   .colour = colour});
-        addPiece(*m_geometry, m_mesher.fragmentMesh(fragment, cuts.cornersOf(number)));
+        addPiece(*m_geometry, m_mesher.fragmentMesh(fragment, cuts.cornersOf(number)), texture());
         if (m_hulls) addPiece(*m_hulls, solid.hulls());
     }
 
@@ -49,7 +49,7 @@ public:
                                   .volume = bake.whole.volume,
                                   .aspect = aspectRatio(m_model.asset.prism.outline),
                                   .colour = colour});
-        addPiece(*m_geometry, mesh);
+        addPiece(*m_geometry, mesh, texture());
         if (!m_hulls) return;
         std::vector<Polytope> hulls = bake.wholeHulls;
         for (Polytope& hull : hulls) hull = translated(std::move(hull), centre);
@@ -63,6 +63,8 @@ public:
     }
 
 private:
+    const Texture* texture() const { return m_model.asset.texture ? &*m_model.asset.texture : nullptr; }
+
     AssetModel m_model;
     FragmentMesher m_mesher;
     std::shared_ptr<SceneGeometry> m_geometry;
@@ -96,6 +98,14 @@ Asset unbroken(Asset asset) {
 }
 
 }  // namespace
+
+SceneBatch batchOf(const AssetModel& model, const SceneOptions& options) {
+    const bool isTextured = model.asset.texture && options.colouring == SceneColouring::Material;
+    return {.geometry = model.geometry,
+            .hulls = options.hasHulls ? model.hulls : nullptr,
+            .firstBodies = {},
+            .texture = isTextured ? model.asset.texture->image : nullptr};
+}
 
 AssetModel modelOf(const Asset& asset, std::shared_ptr<const Bake> bake, const SceneOptions& options) {
     ModelBuilder builder({.asset = asset, .bake = bake, .level = options.level}, options.hasHulls);

@@ -34,6 +34,9 @@ struct AssetModel {
     std::shared_ptr<const std::vector<ModelBond>> bonds;  // each once; null if not requested
 };
 
+/// A batch of a model without instances. Only where bodies are coloured by material it has the model's texture.
+SceneBatch batchOf(const AssetModel& model, const SceneOptions& options);
+
 /// The model of a bake's fragments, or of the whole asset if `bake` is null. It has no pieces if the prism cannot be
 /// fractured.
 AssetModel modelOf(const Asset& asset, std::shared_ptr<const Bake> bake, const SceneOptions& options);

@@ -13,7 +13,7 @@ PieceBuilder::PieceBuilder(SceneGeometry& geometry) : m_geometry(geometry), m_pi
     geometry.boxes.emplace_back();
 }
 
-void PieceBuilder::beginFace(Vec3 normal, FaceSide side) {
+void PieceBuilder::beginFace(Vec3 normal, VertexSide side) {
     m_like.normal = glm::vec3(normal);
     m_like.side = side;
     m_like.piece = m_piece;

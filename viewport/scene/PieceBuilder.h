@@ -12,7 +12,7 @@ public:
     explicit PieceBuilder(SceneGeometry& geometry);
 
     /// Begins a face; its corners follow.
-    void beginFace(Vec3 normal, FaceSide side);
+    void beginFace(Vec3 normal, VertexSide side);
     /// `isEdge`: the edge to the next corner is visible.
     void addCorner(Vec3 position, Vec2 uv, bool isEdge);
     void endFace();

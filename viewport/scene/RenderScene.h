@@ -55,8 +55,9 @@ inline constexpr std::uint32_t kHovered = 4;
 /// All instances of one geometry.
 struct SceneBatch {
     std::shared_ptr<const SceneGeometry> geometry;
-    std::shared_ptr<const SceneGeometry> hulls;  // the same pieces as convex hulls; null if not shown
-    std::vector<std::uint32_t> firstBodies;      // per instance: the body of its piece 0; the other pieces follow
+    std::shared_ptr<const SceneGeometry> hulls;   // the same pieces as convex hulls; null if not shown
+    std::vector<std::uint32_t> firstBodies;       // per instance: the body of its piece 0; the other pieces follow
+    std::shared_ptr<const EncodedImage> texture;  // of its textured vertices; null: they are as others
     bool operator==(const SceneBatch&) const = default;
 };
 

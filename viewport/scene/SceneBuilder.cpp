@@ -18,7 +18,8 @@ bool isModelOf(const AssetModel& model, const Asset& asset, std::uint32_t varian
                const std::shared_ptr<const Bake>& bake, const SceneOptions& options) {
     return model.asset.id == asset.id && model.variant == variant && model.level == options.level &&
            isSameBake(model.bake, bake) && (bake || model.asset.prism == asset.prism) &&
-           model.asset.surface == asset.surface && model.asset.insideUvScale == asset.insideUvScale &&
+           model.asset.surface == asset.surface && model.asset.texture == asset.texture &&
+           model.asset.insideUvScale == asset.insideUvScale &&
            model.asset.shaping.roughness == asset.shaping.roughness && (model.hulls || !options.hasHulls) &&
            (model.bonds || !options.hasBonds || !bake);
 }
@@ -32,7 +33,7 @@ public:
 
     void add(const AssetModel& model) {
         if (model.pieces.empty()) return;
-        m_scene.batches.push_back({model.geometry, m_options.hasHulls ? model.hulls : nullptr, {}});
+        m_scene.batches.push_back(batchOf(model, m_options));
         m_models.push_back(&model);
         if (m_options.asset != 0) return addInstance(model, 0, Pose{});
         for (const Instance& instance : m_project.instances) {

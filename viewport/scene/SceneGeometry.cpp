@@ -24,13 +24,18 @@ std::vector<DirectedEdge> edgesOf(const Mesh& mesh, std::size_t first, std::size
     return edges;
 }
 
+VertexSide sideOf(const MeshFace& face, const Texture* texture) {
+    if (face.side == FaceSide::Inside) return VertexSide::Inside;
+    return texture != nullptr && texture->covers(face.material) ? VertexSide::Textured : VertexSide::Outside;
+}
+
 /// Adds the coplanar faces [first, end).
-void addFaces(const Mesh& mesh, std::size_t first, std::size_t end, PieceBuilder& builder) {
+void addFaces(const Mesh& mesh, const Texture* texture, std::size_t first, std::size_t end, PieceBuilder& builder) {
     const bool isSingle = end - first == 1;
     const std::vector<DirectedEdge> edges = isSingle ? std::vector<DirectedEdge>() : edgesOf(mesh, first, end);
     for (std::size_t f = first; f < end; ++f) {
         const MeshFace& face = mesh.faces[f];
-        builder.beginFace(mesh.normals[face.normal], face.side);
+        builder.beginFace(mesh.normals[face.normal], sideOf(face, texture));
         const std::span<const MeshCorner> corners = mesh.cornersOf(face);
         for (std::size_t k = 0; k < corners.size(); ++k) {
             const DirectedEdge back{corners[(k + 1) % corners.size()].position, corners[k].position};
@@ -51,13 +56,13 @@ void setSizeCode(SceneGeometry& geometry, std::size_t first) {
 
 }  // namespace
 
-void addPiece(SceneGeometry& geometry, const Mesh& mesh) {
+void addPiece(SceneGeometry& geometry, const Mesh& mesh, const Texture* texture) {
     const std::size_t firstVertex = geometry.vertices.size();
     PieceBuilder builder(geometry);
     for (std::size_t first = 0; first < mesh.faces.size();) {
         std::size_t end = first + 1;
         while (end < mesh.faces.size() && mesh.faces[end].normal == mesh.faces[first].normal) ++end;
-        addFaces(mesh, first, end, builder);
+        addFaces(mesh, texture, first, end, builder);
         first = end;
     }
     setSizeCode(geometry, firstVertex);
@@ -68,7 +73,7 @@ void addPiece(SceneGeometry& geometry, std::span<const Polytope> hulls) {
     PieceBuilder builder(geometry);
     for (const Polytope& hull : hulls) {
         for (std::size_t f = 0; f < hull.faces.size(); ++f) {
-            builder.beginFace(hull.planes[f].normal, FaceSide::Outside);
+            builder.beginFace(hull.planes[f].normal, VertexSide::Outside);
             for (const std::uint32_t vertex : hull.faces[f]) {
                 builder.addCorner(hull.vertices[vertex], Vec2(0.0, 0.0), true);
             }

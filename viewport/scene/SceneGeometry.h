@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/asset/project/Texture.h"
 #include "core/geometry/hull/Polytope.h"
 #include "core/geometry/mesh/Mesh.h"
 #include "core/geometry/mesh/TriangleMesh.h"
@@ -9,6 +10,9 @@
 #include <vector>
 
 namespace rubble {
+
+/// What gives a vertex its colour. Textured: on the outside, with the image of its batch.
+enum class VertexSide : std::uint8_t { Outside, Inside, Textured };
 
 /// A vertex as uploaded to the GPU. Faces are flat and share no vertices.
 struct SceneVertex {
@@ -21,7 +25,7 @@ struct SceneVertex {
     /// interpolated values the fragment shader computes the distance to the nearest edge, so that edges need no line
     /// geometry.
     std::array<std::uint8_t, 2> across{128, 128};
-    FaceSide side = FaceSide::Outside;
+    VertexSide side = VertexSide::Outside;
     std::uint8_t sizeCode = 0;  // of the piece's bounding box: a diagonal of 2^((sizeCode - 128) / 8) m
 };
 
@@ -37,7 +41,8 @@ struct SceneGeometry {
 
 /// Appends a piece with the faces of a mesh, or of several hulls; the faces are convex. Edges between coplanar faces of
 /// a mesh (the convex parts of a cap) are hidden.
-void addPiece(SceneGeometry& geometry, const Mesh& mesh);
+/// `texture`: of the mesh's outside; null: none.
+void addPiece(SceneGeometry& geometry, const Mesh& mesh, const Texture* texture = nullptr);
 void addPiece(SceneGeometry& geometry, std::span<const Polytope> hulls);
 
 }  // namespace rubble

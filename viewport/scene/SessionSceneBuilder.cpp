@@ -84,7 +84,7 @@ RenderScene SessionSceneBuilder::emptyLayout() const {
     RenderScene layout{.isOutdoors = true, .hasGround = project.ground.isOn, .groundHeight = project.ground.height};
     if (!project.instances.empty()) layout.origin = project.instances.front().pose.position;
     for (std::size_t k = 0; k < m_scene->assets.size(); ++k) {
-        layout.batches.push_back({m_models[k].drawn.geometry, m_models[k].drawn.hulls, {}});
+        layout.batches.push_back(batchOf(m_models[k].drawn, m_options));
     }
     return layout;
 }
@@ -229,7 +229,7 @@ void SessionSceneBuilder::addSlot(const Session& session, std::uint32_t origin, 
     free->first = static_cast<std::uint32_t>(m_layout.picks.size());
     const std::size_t model = modelOf(added);
     const AssetModel& drawn = m_models[model].drawn;
-    if (model == m_layout.batches.size()) m_layout.batches.push_back({drawn.geometry, drawn.hulls, {}});
+    if (model == m_layout.batches.size()) m_layout.batches.push_back(batchOf(drawn, m_options));
     m_layout.batches[model].firstBodies.push_back(free->first);
     for (const ModelPiece& piece : drawn.pieces) {
         m_layout.picks.push_back({drawn.asset.id, session.origins()[origin].instance, piece.fragment, origin});

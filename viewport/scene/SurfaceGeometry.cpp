@@ -87,10 +87,10 @@ void addSurface(SceneGeometry& geometry, const TriangleMesh& mesh) {
         const auto corner = [&](std::size_t k, std::size_t edge) {
             builder.addCorner(mesh.points[points[k]], Vec2(0.0), areShown[3 * triangle + edge]);
         };
-        builder.beginFace(normals[triangle], FaceSide::Outside);
+        builder.beginFace(normals[triangle], VertexSide::Outside);
         for (std::size_t k = 0; k < 3; ++k) corner(k, k);
         builder.endFace();
-        builder.beginFace(-normals[triangle], FaceSide::Inside);
+        builder.beginFace(-normals[triangle], VertexSide::Inside);
         for (std::size_t k = 3; k-- > 0;) corner(k, (k + 2) % 3);
         builder.endFace();
     }

@@ -200,6 +200,7 @@ std::string refusalText(const RefusedFile& file) {
         case Refusal::LinkLoop: return start + "a link that leads back to itself";
         case Refusal::AnyLink: return start + "a link; this system cannot follow links within a folder only";
         case Refusal::NotAFile: return start + "which is no file that can be read";
+        case Refusal::TooLarge: return start + "which is too large to be read; make it smaller";
         case Refusal::Missing: break;
     }
     return start + "which does not exist";
@@ -230,10 +231,14 @@ std::string MeshFiles::meshContent() {
     return contentOf(*stream);
 }
 
-std::optional<std::string> MeshFiles::content(const std::string& name) {
+std::optional<std::string> MeshFiles::content(const std::string& name, std::size_t most) {
     const std::string existing = existingName(name);
     const std::unique_ptr<Assimp::IOStream> stream(existing.empty() ? nullptr : Open(existing.c_str(), "rb"));
-    if (stream) return contentOf(*stream);
+    if (stream && stream->FileSize() <= most) return contentOf(*stream);
+    if (stream) {
+        refuse(name, Refusal::TooLarge);
+        return std::nullopt;
+    }
     // Messages have the name as the mesh has it.
     const auto told = std::ranges::find(m_refused, existing, &RefusedFile::name);
     if (told != m_refused.end()) {
@@ -272,7 +277,7 @@ std::shared_ptr<const Descriptor> MeshFiles::opened(const std::string& name) {
 }
 
 void MeshFiles::refuse(const std::string& name, Refusal reason) {
-    const bool isForbidden = reason != Refusal::Missing && reason != Refusal::NotAFile;
+    const bool isForbidden = reason != Refusal::Missing && reason != Refusal::NotAFile && reason != Refusal::TooLarge;
     if (m_log == FileLog::On && isForbidden) logFile("refused", name);
     if (std::ranges::find(m_refused, name, &RefusedFile::name) == m_refused.end()) m_refused.push_back({name, reason});
 }

@@ -5,6 +5,7 @@
 
 #include <assimp/IOSystem.hpp>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,7 +29,7 @@ Result<MeshPlace> openMesh(const std::string& path);
 enum class FileLog { Off, On };
 
 /// Why a file is not read to which a mesh refers.
-enum class Refusal { Outside, LinkOutside, LinkLoop, AnyLink, NotAFile, Missing };
+enum class Refusal { Outside, LinkOutside, LinkLoop, AnyLink, NotAFile, Missing, TooLarge };
 
 struct RefusedFile {
     std::string name;  // as the mesh has it
@@ -55,8 +56,9 @@ public:
     /// Errors: throws MeshError if it cannot be read.
     std::string meshContent();
     /// Returns the content of the file that a mesh calls `name`: the file of that name, else the one of the name with
-    /// its percent escapes decoded once, else with / for \. Nothing if it is not read; refused() tells why.
-    std::optional<std::string> content(const std::string& name);
+    /// its percent escapes decoded once, else with / for \. Nothing if it is not read, or has more than `most` bytes;
+    /// refused() tells why.
+    std::optional<std::string> content(const std::string& name, std::size_t most = SIZE_MAX);
 
     /// The files that were not read, in the order in which they were refused, each once.
     const std::vector<RefusedFile>& refused() const { return m_refused; }

@@ -10,7 +10,4 @@ namespace rubble {
 /// null character.
 std::optional<std::string> percentDecoded(std::string_view uri);
 
-/// Returns the bytes of base64 text, which may lack its padding. Nothing if it has other characters.
-std::optional<std::string> base64Decoded(std::string_view text);
-
 }  // namespace rubble

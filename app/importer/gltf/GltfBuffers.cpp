@@ -3,6 +3,7 @@
 #include "app/importer/files/MeshError.h"
 #include "app/importer/files/PercentEncoding.h"
 #include "app/importer/gltf/Meshopt.h"
+#include "core/io/text/Base64.h"
 
 #include <algorithm>
 
@@ -19,15 +20,6 @@ std::uint32_t integerAt(std::string_view bytes, std::size_t at) {
 }
 
 std::string named(const char* what, std::uint32_t index) { return what + std::to_string(index) + "]"; }
-
-/// The bytes of a data URI, "data:application/octet-stream;base64,AAAA"; nothing if they are invalid.
-std::optional<std::string> dataOf(std::string_view uri) {
-    const std::size_t comma = uri.find(',');
-    if (comma == std::string_view::npos) return std::nullopt;
-    const std::string_view data = uri.substr(comma + 1);
-    const std::string text = percentDecoded(data).value_or(std::string(data));
-    return uri.substr(0, comma).ends_with(";base64") ? base64Decoded(text) : text;
-}
 
 /// Where the chunk behind one that ends at a position begins: there, or at the next multiple of four if a length lacks
 /// its padding.
@@ -72,6 +64,14 @@ std::string_view GltfBuffers::view(std::uint32_t index) {
         if (!bytes) failGltf("the compressed bytes of " + named("bufferViews[", index) + " are damaged");
     }
     return *bytes;
+}
+
+std::optional<std::string> GltfBuffers::dataOf(std::string_view uri) {
+    const std::size_t comma = uri.find(',');
+    if (comma == std::string_view::npos) return std::nullopt;
+    const std::string_view data = uri.substr(comma + 1);
+    const std::string text = percentDecoded(data).value_or(std::string(data));
+    return uri.substr(0, comma).ends_with(";base64") ? base64Decoded(text) : text;
 }
 
 std::string_view GltfBuffers::bytesOf(std::uint32_t index, std::uint64_t offset, std::uint64_t size,

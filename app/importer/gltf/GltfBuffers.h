@@ -36,6 +36,8 @@ public:
 
     /// The bytes of a view, decompressed.
     std::string_view view(std::uint32_t index);
+    /// The bytes of a data URI, "data:application/octet-stream;base64,AAAA"; nothing if they are invalid.
+    static std::optional<std::string> dataOf(std::string_view uri);
 
 private:
     std::string_view buffer(std::uint32_t index);

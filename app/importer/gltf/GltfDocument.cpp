@@ -183,6 +183,7 @@ GltfMaterial materialOf(JsonValue value) {
     }
     const JsonValue texture = glossy.isPresent() ? glossy["diffuseTexture"] : at(metallic, {"baseColorTexture"});
     if (!texture.isPresent()) return material;
+    material.texture = indexOf(texture["index"]);
     material.uvSet = numberOr(texture["texCoord"], 0);
     const JsonValue transform = extensionOf(texture, "KHR_texture_transform");
     if (!transform.isPresent()) return material;
@@ -191,6 +192,14 @@ GltfMaterial materialOf(JsonValue value) {
     if (transform["scale"].isPresent()) material.uvScale = transform["scale"].point();
     if (transform["rotation"].isPresent()) material.uvRotation = transform["rotation"].number();
     return material;
+}
+
+GltfIndex imageOfTexture(JsonValue value) { return indexOf(value["source"]); }
+
+GltfImage imageOf(JsonValue value) {
+    GltfImage image{.name = nameOf(value), .uri = std::nullopt, .view = indexOf(value["bufferView"])};
+    if (value["uri"].isPresent()) image.uri = value["uri"].text();
+    return image;
 }
 
 /// Returns whether an extension is read, or changes only what is not read.
@@ -259,6 +268,8 @@ GltfDocument readGltfDocument(std::string_view json) {
     document.nodes = listOf(root["nodes"], nodeOf);
     document.skins = listOf(root["skins"], skinOf);
     document.materials = listOf(root["materials"], materialOf);
+    document.textures = listOf(root["textures"], imageOfTexture);
+    document.images = listOf(root["images"], imageOf);
     document.roots = rootsOf(root, document);
     document.hasAnimations = root["animations"].isPresent() && root["animations"].elements().size() > 0;
     if (parsed->firstError())

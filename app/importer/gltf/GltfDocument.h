@@ -14,7 +14,7 @@
 
 namespace rubble {
 
-// A glTF 2.0 document as the JSON text has it, without what is not read: normals, images, cameras and lights. Links are
+// A glTF 2.0 document as the JSON text has it, without what is not read: normals, cameras and lights. Links are
 // indices; none is checked yet but that it is a number.
 
 using GltfIndex = std::optional<std::uint32_t>;
@@ -92,9 +92,16 @@ struct GltfSkin {
     GltfIndex inverseBindMatrices;
 };
 
+struct GltfImage {
+    std::string name;
+    std::optional<std::string> uri;
+    GltfIndex view;
+};
+
 struct GltfMaterial {
     std::string name;
-    Vec3 colour{1.0};  // linear
+    Vec3 colour{1.0};   // linear
+    GltfIndex texture;  // of the base colour
     // How texture coordinates are read: those of a set, transformed (KHR_texture_transform).
     std::uint32_t uvSet = 0;
     Vec2 uvOffset{0.0}, uvScale{1.0};
@@ -109,6 +116,8 @@ struct GltfDocument {
     std::vector<GltfNode> nodes;
     std::vector<GltfSkin> skins;
     std::vector<GltfMaterial> materials;
+    std::vector<GltfIndex> textures;  // the image of each; none: in a format of an extension
+    std::vector<GltfImage> images;
     std::vector<std::uint32_t> roots;  // of the scene that is shown
     std::size_t sceneCount = 0;
     bool hasAnimations = false;

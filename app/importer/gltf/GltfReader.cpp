@@ -1,6 +1,8 @@
 #include "app/importer/gltf/GltfReader.h"
 
 #include "app/importer/files/AssimpValues.h"
+#include "app/importer/files/MeshError.h"
+#include "app/importer/files/MeshImages.h"
 #include "app/importer/gltf/GltfShapes.h"
 
 #include <algorithm>
@@ -18,6 +20,30 @@ std::vector<SourceMaterial> materialsOf(const GltfDocument& document) {
     }
     materials.push_back({.name = {}, .colour = Vec3(1.0)});
     return materials;
+}
+
+/// Reads the image of a material's base colour; nothing if it has none or it is not read.
+std::optional<std::uint32_t> imageOf(const GltfMaterial& material, const GltfDocument& document, GltfBuffers& buffers,
+                                     MeshImages& images) {
+    if (!material.texture) return std::nullopt;
+    const bool hasTexture = *material.texture < document.textures.size();
+    const GltfIndex index = hasTexture ? document.textures[*material.texture] : std::nullopt;
+    if (!index || *index >= document.images.size()) {
+        images.note(material.name, hasTexture && !index ? "is in a format that is not read; export it as PNG or JPEG"
+                                                        : "does not exist");
+        return std::nullopt;
+    }
+    const GltfImage& image = document.images[*index];
+    const std::string key = "images[" + std::to_string(*index) + "]";
+    const std::string& name = image.name.empty() ? material.name : image.name;
+    if (image.uri && !image.uri->starts_with("data:")) return images.file(*image.uri);
+    try {
+        if (image.uri) return images.embedded(key, name, GltfBuffers::dataOf(*image.uri).value_or(""));
+        return images.embedded(key, name, image.view ? buffers.view(*image.view) : std::string_view());
+    } catch (const MeshError&) {
+        images.note(name, "has no bytes; export it again");
+        return std::nullopt;
+    }
 }
 
 /// The name of a node, else of its mesh, else of the closest parent with a name.
@@ -63,6 +89,9 @@ SourceScene readGltf(std::string_view bytes, MeshFiles& files) {
     const std::vector<Mat4> fromNodes = sceneTransforms(document, parents);
     GltfShapes shapes(document, buffers, accessors, fromNodes);
     SourceScene scene{.metresPerUnit = 1.0, .materials = materialsOf(document)};
+    MeshImages images(files, scene);
+    for (std::size_t k = 0; k < document.materials.size(); ++k)
+        scene.materials[k].image = imageOf(document.materials[k], document, buffers, images);
     for (const std::uint32_t index : shownNodes(document)) {
         const GltfNode& node = document.nodes[index];
         if (!node.mesh) continue;

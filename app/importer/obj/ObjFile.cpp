@@ -6,6 +6,7 @@
 #include "core/base/MessageText.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -187,19 +188,54 @@ private:
     std::uint32_t m_material = 0;
 };
 
+/// Reads what follows map_Kd: options with numbers or words, then a name that may have spaces.
+ObjTexture textureOf(std::string_view rest) {
+    ObjTexture texture;
+    for (;;) {
+        std::string_view behind = rest;
+        const std::string_view option = takeWord(behind);
+        const bool isVector = option == "-o" || option == "-s" || option == "-t";
+        const auto isOption = [&](const char* name) { return option == name; };
+        const int words = option == "-mm" ? 2
+                          : std::ranges::any_of(std::array{"-blendu", "-blendv", "-boost", "-bm", "-cc", "-clamp",
+                                                           "-imfchan", "-texres", "-type"},
+                                                isOption)
+                              ? 1
+                              : 0;
+        if (!isVector && words == 0) break;
+        for (int k = 0; k < words; ++k) takeWord(behind);
+        for (int k = 0; isVector && k < 3; ++k) {
+            std::string_view next = behind;
+            const std::optional<double> number = numberOf(takeWord(next));
+            if (!number) break;
+            texture.isTransformed |= *number != (option == "-s" ? 1.0 : 0.0);
+            behind = next;
+        }
+        rest = behind;
+    }
+    texture.file = trimmed(rest);
+    return texture;
+}
+
 }  // namespace
 
 ObjFile readObjText(std::string_view text) { return ObjParser(text).file(); }
 
-void readMaterialFile(std::string_view text, std::vector<SourceMaterial>& materials) {
+void readMaterialFile(std::string_view text, std::vector<SourceMaterial>& materials,
+                      std::vector<ObjTexture>& textures) {
     Lines lines(text);
     SourceMaterial* current = nullptr;
+    std::vector<bool> hasColour(materials.size(), false);
+    const auto index = [&] { return static_cast<std::size_t>(current - materials.data()); };
     for (std::string_view line; lines.next(line);) {
         const std::string_view word = takeWord(line);
         if (word == "newmtl") {
             const auto found = std::ranges::find(materials, lineOf(trimmed(line)), &SourceMaterial::name);
             current = found == materials.end() ? nullptr : &*found;
+        } else if (word == "map_Kd" && current != nullptr) {
+            textures[index()] = textureOf(line);
         } else if (word == "Kd" && current != nullptr) {
+            hasColour[index()] = true;
             for (int k = 0; k < 3; ++k) {
                 const std::optional<double> part = numberOf(takeWord(line));
                 if (!part || !std::isfinite(*part)) break;
@@ -207,6 +243,8 @@ void readMaterialFile(std::string_view text, std::vector<SourceMaterial>& materi
             }
         }
     }
+    for (std::size_t k = 0; k < textures.size(); ++k)
+        if (!textures[k].file.empty() && !hasColour[k]) materials[k].colour = Vec3(1.0);
 }
 
 }  // namespace rubble

@@ -51,7 +51,14 @@ struct ObjFile {
 /// Source: Alias|Wavefront, "Object Files (.obj)", 1995.
 ObjFile readObjText(std::string_view text);
 
-/// Adds the colours of a material file, its Kd, to the materials of the same names.
-void readMaterialFile(std::string_view text, std::vector<SourceMaterial>& materials);
+/// A texture of the base colour, map_Kd.
+struct ObjTexture {
+    std::string file;            // as the material file names it; empty: none
+    bool isTransformed = false;  // moved, scaled or made turbulent by options, which are not read
+};
+
+/// Reads the colours and the textures of a material file, Kd and map_Kd, of the materials with the given names; those
+/// of other materials stay as they are. A material with a texture alone is white. `textures`: one per material.
+void readMaterialFile(std::string_view text, std::vector<SourceMaterial>& materials, std::vector<ObjTexture>& textures);
 
 }  // namespace rubble

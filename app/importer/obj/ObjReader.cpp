@@ -1,12 +1,15 @@
 #include "app/importer/obj/ObjReader.h"
 
 #include "app/importer/files/MeshError.h"
+#include "app/importer/files/MeshImages.h"
 #include "app/importer/files/PolygonTriangles.h"
 #include "app/importer/files/TextWords.h"
 #include "app/importer/obj/ObjObjects.h"
 #include "core/base/Index.h"
+#include "core/base/MessageText.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace rubble {
 namespace {
@@ -77,8 +80,8 @@ private:
     std::size_t m_triangles = 0;
 };
 
-/// Reads a material file; a line may name several, or one with spaces in its name.
-void readMaterials(const std::string& names, MeshFiles& files, std::vector<SourceMaterial>& materials) {
+/// Reads a material file and the images of its materials; a line may name several, or one with spaces in its name.
+void readMaterials(const std::string& names, MeshFiles& files, MeshImages& images, SourceScene& scene) {
     std::vector<std::string> all{names};
     if (!files.Exists(names.c_str())) {
         std::string_view rest = names;
@@ -87,8 +90,20 @@ void readMaterials(const std::string& names, MeshFiles& files, std::vector<Sourc
         if (std::ranges::any_of(words, [&](const std::string& word) { return files.Exists(word.c_str()); }))
             all = words;
     }
-    for (const std::string& name : all)
-        if (const std::optional<std::string> text = files.content(name)) readMaterialFile(*text, materials);
+    for (const std::string& name : all) {
+        const std::optional<std::string> text = files.content(name);
+        if (!text) continue;
+        std::vector<ObjTexture> textures(scene.materials.size());
+        readMaterialFile(*text, scene.materials, textures);
+        for (std::size_t k = 0; k < textures.size(); ++k) {
+            if (textures[k].file.empty()) continue;
+            scene.materials[k].image =
+                images.file(textures[k].file, std::filesystem::path(name).parent_path().string());
+            if (textures[k].isTransformed)
+                scene.notes.push_back("The offset and scale of the texture of the material " +
+                                      quotedName(scene.materials[k].name) + " are not read.");
+        }
+    }
 }
 
 }  // namespace
@@ -97,7 +112,8 @@ SourceScene readObj(std::string_view text, MeshFiles& files) {
     const ObjFile file = readObjText(text);
     SourceScene scene;
     for (const std::string& name : file.materials) scene.materials.push_back({.name = name});
-    for (const std::string& names : file.materialFiles) readMaterials(names, files, scene.materials);
+    MeshImages images(files, scene);
+    for (const std::string& names : file.materialFiles) readMaterials(names, files, images, scene);
     scene.objects = ObjAssembly(file).objects();
     if (file.lacksUvs) scene.notes.emplace_back("The file refers to texture coordinates that it does not have.");
     if (file.hasCurves) scene.notes.emplace_back("Free-form curves and surfaces of the file are not read.");

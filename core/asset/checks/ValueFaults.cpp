@@ -116,6 +116,8 @@ std::optional<std::string> faultOf(const Asset& asset) {
     for (const FragmentThreshold& own : asset.fragmentThresholds) {
         if (Sentence fault = rangeFault(owner, {{ProjectNumber::Threshold, own.threshold}})) return fault;
     }
+    if (asset.texture)
+        if (Sentence fault = textureFault(owner, *asset.texture, asset.surface.get())) return fault;
     return playFault(asset);
 }
 

@@ -20,6 +20,8 @@ std::string outlineText(const Polygon& outline) {
     return text + ", " + roundedText(area(outline), 6) + " m²";
 }
 
+std::string textureText(const Asset& asset) { return asset.texture ? textureText(*asset.texture) : "none"; }
+
 std::string onText(bool isOn) { return isOn ? "on" : "off"; }
 
 std::string kindName(const PatternLayer& layer) { return std::string(kindOf(layer.parameters).name); }
@@ -213,6 +215,7 @@ std::vector<RecipeChange> recipeChanges(const Project& before, const Asset& earl
                 std::to_string(earlier.requirements.size()), std::to_string(later.requirements.size()));
     changes.add(isSameSurface(earlier, later), "surface of the imported mesh", onText(earlier.surface != nullptr),
                 onText(later.surface != nullptr));
+    changes.add(earlier.texture == later.texture, "base-colour texture", textureText(earlier), textureText(later));
     return std::move(changes).list();
 }
 

@@ -126,9 +126,13 @@ ImportedAsset added(const ImportPart& part, const ImportedSolid& solid, const So
         result.isReplaced = true;
         old->prism = prism;
         old->surface = solid.surface.surface;
+        old->texture = solid.texture;
         return result;
     }
-    Asset asset{.name = uniqueName(project.assets, part.name), .prism = prism, .surface = solid.surface.surface};
+    Asset asset{.name = uniqueName(project.assets, part.name),
+                .prism = prism,
+                .surface = solid.surface.surface,
+                .texture = solid.texture};
     if (asset.name != part.name)
         result.notes.push_back("The name " + quotedName(part.name) + " is taken; the asset is named " +
                                quotedName(asset.name) + ".");
@@ -180,14 +184,17 @@ std::optional<std::string> solidFault(const ImportPart& part, const ImportedSoli
         const Vec3 position = moved(solid.prism.pose, copy).position;
         if (auto fault = rangeFault(quotedName(name), ProjectNumber::InstancePosition, position)) return fault;
     }
-    return solid.surface.surface ? surfaceFault(quotedName(name), *solid.surface.surface) : std::nullopt;
+    const Surface* surface = solid.surface.surface.get();
+    if (surface != nullptr)
+        if (auto fault = surfaceFault(quotedName(name), *surface)) return fault;
+    return solid.texture ? textureFault(quotedName(name), *solid.texture, surface) : std::nullopt;
 }
 
 void import(const RequestedPart& part, const SourceScene& scene, const ImportOptions& options,
-            const TaskContext& context, ImportOutcome& outcome) {
+            const TaskContext& context, TextureImages& images, ImportOutcome& outcome) {
     if (!part) {
         outcome.rejected.push_back({part.error(), {}});
-    } else if (const Result<ImportedSolid> solid = importedSolid(*part, scene, options); !solid) {
+    } else if (const Result<ImportedSolid> solid = importedSolid(*part, scene, options, images); !solid) {
         RejectedObject& rejected =
             outcome.rejected.emplace_back(RejectedObject{namedError(part->name, solid.error()), {}});
         if (options.findsFallbacks) rejected.fallbacks = workingFallbacks(*part, options.axis, context);
@@ -220,9 +227,10 @@ Result<ImportOutcome> importedInto(Project project, const SourceScene& scene, co
     const Result<std::vector<RequestedPart>> requested = requestedParts(scene, fileName, metresPerUnit, options);
     if (!requested) return requested.error();
     ImportOutcome outcome{.project = std::move(project), .metresPerUnit = metresPerUnit};
+    TextureImages images;
     for (const RequestedPart& part : *requested) {
         if (context.isCancelled()) return TaskContext::cancelled();
-        import(part, scene, options, context, outcome);
+        import(part, scene, options, context, images, outcome);
         context.report(static_cast<double>(&part - requested->data() + 1) / static_cast<double>(requested->size()));
     }
     if (context.isCancelled()) return TaskContext::cancelled();

@@ -29,7 +29,7 @@ struct ImportOptions {
 /// An asset created or replaced by an import.
 struct ImportedAsset {
     Id asset = 0;
-    bool isReplaced = false;    // an existing asset got a new prism and surface and kept everything else
+    bool isReplaced = false;    // an existing asset got a new prism, surface and texture and kept everything else
     bool usesFallback = false;  // the object is not a prism
     std::size_t merged = 0;     // equal objects that are further instances of it
     PrismFit prism;
@@ -59,7 +59,8 @@ struct ImportOutcome {
 
 /// Adds the objects of a mesh file to a project as assets, with an instance of each at the mesh's position. Unconnected
 /// parts of an object become separate assets. Assets are named after their objects, or the file; taken names are
-/// numbered. Materials are found by name, or added with the file's name and colour. A reimported asset keeps its id,
+/// numbered. Materials are found by name, or added with the file's name and colour. Of several images of an asset
+/// the one with the largest area becomes its texture. A reimported asset keeps its id,
 /// material, pattern, levels and threshold, and its instances keep their poses. A rejected object does not block the
 /// others.
 ///

@@ -114,6 +114,50 @@ std::uint32_t largestMaterial(const ImportPart& part) {
     return std::ranges::max_element(areas, {}, [](const auto& area) { return area.second; })->first;
 }
 
+/// The materials of the file that the part uses, in its order: those of its surface.
+std::vector<std::uint32_t> usedMaterials(const ImportPart& part) {
+    std::vector<std::uint32_t> used;
+    for (const SourceTriangle& triangle : part.triangles) used.push_back(triangle.material);
+    std::ranges::sort(used);
+    used.erase(std::ranges::unique(used).begin(), used.end());
+    return used;
+}
+
+/// The area, twice, that each image of the scene covers.
+std::map<std::uint32_t, double> imageAreas(const ImportPart& part, const SourceScene& scene) {
+    std::map<std::uint32_t, double> areas;
+    for (std::size_t i = 0; i < part.triangles.size(); ++i)
+        if (const auto image = scene.materials[part.triangles[i].material].image)
+            areas[*image] += glm::length(doubleArea(part.mesh, i));
+    return areas;
+}
+
+/// The image with the largest area as a texture; none without texture coordinates.
+std::optional<Texture> textureOf(const ImportPart& part, const SourceScene& scene, TextureImages& images,
+                                 std::vector<std::string>& notes) {
+    const std::map<std::uint32_t, double> areas = imageAreas(part, scene);
+    if (areas.empty()) return std::nullopt;
+    const std::uint32_t index =
+        std::ranges::max_element(areas, {}, [](const auto& area) { return area.second; })->first;
+    const SourceImage& source = scene.images[index];
+    if (!part.hasUvs) {
+        notes.push_back("The image " + quotedName(source.name) +
+                        " is not imported: the mesh has no texture coordinates.");
+        return std::nullopt;
+    }
+    std::shared_ptr<const EncodedImage>& image = images[index];
+    if (!image) image = std::make_shared<const EncodedImage>(source.image);
+    Texture texture{.name = source.name, .image = image, .materials = {}};
+    const std::vector<std::uint32_t> used = usedMaterials(part);
+    for (std::uint32_t k = 0; k < used.size(); ++k)
+        if (scene.materials[used[k]].image == index) texture.materials.push_back(k);
+    const std::string name = quotedName(source.name) + " (" + source.image.sizeText() + ")";
+    notes.push_back(areas.size() == 1 ? "It has the base-colour texture " + name + "."
+                                      : "It has " + std::to_string(areas.size()) + " images; " + name +
+                                            ", which covers the largest area, is its base-colour texture.");
+    return texture;
+}
+
 void noteCap(const CapFit& fit, const CapUv& cap, const char* name, std::vector<std::string>& notes) {
     if (cap.isAffine) return;
     std::string why = ": no face of the mesh lies on it.";
@@ -202,7 +246,8 @@ bool isFlat(const ImportPart& part) {
         mesh.points, [&](Vec3 point) { return std::abs(glm::dot(point - origin, normal)) <= part.tolerance; });
 }
 
-Result<ImportedSolid> importedSolid(const ImportPart& part, const SourceScene& scene, const ImportOptions& options) {
+Result<ImportedSolid> importedSolid(const ImportPart& part, const SourceScene& scene, const ImportOptions& options,
+                                    TextureImages& images) {
     ImportedSolid result{.notes = part.notes};
     const Result<SolidMesh> solid = orientedSolid(part.mesh, part.tolerance);
     Result<PrismFit> found = prismOf(part, solid, options, result);
@@ -218,6 +263,7 @@ Result<ImportedSolid> importedSolid(const ImportPart& part, const SourceScene& s
     result.surface = fittedSurface(surfaceTriangles(part, flipped, result.prism.pose), part.hasUvs, materials,
                                    {result.prism.outline, result.prism.depth}, 4.0 * part.tolerance);
     result.material = largestMaterial(part);
+    result.texture = textureOf(part, scene, images, result.notes);
     if (result.surface.surface && part.hasUvs) {
         noteCap(result.surface.front, result.surface.surface->front, "front", result.notes);
         noteCap(result.surface.back, result.surface.surface->back, "back", result.notes);

@@ -3,6 +3,9 @@
 #include "core/asset/import/AssetImport.h"
 #include "core/asset/import/SurfaceFit.h"
 
+#include <map>
+#include <memory>
+
 namespace rubble {
 
 /// An object of a mesh file, or a part of one, in metres and y up.
@@ -33,11 +36,16 @@ struct ImportedSolid {
     PrismFit prism;
     bool usesFallback = false;
     FittedSurface surface;
+    std::optional<Texture> texture;
     std::uint32_t material = 0;  // of the scene: the one with the largest area
     std::vector<std::string> notes;
 };
 
+/// Images of a scene that textures share, by their index.
+using TextureImages = std::map<std::uint32_t, std::shared_ptr<const EncodedImage>>;
+
 /// Errors: those of orientedSolid() and fitPrism(), or of fallbackPrism().
-Result<ImportedSolid> importedSolid(const ImportPart& part, const SourceScene& scene, const ImportOptions& options);
+Result<ImportedSolid> importedSolid(const ImportPart& part, const SourceScene& scene, const ImportOptions& options,
+                                    TextureImages& images);
 
 }  // namespace rubble

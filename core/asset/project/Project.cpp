@@ -21,7 +21,7 @@ bool Asset::operator==(const Asset& other) const {
            contactTime == other.contactTime && strengthRule == other.strengthRule &&
            insideUvScale == other.insideUvScale && insideMaterial == other.insideMaterial &&
            cutAtImpact == other.cutAtImpact && requirements == other.requirements &&
-           isSameSurface(surface, other.surface);
+           isSameSurface(surface, other.surface) && texture == other.texture;
 }
 
 AssetMaterials materialsOf(const Project& project, const Asset& asset) {

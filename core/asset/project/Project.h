@@ -2,7 +2,7 @@
 
 #include "core/asset/project/FragmentPath.h"
 #include "core/asset/project/Shaping.h"
-#include "core/asset/project/Surface.h"
+#include "core/asset/project/Texture.h"
 #include "core/fracture/pattern/Pattern.h"
 #include "core/fracture/pieces/Prism.h"
 
@@ -129,6 +129,7 @@ struct Asset {
     std::optional<CutAtImpact> cutAtImpact;             // none: it breaks into the pieces of its pattern
     std::vector<StrengthRequirement> requirements;      // in the order of editing
     std::shared_ptr<const Surface> surface;             // of the imported mesh; null if not imported
+    std::optional<Texture> texture;                     // of the outside; none: the material's colour alone
     bool operator==(const Asset& other) const;
 };
 

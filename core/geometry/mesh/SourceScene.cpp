@@ -8,7 +8,7 @@
 namespace rubble {
 namespace {
 
-constexpr std::string_view kMagic = "rubble mesh 3\n";
+constexpr std::string_view kMagic = "rubble mesh 4\n";
 
 class ByteWriter {
 public:
@@ -63,10 +63,11 @@ public:
     void read(glm::vec<size, double>& vector) {
         for (int k = 0; k < size; ++k) vector[k] = number();
     }
+    std::string bytes() { return std::string(take(count(1))); }
     std::string text() {
-        const std::string_view bytes = take(count(1));
+        std::string bytes = this->bytes();
         check(isUtf8(bytes));
-        return std::string(bytes);
+        return bytes;
     }
 
     void check(bool isRight) { m_isGood = m_isGood && isRight; }
@@ -89,6 +90,7 @@ private:
 constexpr std::size_t kMaterialSize = 4 + 3 * 8, kPointSize = 3 * 8, kTriangleSize = 3 * (4 + 2 * 8) + 4;
 constexpr std::size_t kPoseSize = 7 * 8;
 constexpr std::size_t kObjectSize = 4 + 1 + 4 + 4 + 4;
+constexpr std::size_t kImageSize = 4 + 4;
 
 void add(ByteWriter& writer, const Pose& pose) {
     writer.add(pose.position);
@@ -128,6 +130,21 @@ SourceObject readObject(ByteReader& reader, std::size_t materialCount, std::size
     return object;
 }
 
+/// Reads the images, and which of them each material has.
+void readImages(ByteReader& reader, SourceScene& scene) {
+    const std::size_t count = reader.count(kImageSize);
+    for (std::size_t i = 0; i < count && reader.isGood(); ++i) {
+        std::string name = reader.text();
+        Result<EncodedImage> image = EncodedImage::of(reader.bytes());
+        reader.check(image.hasValue());
+        if (image) scene.images.push_back({std::move(name), std::move(*image)});
+    }
+    for (SourceMaterial& material : scene.materials) {
+        const std::uint32_t image = reader.index(scene.images.size() + 1);
+        if (image > 0 && reader.isGood()) material.image = image - 1;
+    }
+}
+
 }  // namespace
 
 std::string sourceSceneBytes(const SourceScene& scene) {
@@ -155,6 +172,12 @@ std::string sourceSceneBytes(const SourceScene& scene) {
     }
     writer.add(scene.notes.size());
     for (const std::string& note : scene.notes) writer.add(std::string_view(note));
+    writer.add(scene.images.size());
+    for (const SourceImage& image : scene.images) {
+        writer.add(std::string_view(image.name));
+        writer.add(std::string_view(image.image.bytes()));
+    }
+    for (const SourceMaterial& material : scene.materials) writer.add(material.image ? *material.image + 1 : 0, 4);
     return writer.take();
 }
 
@@ -179,6 +202,7 @@ Result<SourceScene> readSourceScene(std::string_view bytes) {
     reader.check(noteCount <= kMaxNotes);
     if (reader.isGood()) scene.notes.resize(noteCount);
     for (std::string& note : scene.notes) note = reader.text();
+    readImages(reader, scene);
     if (!reader.isGood() || !reader.isAtEnd()) return Error{ErrorCode::BadInput, "The bytes are not a valid mesh."};
     return scene;
 }

@@ -1,20 +1,30 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/base/image/EncodedImage.h"
 #include "core/geometry/predicates/Vec.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace rubble {
 
+/// An image that materials of a mesh file refer to.
+struct SourceImage {
+    std::string name;  // of its file, without folders; with the suffix of its type
+    EncodedImage image;
+    bool operator==(const SourceImage&) const = default;
+};
+
 /// A material of a mesh file.
 struct SourceMaterial {
-    std::string name;            // empty if the file has none
-    Vec3 colour{0.8, 0.8, 0.8};  // sRGB, each in [0, 1]
+    std::string name;                    // empty if the file has none
+    Vec3 colour{0.8, 0.8, 0.8};          // sRGB, each in [0, 1]
+    std::optional<std::uint32_t> image;  // of the base colour; index into SourceScene::images
     bool operator==(const SourceMaterial&) const = default;
 };
 
@@ -42,6 +52,7 @@ struct SourceScene {
     std::vector<SourceMaterial> materials;
     std::vector<SourceObject> objects;  // each with at least one triangle
     std::vector<std::string> notes;     // sentences: what was not read
+    std::vector<SourceImage> images;
     bool operator==(const SourceScene&) const = default;
 };
 
@@ -59,8 +70,8 @@ std::string sourceSceneBytes(const SourceScene& scene);
 /// Deserializes a scene from untrusted bytes.
 ///
 /// Errors: BadInput for truncated or excess bytes, an index out of range, a number that is not finite, text that is
-/// not UTF-8, a rotation that is not a unit quaternion, or more than kMaxTriangles, kMaxCopies or kMaxNotes. Memory is
-/// a few times that of the bytes at most.
+/// not UTF-8, an image that EncodedImage rejects, a rotation that is not a unit quaternion, or more than kMaxTriangles,
+/// kMaxCopies or kMaxNotes. Memory is a few times that of the bytes at most.
 Result<SourceScene> readSourceScene(std::string_view bytes);
 
 }  // namespace rubble

@@ -18,7 +18,7 @@ constexpr std::size_t kJsonSize = 1000;  // bytes: an upper bound for a node or 
 
 /// Returns an upper bound for the size of a file with these parts.
 std::size_t maxFileSize(std::span<const MeshPart> parts, const MeshMaterials& materials) {
-    std::size_t size = 0;
+    std::size_t size = materials.image ? materials.image->bytes().size() : 0;
     for (const MeshPart& part : parts) {
         size += (materials.outside.size() + 2) * kJsonSize;
         for (const MeshFace& face : part.mesh.faces) {
@@ -48,17 +48,21 @@ Result<std::string> glbFile(std::span<const MeshPart> parts, const MeshMaterials
     std::string json = glbJson(parts, primitives, buffer, materials, place);
     json.resize((json.size() + 3) / 4 * 4, ' ');
 
+    const std::string_view image = materials.image ? std::string_view(materials.image->bytes()) : std::string_view();
+    const std::size_t binarySize = (buffer.size() + image.size() + 3) / 4 * 4;
     std::string bytes;
-    bytes.reserve(28 + json.size() + buffer.size());
+    bytes.reserve(28 + json.size() + binarySize);
     appendWord(bytes, kMagic);
     appendWord(bytes, kGlbVersion);
-    appendWord(bytes, 28 + json.size() + buffer.size());
+    appendWord(bytes, 28 + json.size() + binarySize);
     appendWord(bytes, json.size());
     appendWord(bytes, kJsonChunk);
     bytes += json;
-    appendWord(bytes, buffer.size());
+    appendWord(bytes, binarySize);
     appendWord(bytes, kBinaryChunk);
     buffer.appendTo(bytes);
+    bytes += image;
+    bytes.resize((bytes.size() + 3) / 4 * 4, '\0');
     return bytes;
 }
 

@@ -9,7 +9,8 @@
 namespace rubble {
 
 /// Returns parts as a binary glTF 2.0 file: y up, metres; each part is a node with its name and a mesh of triangles in
-/// float32 with flat normals, one primitive per material, outside first. See docs/formats/obj-glb.md.
+/// float32 with flat normals, one primitive per material, outside first; the image of textured
+/// materials is a part of the file. See docs/formats/obj-glb.md.
 ///
 /// Errors: Limit above 4 GiB, the maximum of the format.
 Result<std::string> glbFile(std::span<const MeshPart> parts, const MeshMaterials& materials, PartPlacement place);

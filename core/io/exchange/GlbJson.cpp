@@ -11,6 +11,7 @@ constexpr std::uint64_t kFloat = 5126;
 constexpr std::uint64_t kUnsignedInt = 5125;
 constexpr std::uint64_t kArrayBuffer = 34962;
 constexpr std::uint64_t kElementArrayBuffer = 34963;
+constexpr std::uint64_t kImageView = 4;  // behind those of the arrays
 
 /// Returns the fifth root of a value in (0, 1], by Newton's method from above: the same bits on every processor.
 double fifthRoot(double value) {
@@ -100,8 +101,39 @@ void writeGlbMaterial(JsonWriter& json, const MeshMaterial& material) {
                                      linearFromSrgb(colour.blue), material.opacity});
     json.wholeNumber("metallicFactor", std::uint64_t{0});
     json.number("roughnessFactor", isTransparent ? 0.1 : 0.9);
+    if (material.isTextured) {
+        json.openObject("baseColorTexture");
+        json.wholeNumber("index", std::uint64_t{0});
+        json.close();
+    }
     json.close();
     if (isTransparent) json.text("alphaMode", "BLEND");
+    json.close();
+}
+
+/// Writes the image, whose view is the last one, and the texture that repeats it.
+void writeGlbTexture(JsonWriter& json, const MeshMaterials& materials) {
+    constexpr std::uint64_t kLinear = 9729, kLinearMipmapLinear = 9987, kRepeat = 10497;
+    json.openArray("images");
+    json.openObject();
+    json.text("name", materials.imageFile);
+    json.text("mimeType", materials.image->mediaType());
+    json.wholeNumber("bufferView", kImageView);
+    json.close();
+    json.close();
+    json.openArray("samplers");
+    json.openObject();
+    json.wholeNumber("magFilter", kLinear);
+    json.wholeNumber("minFilter", kLinearMipmapLinear);
+    json.wholeNumber("wrapS", kRepeat);
+    json.wholeNumber("wrapT", kRepeat);
+    json.close();
+    json.close();
+    json.openArray("textures");
+    json.openObject();
+    json.wholeNumber("sampler", std::uint64_t{0});
+    json.wholeNumber("source", std::uint64_t{0});
+    json.close();
     json.close();
 }
 
@@ -149,17 +181,25 @@ void writeView(JsonWriter& json, std::uint64_t& offset, std::uint64_t count, std
     offset += stride * count;
 }
 
-void writeBuffer(JsonWriter& json, const GlbBuffer& buffer) {
+void writeBuffer(JsonWriter& json, const GlbBuffer& buffer, const EncodedImage* image) {
     json.openArray("bufferViews");
     std::uint64_t offset = 0;
     writeView(json, offset, buffer.vertexCount(), 12, kArrayBuffer);
     writeView(json, offset, buffer.vertexCount(), 12, kArrayBuffer);
     writeView(json, offset, buffer.vertexCount(), 8, kArrayBuffer);
     writeView(json, offset, buffer.indexCount(), 4, kElementArrayBuffer);
+    const std::size_t imageSize = image == nullptr ? 0 : image->bytes().size();
+    if (image != nullptr) {
+        json.openObject();
+        json.wholeNumber("buffer", std::uint64_t{0});
+        json.wholeNumber("byteOffset", offset);
+        json.wholeNumber("byteLength", std::uint64_t{imageSize});
+        json.close();
+    }
     json.close();
     json.openArray("buffers");
     json.openObject();
-    json.wholeNumber("byteLength", std::uint64_t{buffer.size()});
+    json.wholeNumber("byteLength", std::uint64_t{buffer.size() + imageSize});
     json.close();
     json.close();
 }
@@ -177,12 +217,13 @@ std::string glbJson(std::span<const MeshPart> parts, std::span<const std::vector
     for (const MeshMaterial& material : materials.outside) writeGlbMaterial(json, material);
     writeGlbMaterial(json, materials.inside);
     json.close();
+    if (materials.image) writeGlbTexture(json, materials);
     json.openArray("accessors");
     for (const std::vector<GlbPrimitive>& part : primitives) {
         for (const GlbPrimitive& primitive : part) writeAccessors(json, primitive);
     }
     json.close();
-    writeBuffer(json, buffer);
+    writeBuffer(json, buffer, materials.image.get());
     json.close();
     return std::move(json).contents();
 }

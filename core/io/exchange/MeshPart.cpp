@@ -3,6 +3,7 @@
 #include "core/io/system/FileName.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 namespace rubble {
@@ -33,8 +34,15 @@ MeshMaterials meshMaterials(const Asset& asset, const AssetMaterials& material) 
                 {uniqueName(meshName(source), taken), material.own.outside, material.own.opacity});
         }
     }
+    if (asset.texture) {
+        materials.image = asset.texture->image;
+        const std::string stem = std::filesystem::path(asset.texture->name).stem().string();
+        materials.imageFile = fittingFileName("", meshName(stem), std::string(materials.image->suffix()));
+    }
     if (materials.outside.empty())
         materials.outside.push_back({uniqueName(name + "_outside", taken), material.own.outside, material.own.opacity});
+    for (std::uint32_t k = 0; asset.texture && k < materials.outside.size(); ++k)
+        materials.outside[k].isTextured = asset.texture->covers(k);
     return materials;
 }
 

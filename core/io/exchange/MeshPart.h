@@ -3,6 +3,7 @@
 #include "core/asset/project/Project.h"
 #include "core/geometry/mesh/Mesh.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,12 +27,15 @@ struct MeshMaterial {
     std::string name;  // without spaces
     Colour colour;
     double opacity = 1.0;
+    bool isTextured = false;  // its colour is multiplied by the image
 };
 
 /// The materials of an asset, with unique names.
 struct MeshMaterials {
     std::vector<MeshMaterial> outside;  // by MeshFace::material; at least one
     MeshMaterial inside;
+    std::shared_ptr<const EncodedImage> image;  // null: no material is textured
+    std::string imageFile;                      // a name without spaces, with the suffix of its type
 };
 
 /// Returns `name` as a valid name of files, objects and materials in every mesh format: spaces, control characters and
@@ -39,7 +43,7 @@ struct MeshMaterials {
 std::string meshName(const std::string& name);
 
 /// Returns the materials of an asset: outside those of the mesh it was imported from, or "<material>_outside" if there
-/// is none; inside "<material>_inside". A number makes a name unique.
+/// is none; inside "<material>_inside". A number makes a name unique. The texture's image is called as its file was.
 MeshMaterials meshMaterials(const Asset& asset, const AssetMaterials& material);
 
 }  // namespace rubble

@@ -56,7 +56,7 @@ std::size_t expectedSize(std::span<const MeshPart> parts) {
     return size;
 }
 
-void addMaterial(std::string& text, const MeshMaterial& material) {
+void addMaterial(std::string& text, const MeshMaterial& material, const std::string& imageFile) {
     text += "newmtl " + material.name + "\nKd";
     for (const double part : {material.colour.red, material.colour.green, material.colour.blue}) {
         text += ' ';
@@ -66,6 +66,7 @@ void addMaterial(std::string& text, const MeshMaterial& material) {
         text += "\nd ";
         appendNumber(text, material.opacity);
     }
+    if (material.isTextured) text.append("\nmap_Kd ").append(imageFile);
     text += "\nillum 1\n";
 }
 
@@ -85,8 +86,8 @@ std::string objFile(std::span<const MeshPart> parts, const MeshMaterials& materi
 std::string mtlFile(const MeshMaterials& materials) {
     std::string text = "# ";
     text.append(kVersion).push_back('\n');
-    for (const MeshMaterial& material : materials.outside) addMaterial(text, material);
-    addMaterial(text, materials.inside);
+    for (const MeshMaterial& material : materials.outside) addMaterial(text, material, materials.imageFile);
+    addMaterial(text, materials.inside, {});
     return text;
 }
 

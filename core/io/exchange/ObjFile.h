@@ -23,7 +23,7 @@ struct ObjFrame {
 std::string objFile(std::span<const MeshPart> parts, const MeshMaterials& materials, PartPlacement place,
                     const std::string& materialFile, const ObjFrame& frame = {});
 
-/// Returns materials as an MTL file.
+/// Returns materials as an MTL file, which refers to their image by its name.
 std::string mtlFile(const MeshMaterials& materials);
 
 }  // namespace rubble

@@ -69,6 +69,8 @@ public:
 
     PackMeshes meshes() && {
         if (m_options.obj) m_meshes.files.push_back({m_materialFile, mtlFile(m_materials)});
+        if (m_options.obj && m_materials.image)
+            m_meshes.files.push_back({m_materials.imageFile, m_materials.image->bytes()});
         return std::move(m_meshes);
     }
 

@@ -33,7 +33,7 @@ struct MeshOptions {
 /// The mesh files of a pack.
 struct PackMeshes {
     std::vector<PackMeshFile> list;  // for pack.json
-    std::vector<ExportFile> files;   // the MTL file included
+    std::vector<ExportFile> files;   // the MTL file and the texture's image included
 };
 
 /// Returns the meshes of an asset, the whole first. The files are described in docs/formats/obj-glb.md.

@@ -233,7 +233,7 @@ Material readMaterial(const JsonValue& value) {
     return material;
 }
 
-void writeAsset(JsonWriter& json, const Asset& asset) {
+void writeAsset(JsonWriter& json, const Asset& asset, const ImageList& images) {
     json.openObject();
     json.wholeNumber("id", asset.id);
     json.text("name", asset.name);
@@ -259,6 +259,7 @@ void writeAsset(JsonWriter& json, const Asset& asset) {
     } else {
         json.null("surface");
     }
+    if (asset.texture) writeTexture(json, *asset.texture, images);
     json.close();
 }
 
@@ -284,7 +285,7 @@ Asset readAsset(const JsonValue& value) {
     value.requireObject(
         {"id", "name", "material", "threshold", "contactTime", "insideUvScale", "insideMaterial", "prism", "pattern",
          "shaping", "levels", "leaves", "edits", "cutAtImpact", "intents", "surface"},
-        {"strengthRule", "fragmentThresholds"});
+        {"strengthRule", "fragmentThresholds", "texture"});
     Asset asset = readAssetMembers4(value);
     asset.contactTime = value["contactTime"].optionalNumber();
     const JsonValue thresholds = value["fragmentThresholds"];

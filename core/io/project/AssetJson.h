@@ -3,17 +3,19 @@
 #include "core/asset/project/Project.h"
 #include "core/io/json/JsonDocument.h"
 #include "core/io/json/JsonWriter.h"
+#include "core/io/project/TextureJson.h"
 
 namespace rubble {
 
-/// Write a material and an asset as elements of an array.
+/// Write a material and an asset as elements of an array. `images`: imagesOf() the project.
 void writeMaterial(JsonWriter& json, const Material& material);
-void writeAsset(JsonWriter& json, const Asset& asset);
+void writeAsset(JsonWriter& json, const Asset& asset, const ImageList& images);
 
 /// Writes a material in version 1, which replay files use.
 void writeMaterialVersion1(JsonWriter& json, const Material& material);
 
-/// Read what the functions above wrote. They check types only; verifyProject() checks the values.
+/// Read what the functions above wrote, an asset without its texture. They check types only; verifyProject() checks the
+/// values.
 Material readMaterial(const JsonValue& value);
 Asset readAsset(const JsonValue& value);
 /// Read materials of the versions 1 to 4, and assets of version 1 (no cuts at impact, no strength requirements),

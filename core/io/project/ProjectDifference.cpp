@@ -50,10 +50,13 @@ std::string wordsOf(std::string_view key) {
     return words;
 }
 
-/// The JSON of a project without the surfaces of imported meshes, which may be large.
+/// The JSON of a project without the surfaces and textures of imported meshes, which may be large.
 Json jsonOf(Project project) {
     project.nextId = std::numeric_limits<Id>::max();
-    for (Asset& asset : project.assets) asset.surface.reset();
+    for (Asset& asset : project.assets) {
+        asset.surface.reset();
+        asset.texture.reset();
+    }
     return Json::parse(projectText(project));
 }
 

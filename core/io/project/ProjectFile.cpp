@@ -11,6 +11,7 @@
 #include "core/io/project/AssetJson.h"
 #include "core/io/project/SceneJson.h"
 #include "core/io/project/ShotJson.h"
+#include "core/io/project/TextureJson.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/FileErrors.h"
 
@@ -48,9 +49,11 @@ Project readProjectVersion1(const JsonValue& root) {
 }
 
 /// Reads all members since version 2.
-Project readProjectSinceVersion2(const JsonValue& root, const ElementReaders& read) {
+Project readProjectSinceVersion2(const JsonValue& root, const ElementReaders& read,
+                                 std::initializer_list<std::string_view> optional = {}) {
     root.requireObject({"format", "version", "nextId", "materials", "assets", "instances", "ground", "gravity",
-                        "damage", "debris", "shots", "playTests"});
+                        "damage", "debris", "shots", "playTests"},
+                       optional);
     Project project = readCommon(root, read);
     project.debris = readDebris(root["debris"]);
     return project;
@@ -72,9 +75,22 @@ Project readProjectVersion4(const JsonValue& root) {
     return readProjectSinceVersion2(root, {readMaterialVersion1, readAssetVersion4, readInstance});
 }
 
+void readTextures(const JsonValue& root, std::vector<Asset>& assets) {
+    const ImageList images = root["images"].isPresent() ? readImages(root["images"]) : ImageList();
+    auto asset = assets.begin();
+    for (const JsonValue value : root["assets"].elements()) {
+        if (asset == assets.end()) break;  // after an error
+        if (const JsonValue texture = value["texture"]; texture.isPresent())
+            asset->texture = readTexture(texture, images);
+        ++asset;
+    }
+}
+
 /// Version 5 added strength and toughness of materials, and thresholds derived from them.
 Project readProjectVersion5(const JsonValue& root) {
-    return readProjectSinceVersion2(root, {readMaterial, readAsset, readInstance});
+    Project project = readProjectSinceVersion2(root, {readMaterial, readAsset, readInstance}, {"images"});
+    readTextures(root, project.assets);
+    return project;
 }
 
 /// The reader of each version, version 1 at index 0. A new version adds a reader; older ones stay and set defaults.
@@ -135,7 +151,9 @@ std::string projectText(const Project& project) {
     json.wholeNumber("version", kProjectVersion);
     json.wholeNumber("nextId", project.nextId);
     json.list("materials", project.materials, writeMaterial);
-    json.list("assets", project.assets, writeAsset);
+    const ImageList images = imagesOf(project);
+    json.list("assets", project.assets,
+              [&](JsonWriter& writer, const Asset& asset) { writeAsset(writer, asset, images); });
     json.list("instances", project.instances, writeInstance);
     writeGround(json, project.ground);
     writeVector(json, "gravity", project.gravity);
@@ -143,6 +161,7 @@ std::string projectText(const Project& project) {
     writeDebris(json, project.debris);
     json.list("shots", project.shots, writeShot);
     json.list("playTests", project.playTests, writePlayTest);
+    if (!images.empty()) writeImages(json, images);
     json.close();
     return std::move(json).finished();
 }

@@ -1,6 +1,7 @@
 #include "editor/panels/inspector/AssetPage.h"
 
 #include "core/asset/project/Threshold.h"
+#include "editor/commands/ProjectEdits.h"
 #include "editor/commands/Renaming.h"
 #include "editor/commands/Resizing.h"
 #include "editor/document/ShownText.h"
@@ -10,6 +11,7 @@
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 namespace rubble {
@@ -91,6 +93,38 @@ void AssetPage::buildAsset(Section& section) {
     m_inside = section.addRow(tr("Inside material"), new QComboBox,
                               tr("Material shown on fracture surfaces; the mass follows from the asset's material"));
     m_form.bind(m_inside, tr("Set Inside Material"), &Asset::insideMaterial);
+    m_texture =
+        section.addRow(tr("Texture"), createTexture(), tr("Image of the outside, times the colour of the material"));
+}
+
+/// The name of the texture, and a button that removes it.
+QWidget* AssetPage::createTexture() {
+    auto* row = new QWidget;
+    auto* layout = new QVBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    m_textureText = new QLabel;
+    m_textureText->setObjectName("texture");
+    m_textureText->setTextFormat(Qt::PlainText);
+    m_textureText->setWordWrap(true);
+    auto* remove = new QPushButton(tr("Remove Texture"));
+    remove->setObjectName("removeTexture");
+    remove->setAutoDefault(false);
+    remove->setToolTip(tr("Show the outside in the colour of the material alone"));
+    remove->setStatusTip(remove->toolTip());
+    layout->addWidget(m_textureText);
+    layout->addWidget(remove, 0, Qt::AlignLeft);
+    connect(remove, &QPushButton::clicked, this, [this] {
+        for (Asset asset : selected()) {
+            asset.texture.reset();
+            m_document.push(modify(tr("Remove Texture"), std::move(asset)));
+        }
+    });
+    return row;
+}
+
+void AssetPage::showTexture(const Asset& asset) {
+    m_asset->setRowVisible(m_texture, asset.texture.has_value());
+    if (asset.texture) m_textureText->setText(QString::fromStdString(textureText(*asset.texture)));
 }
 
 void AssetPage::buildThreshold(Section& section) {
@@ -238,7 +272,10 @@ void AssetPage::refresh() {
     m_form.refresh();
     const std::vector<Asset> assets = selected();
     m_summary->setText(assets.empty() ? QString() : summary(assets.front()));
-    if (!assets.empty()) showThreshold(assets.front());
+    if (!assets.empty()) {
+        showThreshold(assets.front());
+        showTexture(assets.front());
+    }
     m_outline->refresh(m_selection.asset());
     m_fragments->refresh();
     m_shaping->refresh();

@@ -30,6 +30,8 @@ private:
     void buildAsset(Section& section);
     void buildThreshold(Section& section);
     void buildShape(Section& section);
+    QWidget* createTexture();
+    void showTexture(const Asset& asset);
     void listSources();
     void showThreshold(const Asset& asset);
     QString summary(const Asset& asset) const;
@@ -41,6 +43,8 @@ private:
     QComboBox* m_material = nullptr;
     QComboBox* m_inside = nullptr;
     QComboBox* m_sources = nullptr;  // of the threshold
+    QWidget* m_texture = nullptr;
+    QLabel* m_textureText = nullptr;
     Section* m_asset = nullptr;
     SliderField* m_threshold = nullptr;
     NumberField* m_contactTime = nullptr;

@@ -28,7 +28,8 @@ constexpr Sampler kSamplers[] = {{"poses", TextureUnit::Poses},
                                  {"depths", TextureUnit::Depths},
                                  {"mask", TextureUnit::Mask},
                                  {"weights", TextureUnit::Mask},
-                                 {"normals", TextureUnit::Mask}};
+                                 {"normals", TextureUnit::Mask},
+                                 {"baseColour", TextureUnit::BaseColour}};
 
 /// The uniform blocks and their binding points.
 constexpr const char* kBlocks[] = {"Frame", "Sky"};

@@ -54,7 +54,8 @@ enum class TextureUnit : std::uint32_t {
     LightBuffer,
     Source,
     Depths,
-    Mask
+    Mask,
+    BaseColour
 };
 
 }  // namespace rubble

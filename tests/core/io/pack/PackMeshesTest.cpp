@@ -3,6 +3,7 @@
 #include "tests/support/asset/Fragments.h"
 #include "tests/support/files/GlbReading.h"
 #include "tests/support/files/ObjReading.h"
+#include "tests/support/files/TestImages.h"
 
 #include <QTest>
 
@@ -76,6 +77,27 @@ private slots:
     void withoutFormatsThereAreNoFiles() { QVERIFY(filesOf(wallAsset(), {.obj = false, .glb = false}).empty()); }
     void glbAloneHasNoMaterialFile() {
         QCOMPARE(namesOf(filesOf(wallAsset(), {.obj = false})), (Names{"wall-intact.glb", "wall-fragments.glb"}));
+    }
+    void textureIsAFileOfObjAndAPartOfGlb() {
+        Asset asset = wallAsset();
+        const auto image = std::make_shared<const EncodedImage>(imageOf(checkerPng() + "odd"));
+        asset.texture = Texture{.name = "my wall.jpg.png", .image = image, .materials = {0}};
+        const std::vector<ExportFile> files = filesOf(asset, {});
+        QCOMPARE(bytesNamed(files, "my_wall.jpg.png"), image->bytes());
+        QCOMPARE(bytesNamed(files, "wall.mtl"),
+                 std::string("# Rubble 1\nnewmtl brick_outside\nKd 0.8 0.8 0.8\nmap_Kd my_wall.jpg.png\nillum 1\n"
+                             "newmtl brick_inside\nKd 0.8 0.8 0.8\nillum 1\n"));
+        Glb glb;
+        QCOMPARE(openGlb(bytesNamed(files, "wall-fragments.glb"), glb), std::string());
+        const nlohmann::json& view = glb.json["bufferViews"][glb.json["images"][0]["bufferView"].get<std::size_t>()];
+        QVERIFY(glb.binary.substr(view["byteOffset"], view["byteLength"]) == image->bytes());
+        QVERIFY(glb.json["buffers"][0]["byteLength"].get<std::size_t>() <= glb.binary.size());
+        QVERIFY(glb.json["images"][0]["mimeType"] == "image/png");
+        QVERIFY(glb.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] == 0);
+        QVERIFY(!glb.json["materials"][1]["pbrMetallicRoughness"].contains("baseColorTexture"));
+        QCOMPARE(namesOf(filesOf(asset, {.obj = false})).size(), std::size_t{2});  // no file for the image
+        asset.texture->name = "pack.json";
+        QVERIFY(!bytesNamed(filesOf(asset, {}), "pack.png").empty());
     }
     void everyMeshIsListedForThePack() {
         const Asset asset = wallAsset();

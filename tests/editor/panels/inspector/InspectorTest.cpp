@@ -11,7 +11,9 @@
 #include "editor/panels/inspector/PictureField.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
+#include "tests/support/files/TestImages.h"
 
+#include <QLabel>
 #include <QListView>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -106,6 +108,23 @@ private slots:
         desk.undoAll();
         QCOMPARE(desk.text(), projectText(fullProject()));
         QCOMPARE(desk.control<NumberField>("Depth").value(), 0.5);
+    }
+    void textureIsShownAndRemoved() {
+        InspectorDesk desk;
+        desk.selection.setAsset(9);
+        auto* row = desk.inspector.findChild<QLabel*>("texture");
+        QVERIFY(!row->isVisibleTo(&desk.inspector));
+        Asset asset = desk.asset();
+        asset.texture = Texture{.name = "checker.png",
+                                .image = std::make_shared<const EncodedImage>(imageOf(checkerPng())),
+                                .materials = {0}};
+        desk.document.push(modify("import", asset));
+        QVERIFY(row->isVisibleTo(&desk.inspector));
+        QCOMPARE(row->text(), QString("checker.png (16 × 16)"));
+        desk.inspector.findChild<QPushButton*>("removeTexture")->click();
+        QVERIFY(!desk.asset().texture && !row->isVisibleTo(&desk.inspector));
+        desk.document.undoStack().undo();
+        QVERIFY(desk.asset().texture == asset.texture && row->isVisibleTo(&desk.inspector));
     }
     void sliderDragIsOneUndoStep() {
         InspectorDesk desk;
