@@ -97,7 +97,7 @@ private slots:
         const Hues assembled = huesOf(whole);
         QVERIFY2(assembled.red > 2000 && assembled.blue > 2000, qPrintable(QString::number(assembled.red)));
         QVERIFY(assembled.green < 20);
-        // u goes to the right and v up: the square at the top left of the image is below the middle, to the right of it.
+        // u goes to the right and v up: the square at the top left of the image is to the lower right of the middle.
         const Hues lowerRight = huesOf(whole.copy(100, 100, 100, 100)),
                    upperRight = huesOf(whole.copy(100, 0, 100, 100));
         QVERIFY(lowerRight.red > 2 * lowerRight.blue && upperRight.blue > 2 * upperRight.red);
