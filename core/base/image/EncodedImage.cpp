@@ -12,9 +12,9 @@ using namespace std::string_view_literals;
 
 constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n"sv, kJpegStart = "\xff\xd8\xff"sv;
 
-/// The size of an image, or nothing if the file is truncated.
 struct ImageSize {
     std::uint32_t width = 0, height = 0;
+    bool isPrint = false;  // CMYK, or more than 8 bits per channel, as files for print have
 };
 
 std::uint32_t bigEndian(std::string_view bytes) {
@@ -23,7 +23,7 @@ std::uint32_t bigEndian(std::string_view bytes) {
     return value;
 }
 
-/// Walks the chunks of a PNG file from its header to its end.
+/// Walks the chunks of a PNG file from its header to its end; nothing if it is truncated.
 std::optional<ImageSize> pngSize(std::string_view bytes) {
     constexpr std::size_t kLength = 4, kName = 4, kChecksum = 4, kHeaderSize = 13;
     std::optional<ImageSize> size;
@@ -46,9 +46,10 @@ bool isFrame(unsigned marker) {
     return marker >= 0xc0 && marker <= 0xcf && marker != kTables && marker != kReserved && marker != kArithmetic;
 }
 
-/// Walks the segments of a JPEG file up to its frame header, and requires a scan and an end behind it.
+/// Walks the segments of a JPEG file up to its frame header, and requires a scan and an end behind it; nothing without.
 std::optional<ImageSize> jpegSize(std::string_view bytes) {
-    constexpr std::size_t kFrameSize = 9;  // with the width and the height
+    constexpr std::size_t kFrameSize = 10;  // up to the number of channels
+    constexpr char kBits = 8, kMostChannels = 3;
     bytes.remove_prefix(2);
     while (bytes.size() >= 4 && bytes[0] == '\xff') {
         const unsigned marker = static_cast<unsigned char>(bytes[1]);
@@ -62,7 +63,8 @@ std::optional<ImageSize> jpegSize(std::string_view bytes) {
             const bool isWhole = length + 2 >= kFrameSize && bytes.rfind("\xff\xd9"sv) != std::string_view::npos &&
                                  bytes.find("\xff\xda"sv) != std::string_view::npos;
             if (!isWhole) return std::nullopt;
-            return ImageSize{bigEndian(bytes.substr(7, 2)), bigEndian(bytes.substr(5, 2))};
+            return ImageSize{bigEndian(bytes.substr(7, 2)), bigEndian(bytes.substr(5, 2)),
+                             bytes[4] != kBits || bytes[9] > kMostChannels};
         }
         bytes.remove_prefix(2 + length);
     }
@@ -84,6 +86,8 @@ Result<EncodedImage> EncodedImage::of(std::string bytes) {
                                            " MiB; scale it down, or save it as JPEG"};
     const std::optional<ImageSize> size = isPng ? pngSize(bytes) : jpegSize(bytes);
     if (!size) return Error{ErrorCode::BadInput, "is damaged or ends too early; save it again"};
+    if (size->isPrint)
+        return Error{ErrorCode::Unsupported, "has colours for print, such as CMYK; save it with RGB colours of 8 bits"};
     if (size->width == 0 || size->height == 0) return Error{ErrorCode::BadInput, "has no pixels; save it again"};
     if (std::max(size->width, size->height) > kMaxImageSide)
         return Error{ErrorCode::Limit, "has " + textOf(size->width, size->height) + " pixels; scale it down to " +

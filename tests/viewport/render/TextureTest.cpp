@@ -1,5 +1,6 @@
 // Tests viewport/render/ImageDecoding.cpp and how textures are drawn.
 #include "core/asset/project/StarterProject.h"
+#include "core/base/Random.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
 #include "tests/support/files/TestImages.h"
@@ -91,13 +92,32 @@ private slots:
         for (std::size_t k = table + 4; k < table + 21; ++k) jpeg[k] = '\xff';
         QVERIFY(!decoded(imageOf(jpeg), kLongest));
     }
+    /// Every image that is accepted is decoded in the size that it states, or not at all.
+    void mutatedImagesAreDecodedOrRefused() {
+        Random random(41);
+        int accepted = 0, shown = 0;
+        for (int k = 0; k < 4000; ++k) {
+            std::string bytes = k % 2 == 0 ? checkerPng(1) : orangeJpeg();
+            for (std::uint64_t changes = 1 + random.below(4); changes > 0; --changes)
+                bytes[random.below(bytes.size())] = static_cast<char>(random.below(256));
+            if (k % 4 == 0) bytes = test::withPngChecksums(bytes);
+            const Result<EncodedImage> image = EncodedImage::of(bytes);
+            if (!image || image->width() > 512 || image->height() > 512) continue;
+            ++accepted;
+            const std::optional<DecodedImage> pixels = decoded(*image, kLongest);
+            if (!pixels) continue;
+            ++shown;
+            QCOMPARE(pixels->pixels.size(), std::size_t{3} * image->width() * image->height());
+        }
+        QVERIFY(accepted > 500 && shown > 100);
+    }
     void outsideHasTheImageAndCutsHaveTheMaterial() {
         const Project project = textured();
         const QImage whole = texturedPicture(sceneWith(project));
         const Hues assembled = huesOf(whole);
         QVERIFY2(assembled.red > 2000 && assembled.blue > 2000, qPrintable(QString::number(assembled.red)));
         QVERIFY(assembled.green < 20);
-        // u goes to the right and v up: the square at the top left of the image is below the middle, to the right of it.
+        // u goes to the right and v up: the square at the top left of the image is to the lower right of the middle.
         const Hues lowerRight = huesOf(whole.copy(100, 100, 100, 100)),
                    upperRight = huesOf(whole.copy(100, 0, 100, 100));
         QVERIFY(lowerRight.red > 2 * lowerRight.blue && upperRight.blue > 2 * upperRight.red);

@@ -3,6 +3,7 @@
 #include "core/geometry/hull/AspectRatio.h"
 #include "tests/support/Closeness.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/TestImages.h"
 #include "viewport/scene/SceneBuilder.h"
 
 #include <QTest>
@@ -226,6 +227,26 @@ private slots:
         other.assets[0].pattern.layers[0].randomSeed += 1;
         const RenderScene changed = builder.sceneOf(other, allBakes(other), {});
         QVERIFY(changed.batches[0].geometry != first.batches[0].geometry);
+    }
+    void textureIsPartOfScenesColouredByMaterial() {
+        Project project = starterProject();
+        const AssetBakes bakes = allBakes(project);
+        const auto image = std::make_shared<const EncodedImage>(imageOf(checkerPng()));
+        project.assets[0].texture = Texture{.name = "checker.png", .image = image, .materials = {0}};
+        SceneBuilder builder;
+        const RenderScene textured = builder.sceneOf(project, bakes, {});
+        QVERIFY(textured.batches[0].texture == image);
+        const auto countOf = [](const RenderScene& scene, VertexSide side) {
+            return std::ranges::count(scene.batches[0].geometry->vertices, side, &SceneVertex::side);
+        };
+        QVERIFY(countOf(textured, VertexSide::Textured) > 0 && countOf(textured, VertexSide::Inside) > 0);
+        QCOMPARE(countOf(textured, VertexSide::Outside), 0);
+        const RenderScene byPiece = builder.sceneOf(project, bakes, {.colouring = SceneColouring::Piece});
+        QVERIFY(!byPiece.batches[0].texture && byPiece.batches[0].geometry == textured.batches[0].geometry);
+        project.assets[0].texture.reset();
+        const RenderScene plain = builder.sceneOf(project, bakes, {});
+        QVERIFY(!plain.batches[0].texture);
+        QCOMPARE(countOf(plain, VertexSide::Textured), 0);
     }
     void levelLimitsTheFragments() {
         Project project = starterProject();

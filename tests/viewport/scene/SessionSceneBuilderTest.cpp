@@ -3,6 +3,7 @@
 
 #include "core/asset/project/FragmentColours.h"
 #include "tests/support/editor/Sessions.h"
+#include "tests/support/files/TestImages.h"
 
 using namespace rubble;
 using test::addInput;
@@ -85,6 +86,14 @@ private slots:
         const Box3 bounds = boundsOf(*drawn.scene());
         QVERIFY(glm::distance(bounds.min, Vec3(-0.5, 4.5, -0.25)) < 1e-6);
         QVERIFY(glm::distance(bounds.max, Vec3(0.5, 5.5, 0.25)) < 1e-6);
+    }
+    void wholesAndFragmentsHaveTheTexture() {
+        Project project = floatingBlock(5);
+        const auto image = std::make_shared<const EncodedImage>(imageOf(checkerPng()));
+        project.assets[0].texture = Texture{.name = "checker.png", .image = image, .materials = {0}};
+        Drawn drawn(project);
+        QVERIFY(drawn.scene()->batches[0].texture == image);
+        QVERIFY(drawn.sceneAfterBreaking(kBlock)->batches[0].texture == image);
     }
     void breakChangesMarksOnly() {
         Drawn drawn(floatingBlock(5));

@@ -38,6 +38,11 @@ private slots:
         QVERIFY(EncodedImage::of(pngFile(kMaxImageSide, kMaxImageSide, "")).hasValue());
         QCOMPARE(faultOf(pngFile(0, 8, "")), QString("has no pixels; save it again"));
     }
+    void imagesForPrintAreRejected() {
+        std::string jpeg = orangeJpeg();
+        jpeg[jpeg.find("\xff\xc0") + 9] = '\4';
+        QCOMPARE(faultOf(jpeg), QString("has colours for print, such as CMYK; save it with RGB colours of 8 bits"));
+    }
     void otherFormatsAndLargeFilesAreRejected() {
         QCOMPARE(faultOf("GIF89a"), QString("is neither PNG nor JPEG; save it as one of them"));
         QCOMPARE(faultOf(checkerPng() + std::string(kMaxImageBytes, ' ')),
