@@ -28,10 +28,13 @@ step() {
 # shows <message> <command>...: waits for the command, or fails with the step and the message.
 shows() { until_true "${@:2}" || fail "step \"$step_name\", action $actions: $1"; }
 
-# view: prints the picture of the middle of the 3D view during the simulation, where the house stands.
+# view: prints the picture of the middle of the 3D view during the simulation, where the house stands: smaller, so that
+# lines and edges count little, which are coarse while the view moves and fine at rest.
+view_side=40
 view() {
   local side=$((HEIGHT * 35 / 100))
-  import -window "$window" -crop "${side}x${side}+$((WIDTH * 30 / 100))+$((HEIGHT * 20 / 100))" +repage miff:-
+  import -window "$window" -crop "${side}x${side}+$((WIDTH * 30 / 100))+$((HEIGHT * 20 / 100))" +repage \
+    -resize "${view_side}x$view_side!" miff:-
 }
 # differs <before> <percentage>: whether more than this percentage of the pixels of the view differ, by more than light
 # that is refined.
@@ -39,7 +42,7 @@ differs() {
   view >"$folder/now.miff"
   local other
   other=$(compare -metric AE -fuzz 10% "$1" "$folder/now.miff" null: 2>&1) || true
-  awk -v other="$other" -v side=$((HEIGHT * 35 / 100)) -v limit="$2" \
+  awk -v other="$other" -v side=$view_side -v limit="$2" \
     'BEGIN { exit !(other ~ /^[0-9.e+]+$/ && 100 * other > limit * side * side) }'
 }
 is_alike() { ! differs "$@"; }
