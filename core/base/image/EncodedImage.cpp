@@ -2,6 +2,8 @@
 
 #include "core/base/limits/ImageLimits.h"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -23,7 +25,12 @@ std::uint32_t bigEndian(std::string_view bytes) {
     return value;
 }
 
-/// Walks the chunks of a PNG file from its header to its end; nothing if it is truncated.
+/// The checksum of a chunk's name and content.
+std::uint32_t checksumOf(std::string_view bytes) {
+    return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
+}
+
+/// Walks the chunks of a PNG file from its header to its end; nothing if it is truncated or a checksum is wrong.
 std::optional<ImageSize> pngSize(std::string_view bytes) {
     constexpr std::size_t kLength = 4, kName = 4, kChecksum = 4, kHeaderSize = 13;
     std::optional<ImageSize> size;
@@ -32,6 +39,8 @@ std::optional<ImageSize> pngSize(std::string_view bytes) {
         const std::size_t length = bigEndian(bytes.substr(0, kLength));
         const std::string_view name = bytes.substr(kLength, kName), content = bytes.substr(kLength + kName);
         if (content.size() < length + kChecksum) return std::nullopt;
+        if (checksumOf(bytes.substr(kLength, kName + length)) != bigEndian(content.substr(length, kChecksum)))
+            return std::nullopt;
         if (!size && (name != "IHDR" || length != kHeaderSize)) return std::nullopt;
         if (!size) size = ImageSize{bigEndian(content.substr(0, 4)), bigEndian(content.substr(4, 4))};
         if (name == "IEND") return size;

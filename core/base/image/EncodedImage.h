@@ -10,11 +10,12 @@ namespace rubble {
 
 enum class ImageType { Png, Jpeg };
 
-/// The content of a PNG or JPEG file, unchanged. Its frame is checked, its pixels are not decoded.
+/// The content of a PNG or JPEG file, unchanged. Its frame and the checksums of PNG are checked, its pixels are not
+/// decoded.
 class EncodedImage {
 public:
     /// Errors, as the end of a sentence that begins with the name of the image: Unsupported if it is neither PNG nor a
-    /// JPEG in RGB; Limit above kMaxImageBytes or kMaxImageSide; BadInput if it is truncated or has no pixels.
+    /// JPEG in RGB; Limit above kMaxImageBytes or kMaxImageSide; BadInput if it is truncated, damaged or has no pixels.
     /// Source: W3C, "Portable Network Graphics", 2003; ITU-T T.81, "JPEG", annex B.
     static Result<EncodedImage> of(std::string bytes);
 

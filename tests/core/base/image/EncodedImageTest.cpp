@@ -32,6 +32,16 @@ private slots:
             for (std::size_t size = 0; size < whole.size(); ++size)
                 QVERIFY2(!EncodedImage::of(whole.substr(0, size)), std::to_string(size).c_str());
     }
+    void everyChangedByteOfAPngIsRejected() {
+        const std::string whole = checkerPng(1);
+        for (std::size_t at = 0; at < whole.size(); ++at) {
+            std::string changed = whole;
+            changed[at] = static_cast<char>(changed[at] ^ 1);
+            QVERIFY2(!EncodedImage::of(changed), std::to_string(at).c_str());
+        }
+        QCOMPARE(faultOf(whole.substr(0, 60) + '?' + whole.substr(61)),
+                 QString("is damaged or ends too early; save it again"));
+    }
     void claimsOfManyPixelsAreRejected() {
         QCOMPARE(faultOf(pngFile(50000, 50000, "")),
                  QString("has 50000 × 50000 pixels; scale it down to 8192 a side at most"));
