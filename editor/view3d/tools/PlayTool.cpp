@@ -171,8 +171,9 @@ bool PlayTool::press(const QMouseEvent& event) {
 }
 
 bool PlayTool::doubleClick(const QMouseEvent& event) {
+    if (!m_controller.toolSettings().throwsOnClick) return false;
     press(event);
-    return m_pressedAt && m_controller.toolSettings().throwsOnClick;
+    return m_pressedAt.has_value();
 }
 
 bool PlayTool::move(const QMouseEvent& event) {
