@@ -48,6 +48,18 @@ private:
     std::vector<std::pair<Throw, std::vector<BodyForecast>>> m_answers;
 };
 
+/// The same; each answer holds up the thread until it is released.
+struct HeldAnswers : Answers {
+    ForecastThread::Receiver receiver() {
+        return [this, receive = Answers::receiver()](const Throw& thrown, const std::vector<BodyForecast>& bodies) {
+            receive(thrown, bodies);
+            isAnswered.release();
+            isReleased.acquire();
+        };
+    }
+    QSemaphore isAnswered, isReleased;
+};
+
 }  // namespace
 
 class ForecastThreadTest : public QObject {
@@ -73,38 +85,27 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(answers.hasOneOf(past), kPatience);
         QVERIFY(answers.all().front().second.empty());
     }
-    /// The first order is held up where it reports its answer.
     void newestOrderIsCarriedOutNext() {
-        QSemaphore isAnswered, isReleased;
-        Answers answers;
-        ForecastThread forecasts([&, receive = answers.receiver()](const Throw& thrown, const auto& bodies) {
-            receive(thrown, bodies);
-            isAnswered.release();
-            isReleased.acquire();
-        });
+        HeldAnswers answers;
+        ForecastThread forecasts(answers.receiver());
         const Throw first = test::throwAtBlock(20.0, 12.0), second = test::throwAtBlock(19.0, 12.0),
                     third = test::throwAtBlock(18.0, 12.0);
         forecasts.start(orderOf(first));
-        QVERIFY(isAnswered.tryAcquire(1, kPatience));
+        QVERIFY(answers.isAnswered.tryAcquire(1, kPatience));
         forecasts.start(orderOf(second));
         forecasts.start(orderOf(third));
-        isReleased.release(10);
+        answers.isReleased.release(10);
         QTRY_VERIFY_WITH_TIMEOUT(answers.hasOneOf(third), kPatience);
         QVERIFY(!answers.hasOneOf(second));
     }
     void cancelledOrderIsNotAnswered() {
-        QSemaphore isAnswered, isReleased;
-        Answers answers;
-        ForecastThread forecasts([&, receive = answers.receiver()](const Throw& thrown, const auto& bodies) {
-            receive(thrown, bodies);
-            isAnswered.release();
-            isReleased.acquire();
-        });
+        HeldAnswers answers;
+        ForecastThread forecasts(answers.receiver());
         forecasts.start(orderOf(test::throwAtBlock(20.0, 12.0)));
-        QVERIFY(isAnswered.tryAcquire(1, kPatience));
+        QVERIFY(answers.isAnswered.tryAcquire(1, kPatience));
         forecasts.start(orderOf(test::throwAtBlock(19.0, 12.0)));
         forecasts.cancel();
-        isReleased.release(10);
+        answers.isReleased.release(10);
         forecasts.start(orderOf(test::throwAtBlock(18.0, 12.0)));
         QTRY_VERIFY_WITH_TIMEOUT(answers.hasOneOf(test::throwAtBlock(18.0, 12.0)), kPatience);
         QVERIFY(!answers.hasOneOf(test::throwAtBlock(19.0, 12.0)));
