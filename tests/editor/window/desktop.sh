@@ -24,9 +24,11 @@ fail() {
   printf '%s: %s\n' "$(basename "$0")" "$*" >&2
   exit 1
 }
-# until_true <command>...: waits until the command succeeds: far longer than it takes on a machine ten times slower.
+# until_true <command>...: waits until the command succeeds, for $patience seconds: far longer than it takes on a machine
+# ten times slower.
+patience=180
 until_true() {
-  local end=$((SECONDS + 180))
+  local end=$((SECONDS + patience))
   while ! "$@" >/dev/null 2>&1; do
     [ $SECONDS -lt $end ] || return 1
     sleep 0.2  # between two looks
