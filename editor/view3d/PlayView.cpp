@@ -48,7 +48,7 @@ void PlayView::updateState() {
 void PlayView::refresh() {
     if (!m_controller.isInPlay()) return;
     showFrame();
-    m_viewport.setStepFraction(m_controller.stepFraction());
+    m_viewport.setStepFraction(isMoving(m_viewport.scene()) ? m_controller.stepFraction() : 1.0);
     if (m_tool.charge()) m_tool.updateAim();
     updateFrameRate();
     m_hud->setContent(content());
@@ -76,7 +76,8 @@ void PlayView::restartCount() {
 void PlayView::updateFrameRate() {
     const double passed = m_controller.thread().now() - m_countedSince;
     if (passed < 0.5) return;
-    m_framesPerSecond = static_cast<int>(std::lround(m_counted / passed));
+    m_framesPerSecond.reset();
+    if (m_counted > 0) m_framesPerSecond = static_cast<int>(std::lround(m_counted / passed));
     m_countedSince += passed;
     m_counted = 0;
 }

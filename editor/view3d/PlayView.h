@@ -42,7 +42,7 @@ private:
     const RenderScene* m_shown = nullptr;
     double m_countedSince = 0.0;           // s
     int m_counted = 0;                     // frames drawn since
-    std::optional<int> m_framesPerSecond;  // none before it was measured
+    std::optional<int> m_framesPerSecond;  // none before it was measured, and while nothing changes
     bool m_hasStatistics = false;
 };
 

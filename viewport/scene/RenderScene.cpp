@@ -73,6 +73,10 @@ RenderPose interpolated(const RenderPose& from, const RenderPose& to, double fra
             glm::normalize(glm::mix(sign * from.orientation, to.orientation, t))};
 }
 
+bool isMoving(const RenderScene& scene) {
+    return !scene.puffs.empty() || (!scene.previousPoses.empty() && scene.previousPoses != scene.poses);
+}
+
 RenderPose poseAt(const RenderScene& scene, std::uint32_t body, double stepFraction) {
     const RenderPose& now = scene.poses[body];
     return stepFraction >= 1.0 || scene.previousPoses.empty()

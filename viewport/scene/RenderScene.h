@@ -43,6 +43,7 @@ struct BodyAppearance {
     std::uint32_t inside = 0x999999;
     std::uint32_t marks = 0;    // bits: kHidden, kSelected, kHovered
     std::uint32_t outline = 0;  // of selected bodies: those with the same number share an outline
+    bool operator==(const BodyAppearance&) const = default;
 };
 /// A colour with an opacity in [0, 1], as in BodyAppearance.
 std::uint32_t packedSurface(const Colour& colour, double opacity);
@@ -67,6 +68,7 @@ struct SceneLine {
     glm::vec4 to{0.0f};              // equal to `from` for a dot; w: a LineEnd
     glm::vec4 colour{1.0f};          // sRGB and opacity
     glm::vec4 previousOffset{0.0f};  // m: its position one step earlier minus its position now
+    bool operator==(const SceneLine&) const = default;
 };
 enum class LineEnd { Round, Arrow };
 
@@ -77,6 +79,7 @@ struct DustPuff {
         0.0f};               // m: its position one step earlier minus its position now; w: opacity at its centre
     glm::vec4 colour{1.0f};  // sRGB; w: dust: seed of its noise, in [0, 1); splinter: 1 + its rotation, in turns
     bool isSplinter() const { return colour.w >= 1.0f; }
+    bool operator==(const DustPuff&) const = default;
 };
 
 /// A closed interval of numbers.
@@ -91,6 +94,7 @@ struct SceneSummary {
     Box3 bounds;    // see boundsOf()
     Box3 selected;  // of the selected bodies
     bool hasTransparent = false;
+    bool operator==(const SceneSummary&) const = default;
 };
 
 /// Everything that is drawn, as a value, without the camera. Geometry is large and shared between scenes; the rest is a
@@ -113,7 +117,11 @@ struct RenderScene {
     std::vector<SceneLine> boxes;  // axis-aligned, from one corner to the opposite one
     std::vector<DustPuff> puffs;
     std::optional<SceneSummary> summary;  // cached; see summaryOf()
+    bool operator==(const RenderScene&) const = default;
 };
+
+/// Whether the picture depends on the fraction of the step that led to the scene.
+bool isMoving(const RenderScene& scene);
 
 /// The pose of a body at a fraction in [0, 1] of the step that led to the scene: 0 before it, 1 after it.
 RenderPose poseAt(const RenderScene& scene, std::uint32_t body, double stepFraction);

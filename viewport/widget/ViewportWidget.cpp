@@ -108,6 +108,7 @@ void ViewportWidget::setPresenting(bool isOn) {
 }
 
 void ViewportWidget::setScene(std::shared_ptr<const RenderScene> scene) {
+    if (*scene == *m_scene) return;  // at rest: the picture can be refined
     m_scene = std::move(scene);
     m_hovered.reset();
     if (m_canvas != nullptr) m_canvas->setScene(m_scene);

@@ -18,6 +18,7 @@ struct Box3 {
     Vec3 corner(int index) const;  // index in [0, 8)
     double diagonal() const;
     Vec3 centre() const { return min + (max - min) / 2.0; }
+    bool operator==(const Box3&) const = default;
 };
 
 /// The box of a segment in the plane, with z = 0.

@@ -23,11 +23,30 @@ private slots:
         for (int k = 0; k < 50; ++k) view.refresh();  // the viewport is hidden: nothing is drawn
         stage.advance(60);
         view.refresh();
-        QVERIFY2(view.hud().accessibleText().contains("0 fps"), qPrintable(view.hud().accessibleText()));
+        QVERIFY2(view.hud().accessibleText().contains("– fps"), qPrintable(view.hud().accessibleText()));
         for (int k = 0; k < 30; ++k) emit viewport.drawn();
         stage.advance(60);
         view.refresh();
         QVERIFY2(view.hud().accessibleText().contains("30 fps"), qPrintable(view.hud().accessibleText()));
+    }
+    /// So that it is refined, as while nothing is played.
+    void sceneAtRestIsNotShownAgain() {
+        test::Stage stage;
+        ViewportWidget viewport;
+        PlayView view(stage.controller, viewport);
+        stage.start();
+        stage.advance(5);
+        view.refresh();
+        const RenderScene* shown = &viewport.scene();
+        QVERIFY(!shown->poses.empty() && !isMoving(*shown));
+        stage.advance(5);
+        view.refresh();
+        QCOMPARE(&viewport.scene(), shown);
+        stage.controller.throwAlong(test::kAtBlock);
+        stage.advance(5);
+        view.refresh();
+        QVERIFY(&viewport.scene() != shown);
+        QVERIFY(isMoving(viewport.scene()));
     }
     void grabShowsItsSpringAndWhetherItCanLift() {
         Project project = test::floatingBlock();
