@@ -1,6 +1,6 @@
 #include "bench/Timing.h"
 #include "bench/growth/GrowthCases.h"
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "core/fracture/voronoi/VoronoiPartition.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "core/asset/placement/InstancePlacement.h"
 #include "core/asset/project/Ids.h"
 #include "core/asset/project/Names.h"
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 
 #include <QCoreApplication>
 

@@ -1,6 +1,6 @@
 #include "editor/widgets/EulerAngles.h"
 
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 
 #include <algorithm>
 #include <cmath>

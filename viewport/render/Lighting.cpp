@@ -1,6 +1,6 @@
 #include "viewport/render/Lighting.h"
 
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 
 #include <glm/geometric.hpp>
 

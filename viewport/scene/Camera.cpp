@@ -1,6 +1,6 @@
 #include "viewport/scene/Camera.h"
 
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -1,7 +1,7 @@
 #include "core/asset/project/FragmentColours.h"
 
 #include "core/base/Hash.h"
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 
 #include <algorithm>
 #include <array>

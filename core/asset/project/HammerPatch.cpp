@@ -1,7 +1,7 @@
 #include "core/asset/project/HammerPatch.h"
 
 #include "core/asset/project/Ranges.h"
-#include "core/base/Power.h"
+#include "core/base/math/Power.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,7 +1,7 @@
 #include "core/fracture/kinds/RadialCracks.h"
 
-#include "core/base/Power.h"
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Power.h"
+#include "core/base/math/Trigonometry.h"
 #include "core/fracture/cuts/CutSet.h"
 #include "core/fracture/layer/LayerContext.h"
 #include "core/fracture/layer/LayerKind.h"

@@ -1,6 +1,6 @@
 #include "core/fracture/pattern/AnisotropyMap.h"
 
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "core/fracture/pattern/Pattern.h"
 #include "core/geometry/polygon/LocalFrame.h"
 

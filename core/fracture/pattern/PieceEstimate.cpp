@@ -1,6 +1,6 @@
 #include "core/fracture/pattern/PieceEstimate.h"
 
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 
 #include <algorithm>
 #include <cmath>

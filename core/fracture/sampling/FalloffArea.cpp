@@ -1,6 +1,6 @@
 #include "core/fracture/sampling/FalloffArea.h"
 
-#include "core/base/Power.h"
+#include "core/base/math/Power.h"
 #include "core/geometry/polygon/ConvexParts.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "core/fracture/sampling/PointNear.h"
 
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 
 #include <numbers>
 

@@ -1,6 +1,6 @@
 #include "core/geometry/polygon/MinimumCrossSection.h"
 
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 #include "core/geometry/polygon/OutlineShapes.h"
 
 #include "core/base/Assert.h"
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 
 #include <numbers>
 

@@ -1,6 +1,6 @@
 #include "core/physics/step/SharedLoad.h"
 
-#include "core/base/Power.h"
+#include "core/base/math/Power.h"
 #include "core/physics/state/Contacts.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "core/play/scene/BodyShape.h"
 
 #include "core/base/Assert.h"
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "core/geometry/hull/ConvexHull.h"
 
 #include <algorithm>

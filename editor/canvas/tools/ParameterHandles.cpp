@@ -1,6 +1,6 @@
 #include "editor/canvas/tools/ParameterHandles.h"
 
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "core/fracture/pattern/SeedEdits.h"
 #include "editor/canvas/tools/Snapping.h"
 #include "editor/commands/ProjectEdits.h"

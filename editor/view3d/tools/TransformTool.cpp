@@ -1,6 +1,6 @@
 #include "editor/view3d/tools/TransformTool.h"
 
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "editor/commands/InstanceEdits.h"
 #include "editor/document/ShownText.h"
 #include "editor/view3d/tools/GizmoPainting.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/Random.h"
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "tests/support/asset/ProjectParts.h"
 #include "tests/support/geometry/Outlines.h"
 

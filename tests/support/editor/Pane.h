@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "tests/support/asset/ProjectParts.h"
 #include "tests/support/geometry/Outlines.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/Random.h"
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "core/geometry/hull/ConvexHull.h"
 #include "core/physics/shape/Hull.h"
 #include "core/physics/shape/Shape.h"

@@ -1,6 +1,6 @@
 #include "tests/support/scenes/BodyShapes.h"
 
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "core/geometry/hull/ConvexHull.h"
 
 #include <cmath>

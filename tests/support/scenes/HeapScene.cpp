@@ -1,5 +1,5 @@
 #include "core/base/Random.h"
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "tests/support/scenes/SceneParts.h"
 #include "tests/support/scenes/Scenes.h"
 

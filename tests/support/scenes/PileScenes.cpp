@@ -1,5 +1,5 @@
 #include "core/base/Random.h"
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "core/geometry/search/Box3.h"
 #include "core/physics/shape/Shape.h"
 #include "tests/support/scenes/BodyShapes.h"

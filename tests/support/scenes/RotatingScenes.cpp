@@ -1,7 +1,7 @@
 #include "tests/support/scenes/RotatingScenes.h"
 
 #include "core/base/Random.h"
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "core/geometry/hull/ConvexHull.h"
 #include "tests/support/scenes/SceneParts.h"
 

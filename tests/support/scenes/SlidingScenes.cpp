@@ -1,6 +1,6 @@
 #include "tests/support/scenes/SlidingScenes.h"
 
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "tests/support/scenes/BodyShapes.h"
 #include "tests/support/scenes/SceneParts.h"
 

@@ -2,7 +2,7 @@
 #include "core/fracture/delaunay/Delaunay.h"
 
 #include "core/base/Random.h"
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "core/fracture/verify/VerifyDelaunay.h"
 #include "tests/support/TestProgram.h"
 

@@ -1,6 +1,6 @@
 #include "core/fracture/partition/VertexWelding.h"
 
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "core/fracture/verify/VerifyPartition.h"
 #include "core/fracture/voronoi/VoronoiPartition.h"
 #include "tests/support/TestProgram.h"

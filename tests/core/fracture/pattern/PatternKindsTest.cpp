@@ -1,6 +1,6 @@
 // Tests all kinds of layers in core/fracture/pattern/, with LayerParameter.cpp.
 #include "core/base/Random.h"
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "core/fracture/cuts/CutSet.h"
 #include "core/fracture/kinds/BrickCourses.h"
 #include "core/fracture/layer/LayerContext.h"

@@ -1,6 +1,6 @@
 // Tests degenerate inputs on core/fracture/pattern/PatternPartition.cpp and all stages below it.
 #include "core/base/Random.h"
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/fracture/VerifiedPartition.h"
 #include "tests/support/geometry/Outlines.h"

@@ -1,7 +1,7 @@
 #include "core/fracture/voronoi/VoronoiPartition.h"
 
 #include "core/base/Random.h"
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "core/geometry/polygon/LocalFrame.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/fracture/VerifiedPartition.h"

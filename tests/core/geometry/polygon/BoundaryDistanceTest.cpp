@@ -1,7 +1,7 @@
 #include "core/geometry/polygon/BoundaryDistance.h"
 
 #include "core/base/Random.h"
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "core/geometry/predicates/SegmentDistance.h"
 #include "tests/support/TestProgram.h"
 

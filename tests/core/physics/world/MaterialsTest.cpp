@@ -1,5 +1,5 @@
 // Tests core/physics/step/Solver.cpp.
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "core/geometry/hull/ConvexHull.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Simulated.h"

@@ -1,7 +1,7 @@
 #include "core/play/analysis/Forecast.h"
 
 #include "core/base/Random.h"
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 #include "core/play/session/Aim.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/House.h"

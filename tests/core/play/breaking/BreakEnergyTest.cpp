@@ -1,5 +1,5 @@
 // Tests core/play/state/EnergyAudit.cpp and core/play/breaking/Swap.cpp: only the source adds energy, in random assets.
-#include "core/base/Power.h"
+#include "core/base/math/Power.h"
 #include "core/play/breaking/Swap.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/RandomAssets.h"

@@ -1,5 +1,5 @@
-#include "core/base/Power.h"
 #include "core/base/Random.h"
+#include "core/base/math/Power.h"
 #include "tests/support/TestProgram.h"
 
 #include <QTest>

@@ -1,4 +1,4 @@
-#include "core/base/Roots.h"
+#include "core/base/math/Roots.h"
 
 #include "core/base/Assert.h"
 

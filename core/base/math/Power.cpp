@@ -1,4 +1,4 @@
-#include "core/base/Power.h"
+#include "core/base/math/Power.h"
 
 #include "core/base/Assert.h"
 

@@ -1,4 +1,4 @@
-#include "core/base/Trigonometry.h"
+#include "core/base/math/Trigonometry.h"
 
 #include "core/base/Assert.h"
 
