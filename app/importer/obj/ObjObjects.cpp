@@ -1,7 +1,8 @@
 #include "app/importer/obj/ObjObjects.h"
 
+#include "core/base/DisjointSets.h"
+
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 namespace rubble {
@@ -48,22 +49,15 @@ std::vector<GroupEdge> openEdges(const ObjFile& file) {
 }  // namespace
 
 std::vector<std::uint32_t> objectsOfParts(const ObjFile& file) {
-    std::vector<std::uint32_t> parent(file.parts.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t part) {
-        while (parent[part] != part) part = parent[part] = parent[parent[part]];
-        return part;
-    };
+    DisjointSets objects(file.parts.size());
     if (!file.hasObjects && file.parts.size() > 1) {
         const std::vector<GroupEdge> open = openEdges(file);
         for (std::size_t i = 1; i < open.size(); ++i) {
             if (open[i].low != open[i - 1].low || open[i].high != open[i - 1].high) continue;
-            const std::uint32_t a = root(open[i - 1].part), b = root(open[i].part);
-            parent[std::max(a, b)] = std::min(a, b);
+            objects.merge(open[i - 1].part, open[i].part);
         }
     }
-    for (std::uint32_t part = 0; part < parent.size(); ++part) parent[part] = root(part);
-    return parent;
+    return objects.roots();
 }
 
 }  // namespace rubble

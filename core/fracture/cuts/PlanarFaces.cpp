@@ -1,5 +1,6 @@
 #include "core/fracture/cuts/PlanarFaces.h"
 
+#include "core/base/DisjointSets.h"
 #include "core/geometry/polygon/IndexedCorners.h"
 #include "core/geometry/predicates/Predicates.h"
 #include "core/geometry/search/BoxTree.h"
@@ -78,23 +79,6 @@ std::vector<PlanarEdge> mergedEdges(const PlanarGraph& graph) {
 
 /// Whether a direction is in the second half of the angular order, which is counter-clockwise and ends straight down.
 bool isOnLeftHalf(Vec2 from, Vec2 to) { return to.x < from.x || (to.x == from.x && to.y < from.y); }
-
-/// Sets of numbers that are merged two by two.
-class DisjointSets {
-public:
-    explicit DisjointSets(std::size_t count) : m_parents(count) { std::iota(m_parents.begin(), m_parents.end(), 0u); }
-    std::uint32_t rootOf(std::uint32_t k) {
-        while (m_parents[k] != k) k = m_parents[k] = m_parents[m_parents[k]];
-        return k;
-    }
-    void merge(std::uint32_t a, std::uint32_t b) {
-        a = rootOf(a), b = rootOf(b);
-        m_parents[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::uint32_t> m_parents;
-};
 
 /// The edges in a spatial index, for horizontal rays from points to the left.
 class EdgesToTheLeft {
@@ -244,9 +228,8 @@ private:
         DisjointSets components(cycleCount());
         for (std::uint32_t edge = 0; edge < m_faces.edges.size(); ++edge)
             components.merge(m_cycleOf[2 * edge], m_cycleOf[2 * edge + 1]);
-        m_componentOf.resize(cycleCount());
+        m_componentOf = components.roots();
         m_leftmost.assign(cycleCount(), kNone);
-        for (std::uint32_t cycle = 0; cycle < cycleCount(); ++cycle) m_componentOf[cycle] = components.rootOf(cycle);
         std::size_t points = 0;
         for (std::uint32_t point = 0; point + 1 < m_begins.size(); ++point) {
             if (m_begins[point] == m_begins[point + 1]) continue;

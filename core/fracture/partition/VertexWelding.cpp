@@ -1,43 +1,31 @@
 #include "core/fracture/partition/VertexWelding.h"
 
+#include "core/base/DisjointSets.h"
 #include "core/fracture/partition/EdgeIndex.h"
 #include "core/fracture/partition/PieceRings.h"
 #include "core/geometry/polygon/IndexedCorners.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <set>
 
 namespace rubble {
 namespace {
 
-/// The representative of each point (union-find).
-class WeldedPoints {
-public:
-    WeldedPoints(std::size_t count, const Coincidences& coincidences) : m_parents(count) {
-        std::iota(m_parents.begin(), m_parents.end(), 0u);
-        for (const auto& [a, b] : coincidences.pairs) merge(rootOf(a), rootOf(b), coincidences);
-        for (std::uint32_t point = 0; point < m_parents.size(); ++point) m_parents[point] = rootOf(point);
-    }
-    std::uint32_t operator[](std::uint32_t point) const { return m_parents[point]; }
-
-private:
-    std::uint32_t rootOf(std::uint32_t point) {
-        while (m_parents[point] != point) point = m_parents[point] = m_parents[m_parents[point]];
-        return point;
-    }
-    /// Of two points the outline vertex stays, else the lower one; two outline vertices are never merged.
-    void merge(std::uint32_t a, std::uint32_t b, const Coincidences& coincidences) {
-        const auto isFixed = [&](std::uint32_t p) { return p >= coincidences.fixedBegin && p < coincidences.fixedEnd; };
-        if (a == b || (isFixed(a) && isFixed(b))) return;
+/// The representative of each point. Of two points the outline vertex stays, else the lower one; two outline vertices
+/// are never merged.
+std::vector<std::uint32_t> weldedPoints(std::size_t count, const Coincidences& coincidences) {
+    const auto isFixed = [&](std::uint32_t p) { return p >= coincidences.fixedBegin && p < coincidences.fixedEnd; };
+    DisjointSets sets(count);
+    for (const auto& [first, second] : coincidences.pairs) {
+        std::uint32_t a = sets.rootOf(first), b = sets.rootOf(second);
+        if (a == b || (isFixed(a) && isFixed(b))) continue;
         if (isFixed(b) || (!isFixed(a) && b < a)) std::swap(a, b);
-        m_parents[b] = a;
+        sets.mergeInto(a, b);
     }
-
-    std::vector<std::uint32_t> m_parents;
-};
+    return sets.roots();
+}
 
 /// Whether a point lies on the open segment, within `distance`.
 bool liesOn(Vec2 point, Vec2 from, Vec2 to, double distance) {
@@ -68,7 +56,7 @@ class Welder {
 public:
     Welder(Partition& partition, const Coincidences& coincidences)
         : m_partition(partition),
-          m_welded(partition.points.size(), coincidences),
+          m_welded(weldedPoints(partition.points.size(), coincidences)),
           m_distance(coincidences.weldDistance),
           m_isSuspect(partition.pieceCount(), false) {
         for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) addPiece(piece);
@@ -354,7 +342,7 @@ private:
     }
 
     Partition& m_partition;
-    WeldedPoints m_welded;
+    const std::vector<std::uint32_t> m_welded;  // the representative of each point
     double m_distance;
     std::vector<PieceRings> m_rings;        // of each piece
     std::vector<std::uint32_t> m_suspects;  // pieces that may have parts without width; grows while it is visited

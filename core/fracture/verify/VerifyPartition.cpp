@@ -1,5 +1,8 @@
 #include "core/fracture/verify/VerifyPartition.h"
 
+#include "core/base/DisjointSets.h"
+#include "core/base/MessageText.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -106,12 +109,7 @@ Fault verifyRingsAreSimple(const Partition& p) {
 
 /// The graph of rings that touch at points is a forest: a cycle would disconnect the piece.
 Fault verifyPiecesAreConnected(const Partition& p) {
-    std::vector<std::uint32_t> parentOf(p.cornersOfRing.size());
-    for (std::uint32_t ring = 0; ring < parentOf.size(); ++ring) parentOf[ring] = ring;
-    const auto rootOf = [&](std::uint32_t ring) {
-        while (parentOf[ring] != ring) ring = parentOf[ring] = parentOf[parentOf[ring]];
-        return ring;
-    };
+    DisjointSets connectedRings(p.cornersOfRing.size());
     for (std::uint32_t piece = 0; piece < p.pieceCount(); ++piece) {
         if (p.ringCount(piece) < 2) continue;
         std::map<std::uint32_t, std::uint32_t> ringAt;  // the first at each point
@@ -119,11 +117,9 @@ Fault verifyPiecesAreConnected(const Partition& p) {
             for (const std::uint32_t point : p.ringCorners(ring)) {
                 const auto [entry, isNew] = ringAt.try_emplace(point, ring);
                 if (isNew) continue;
-                const std::uint32_t one = rootOf(entry->second), other = rootOf(ring);
-                if (one == other)
+                if (!connectedRings.merge(entry->second, ring))
                     return "Piece " + std::to_string(piece) + " is disconnected by points, one of them is " +
                            std::to_string(point) + ".";
-                parentOf[one] = other;
             }
         }
     }

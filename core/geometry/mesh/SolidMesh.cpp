@@ -1,12 +1,12 @@
 #include "core/geometry/mesh/SolidMesh.h"
 
+#include "core/base/DisjointSets.h"
 #include "core/base/Index.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 namespace rubble {
@@ -120,20 +120,15 @@ double signedVolume(const TriangleMesh& mesh) {
 }
 
 std::vector<std::uint32_t> connectedParts(const TriangleMesh& mesh) {
-    std::vector<std::uint32_t> parent(mesh.points.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t point) {
-        while (parent[point] != point) point = parent[point] = parent[parent[point]];
-        return point;
-    };
+    DisjointSets connectedPoints(mesh.points.size());
     for (const auto& [a, b, c] : mesh.triangles) {
-        parent[root(b)] = root(a);
-        parent[root(c)] = root(a);
+        connectedPoints.merge(a, b);
+        connectedPoints.merge(a, c);
     }
     std::vector<std::uint32_t> numbers(mesh.points.size(), kNone), parts;
     std::uint32_t count = 0;
     for (const auto& triangle : mesh.triangles) {
-        std::uint32_t& number = numbers[root(triangle[0])];
+        std::uint32_t& number = numbers[connectedPoints.rootOf(triangle[0])];
         if (number == kNone) number = count++;
         parts.push_back(number);
     }

@@ -1,9 +1,9 @@
 #include "core/physics/islands/Sleeping.h"
 
+#include "core/base/DisjointSets.h"
 #include "core/physics/state/Contacts.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace rubble {
@@ -39,25 +39,6 @@ void wakeIsland(WorldState& state, std::uint32_t island) {
     }
 }
 
-/// A disjoint-set forest over the bodies.
-class UnionFind {
-public:
-    explicit UnionFind(std::size_t count) : m_parent(count) { std::iota(m_parent.begin(), m_parent.end(), 0u); }
-    std::uint32_t root(std::uint32_t item) {
-        while (m_parent[item] != item) item = m_parent[item] = m_parent[m_parent[item]];
-        return item;
-    }
-    /// The smaller index becomes the root, so that roots do not depend on the order of joins.
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = root(a);
-        b = root(b);
-        if (a != b) m_parent[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::uint32_t> m_parent;
-};
-
 template <class Visit>
 void visitLanes(const ContactColours& colours, const Visit& visit) {
     for (const ContactColours::List& list : colours.lists()) {
@@ -69,12 +50,12 @@ void visitLanes(const ContactColours& colours, const Visit& visit) {
     }
 }
 
-UnionFind findIslands(const WorldState& state) {
-    UnionFind unions(state.bodies.size());
+DisjointSets findIslands(const WorldState& state) {
+    DisjointSets islands(state.bodies.size());
     visitLanes(state.colours, [&](const ContactBlock& block, std::size_t lane) {
-        if (block.againstFixed[lane] == 0.0f) unions.join(block.first[lane], block.second[lane]);
+        if (block.againstFixed[lane] == 0.0f) islands.merge(block.first[lane], block.second[lane]);
     });
-    return unions;
+    return islands;
 }
 
 /// An upper bound of the length of w × r for the points r of a body, both in its axes. The extents count along each
@@ -198,15 +179,15 @@ std::size_t updateAwakeBodies(WorldState& state) {
 int sleepRestingIslands(WorldState& state) {
     const auto rests = [&](std::uint32_t body) { return isAtRest(state.bodies[body]); };
     if (!state.sleeping || std::none_of(state.awake.begin(), state.awake.end(), rests)) return 0;
-    UnionFind unions = findIslands(state);
+    DisjointSets islands = findIslands(state);
     std::vector<char> isActive(state.bodies.size(), 0);
     for (std::uint32_t body : state.awake) {
-        if (state.bodies[body].isDynamic() && !rests(body)) isActive[unions.root(body)] = 1;
+        if (state.bodies[body].isDynamic() && !rests(body)) isActive[islands.rootOf(body)] = 1;
     }
     std::vector<std::uint32_t> islandOfRoot(state.bodies.size(), kNone), newIslands, stillAwake;
     int count = 0;
     for (std::uint32_t body : state.awake) {
-        const std::uint32_t root = unions.root(body);
+        const std::uint32_t root = islands.rootOf(body);
         count += root == body ? 1 : 0;
         if (!state.bodies[body].isDynamic() || isActive[root] != 0) {
             stillAwake.push_back(body);
@@ -221,13 +202,13 @@ int sleepRestingIslands(WorldState& state) {
 }
 
 std::vector<std::uint32_t> islandsOf(const WorldState& state) {
-    UnionFind unions = findIslands(state);
+    DisjointSets islands = findIslands(state);
     for (const SleepingIsland& asleep : state.sleepingIslands) {
-        for (const std::uint32_t body : asleep.bodies) unions.join(asleep.bodies.front(), body);
+        for (const std::uint32_t body : asleep.bodies) islands.merge(asleep.bodies.front(), body);
     }
     std::vector<std::uint32_t> roots(state.bodies.size(), 0);
     for (std::uint32_t body = 1; body < roots.size(); ++body) {
-        if (state.bodies[body].shape != nullptr && state.bodies[body].isDynamic()) roots[body] = unions.root(body);
+        if (state.bodies[body].shape != nullptr && state.bodies[body].isDynamic()) roots[body] = islands.rootOf(body);
     }
     return roots;
 }
