@@ -1,5 +1,7 @@
 #include "core/base/Version.h"
+#include "core/io/pack/ExportCheck.h"
 #include "core/io/pack/ExportFolder.h"
+#include "core/io/pack/ExportManifest.h"
 #include "core/io/play/ReplayFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "tests/attack/Format.h"

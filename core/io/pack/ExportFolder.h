@@ -5,7 +5,6 @@
 #include "core/base/TaskContext.h"
 
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
 
@@ -19,17 +18,6 @@ struct ExportFile {
 
 /// What happens to files of an earlier export that were modified since.
 enum class EditedFiles { Kept, Replaced };
-
-/// The name of the manifest in every export folder: the hash of its source, and name, size and hash of each file.
-inline constexpr const char* kManifestName = "manifest.json";
-
-/// Returns whether the folder is a complete, unmodified export of `source` according to its manifest. Reads all files.
-bool isExportOf(const std::filesystem::path& folder, const ContentHash& source);
-
-/// Returns the first error in an export folder, if there is one: a missing or unreadable manifest, a missing or
-/// modified file, an unexpected file, a link, which is not followed. Files that engines write, such as
-/// wall.glb.import, are expected. Reads all files.
-std::optional<std::string> verifyExportFolder(const std::filesystem::path& folder);
 
 /// Writes an export folder atomically: into a hidden folder beside `folder`, which is then exchanged for it. An
 /// earlier export is replaced, except for what engines wrote in it; a link to a folder stays one. Permissions and

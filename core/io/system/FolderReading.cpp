@@ -20,4 +20,9 @@ Result<std::vector<fs::directory_entry>> entriesOf(const fs::path& folder) {
     return entries;
 }
 
+bool isLink(const fs::path& path) {
+    std::error_code ignored;
+    return fs::is_symlink(path, ignored);
+}
+
 }  // namespace rubble

@@ -13,4 +13,7 @@ namespace rubble {
 /// Errors, with the path: NotFound; Io.
 Result<std::vector<std::filesystem::directory_entry>> entriesOf(const std::filesystem::path& folder);
 
+/// Whether a path is a symbolic link; false where it cannot be read.
+bool isLink(const std::filesystem::path& path);
+
 }  // namespace rubble

@@ -1,5 +1,7 @@
 #include "core/io/pack/ExportFolder.h"
 
+#include "core/io/pack/ExportCheck.h"
+#include "core/io/pack/ExportManifest.h"
 #include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/FileLimits.h"
@@ -42,40 +44,6 @@ private slots:
         QCOMPARE(namesIn(m_pack), (Names{"manifest.json", "wall.mtl", "wall.obj"}));
         QCOMPARE(*readFile(m_pack / "wall.obj"), std::string("v 0 0 0\n"));
         QCOMPARE(namesIn(m_place / "packs"), Names{"wall"});
-    }
-
-    void unmodifiedExportIsRecognizedByItsSource() {
-        QVERIFY(!isExportOf(m_pack, kFirst));
-        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
-        QVERIFY(isExportOf(m_pack, kFirst));
-        QVERIFY(!isExportOf(m_pack, kSecond));
-    }
-
-    void errorsOfAnExportAreReported() {
-        const auto fault = [&] { return verifyExportFolder(m_pack).value_or(""); };
-        const std::string folder = m_pack.string();
-        QCOMPARE(fault(), "The folder \"" + folder + "\" has no readable manifest.json.");
-        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
-        QCOMPARE(fault(), std::string());
-        QVERIFY(writeFileAtomically(m_pack / "notes.txt", "mine"));
-        QCOMPARE(fault(), "The folder \"" + folder + "\" contains \"notes.txt\", which is not part of the export.");
-        QVERIFY(writeFileAtomically(m_pack / "wall.mtl", "newmtl b\n"));
-        QCOMPARE(fault(), "\"" + folder + "/wall.mtl\" was modified after the export.");
-        fs::remove(m_pack / "wall.obj");
-        QCOMPARE(fault(), "Cannot read \"" + folder + "/wall.obj\": No such file or directory.");
-    }
-
-    void modifiedMissingAndUnreadableFilesAreDetected() {
-        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
-        QVERIFY(writeFileAtomically(m_pack / "wall.obj", "v 0 0 1\n"));
-        QVERIFY(!isExportOf(m_pack, kFirst));
-        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles, EditedFiles::Replaced));
-        QVERIFY(isExportOf(m_pack, kFirst));
-        fs::remove(m_pack / "wall.mtl");
-        QVERIFY(!isExportOf(m_pack, kFirst));
-        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
-        fs::resize_file(m_pack / kManifestName, 40);
-        QVERIFY(!isExportOf(m_pack, kFirst));
     }
 
     void exportReplacesAnEarlierOne() {
@@ -212,14 +180,6 @@ private slots:
         QVERIFY(writeExportFolder(m_pack, kSecond, kFiles));
         QVERIFY(isExportOf(real, kSecond));
         QCOMPARE(namesIn(m_place / "elsewhere"), Names{"real"});
-    }
-
-    void namesInTheManifestStayInTheFolder() {
-        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
-        std::string manifest = *readFile(m_pack / kManifestName);
-        manifest.replace(manifest.find("wall.obj"), 8, "../a.obj");
-        QVERIFY(writeFileAtomically(m_pack / kManifestName, manifest));
-        QVERIFY(verifyExportFolder(m_pack)->ends_with("has no readable manifest.json."));
     }
 
     void emptyFolderIsReplacedAndFileIsNot() {

@@ -1,3 +1,4 @@
+#include "core/io/pack/ExportCheck.h"
 #include "core/io/pack/ExportFolder.h"
 #include "core/io/pack/PackExport.h"
 
