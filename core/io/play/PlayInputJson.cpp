@@ -24,7 +24,7 @@ void writeInput(JsonWriter& json, const ThresholdInput& input) {
 
 void writeInput(JsonWriter& json, const MaterialInput& input) {
     json.openArray("materials");
-    writeMaterialVersion1(json, input.material);  // without strength: its thresholds are inputs of their own
+    writeMaterialBeforeVersion5(json, input.material);  // without strength: its thresholds are inputs of their own
     json.close();
 }
 
@@ -56,7 +56,7 @@ PlayInput readInput(std::size_t kind, const JsonValue& value) {
             return ThresholdInput{value["asset"].index(), value["instance"].index(), value["threshold"].number()};
         case 2: {
             value.requireObject({"step", "input", "materials"});
-            const std::vector<Material> materials = value["materials"].list(readMaterialVersion1);
+            const std::vector<Material> materials = value["materials"].list(readMaterialBeforeVersion5);
             if (materials.size() != 1) value["materials"].fail("expected one material");
             return MaterialInput{materials.empty() ? Material{} : materials[0]};
         }

@@ -210,14 +210,14 @@ void writeMaterial(JsonWriter& json, const Material& material) {
     json.close();
 }
 
-void writeMaterialVersion1(JsonWriter& json, const Material& material) {
+void writeMaterialBeforeVersion5(JsonWriter& json, const Material& material) {
     json.openObject();
     writeProperties(json, material);
     writeColours(json, material);
     json.close();
 }
 
-Material readMaterialVersion1(const JsonValue& value) {
+Material readMaterialBeforeVersion5(const JsonValue& value) {
     value.requireObject({"id", "name", "density", "friction", "restitution", "outside", "inside"}, {"opacity"});
     return readMaterialMembers1(value);
 }
@@ -269,7 +269,7 @@ Asset readAssetVersion1(const JsonValue& value) {
     return readAssetMembers1(value);
 }
 
-Asset readAssetVersion2(const JsonValue& value) {
+Asset readAssetVersions2To3(const JsonValue& value) {
     value.requireObject({"id", "name", "material", "threshold", "insideUvScale", "prism", "pattern", "levels",
                          "cutAtImpact", "intents", "surface"});
     return readAssetMembers2(value);

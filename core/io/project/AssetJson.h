@@ -12,7 +12,7 @@ void writeMaterial(JsonWriter& json, const Material& material);
 void writeAsset(JsonWriter& json, const Asset& asset, const ImageList& images);
 
 /// Writes a material in version 1, which replay files use.
-void writeMaterialVersion1(JsonWriter& json, const Material& material);
+void writeMaterialBeforeVersion5(JsonWriter& json, const Material& material);
 
 /// Read what the functions above wrote, an asset without its texture. They check types only; verifyProject() checks the
 /// values.
@@ -20,9 +20,9 @@ Material readMaterial(const JsonValue& value);
 Asset readAsset(const JsonValue& value);
 /// Read materials of the versions 1 to 4, and assets of version 1 (no cuts at impact, no strength requirements),
 /// versions 2 and 3 (no shaping of fragments) and version 4 (no material strength).
-Material readMaterialVersion1(const JsonValue& value);
+Material readMaterialBeforeVersion5(const JsonValue& value);
 Asset readAssetVersion1(const JsonValue& value);
-Asset readAssetVersion2(const JsonValue& value);
+Asset readAssetVersions2To3(const JsonValue& value);
 Asset readAssetVersion4(const JsonValue& value);
 
 }  // namespace rubble

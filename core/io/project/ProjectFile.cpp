@@ -45,7 +45,7 @@ Project readCommon(const JsonValue& root, const ElementReaders& read) {
 Project readProjectVersion1(const JsonValue& root) {
     root.requireObject({"format", "version", "nextId", "materials", "assets", "instances", "ground", "gravity",
                         "damage", "shots", "playTests"});
-    return readCommon(root, {readMaterialVersion1, readAssetVersion1, readInstanceVersion2});
+    return readCommon(root, {readMaterialBeforeVersion5, readAssetVersion1, readInstanceBeforeVersion3});
 }
 
 /// Reads all members since version 2.
@@ -61,18 +61,19 @@ Project readProjectSinceVersion2(const JsonValue& root, const ElementReaders& re
 
 /// Version 2 added debris, cuts at impact and strength requirements.
 Project readProjectVersion2(const JsonValue& root) {
-    return readProjectSinceVersion2(root, {readMaterialVersion1, readAssetVersion2, readInstanceVersion2});
+    return readProjectSinceVersion2(root,
+                                    {readMaterialBeforeVersion5, readAssetVersions2To3, readInstanceBeforeVersion3});
 }
 
 /// Version 3 added variants, hidden and locked instances.
 Project readProjectVersion3(const JsonValue& root) {
-    return readProjectSinceVersion2(root, {readMaterialVersion1, readAssetVersion2, readInstance});
+    return readProjectSinceVersion2(root, {readMaterialBeforeVersion5, readAssetVersions2To3, readInstance});
 }
 
 /// Version 4 added the shaping of fragments: small pieces, gaps, roughness, merges and splits, levels of single
 /// fragments.
 Project readProjectVersion4(const JsonValue& root) {
-    return readProjectSinceVersion2(root, {readMaterialVersion1, readAssetVersion4, readInstance});
+    return readProjectSinceVersion2(root, {readMaterialBeforeVersion5, readAssetVersion4, readInstance});
 }
 
 void readTextures(const JsonValue& root, std::vector<Asset>& assets) {

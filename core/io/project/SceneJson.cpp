@@ -42,7 +42,7 @@ void writeInstance(JsonWriter& json, const Instance& instance) {
     json.close();
 }
 
-Instance readInstanceVersion2(const JsonValue& value) {
+Instance readInstanceBeforeVersion3(const JsonValue& value) {
     value.requireObject({"id", "name", "asset", "position", "orientation", "threshold", "fixed"});
     return readInstanceMembers1(value);
 }

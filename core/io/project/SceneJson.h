@@ -15,7 +15,7 @@ void writeDebris(JsonWriter& json, const Debris& debris);
 /// Read what the functions above wrote. They check types only; verifyProject() checks the values.
 Instance readInstance(const JsonValue& value);
 /// Reads an instance of versions 1 and 2, which has no variant and is neither hidden nor locked.
-Instance readInstanceVersion2(const JsonValue& value);
+Instance readInstanceBeforeVersion3(const JsonValue& value);
 Ground readGround(const JsonValue& value);
 Damage readDamage(const JsonValue& value);
 Debris readDebris(const JsonValue& value);
