@@ -1,6 +1,6 @@
 #include "core/fracture/cuts/CutPartition.h"
 
-#include "core/base/MessageText.h"
+#include "core/base/QuantityText.h"
 #include "core/base/RadixSort.h"
 #include "core/fracture/cuts/CutOverlay.h"
 #include "core/fracture/partition/EdgeIndex.h"
@@ -55,10 +55,11 @@ private:
         }
         for (const auto& [of, length] : lengths) {
             const std::string line = std::to_string(of[1]) + " of layer " + std::to_string(of[0]);
-            m_old.diagnostics.push_back(diagnostic(
-                DiagnosticCode::LooseCut, {.layer = of[0], .index = of[1]},
-                "Cut " + line + " separates nothing along " + messageText(length) + " m; this part is omitted.",
-                length));
+            m_old.diagnostics.push_back(diagnostic(DiagnosticCode::LooseCut, {.layer = of[0], .index = of[1]},
+                                                   "Cut " + line + " separates nothing along " +
+                                                       quantityText(QuantityKind::Length, length) +
+                                                       "; this part is omitted.",
+                                                   length));
         }
     }
 

@@ -1,6 +1,6 @@
 #include "core/fracture/pieces/MassTransfer.h"
 
-#include "core/base/MessageText.h"
+#include "core/base/QuantityText.h"
 #include "core/fracture/pieces/PieceWidth.h"
 
 #include <algorithm>
@@ -55,8 +55,8 @@ Diagnostic massTransferReport(const Partition& partition, MassTransfer transfer)
     const std::uint32_t seed = partition.seedOfPiece[transfer.thin];
     const Polygon outline = pieceOutline(partition, transfer.thin);
     Diagnostic report = diagnostic(DiagnosticCode::ThinPiece, {.seed = seed}, {}, area(outline));
-    report.message = "A piece of " + cellText(partition, transfer.thin) + " is " + messageText(widthOf(outline)) +
-                     " m wide, too thin for a hull";
+    report.message = "A piece of " + cellText(partition, transfer.thin) + " is " +
+                     quantityText(QuantityKind::Length, widthOf(outline)) + " wide, too thin for a hull";
     if (transfer.receiver == kNone) {
         report.message += "; it is omitted.";
         return report;

@@ -1,7 +1,7 @@
 #include "core/fracture/pieces/PieceGap.h"
 
-#include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
+#include "core/base/QuantityText.h"
 #include "core/fracture/partition/CappedDiagnostics.h"
 #include "core/fracture/pieces/StrictConvexity.h"
 #include "core/geometry/polygon/PolygonBoolean.h"
@@ -236,7 +236,8 @@ Diagnostic disconnectedReport(const Partition& partition, std::uint32_t piece, c
     for (const ShrunkRing& ring : left.rings) lost -= signedArea(positionsOf(ring));
     return diagnostic(DiagnosticCode::VanishedPiece, {.seed = partition.seedOfPiece[piece]},
                       "The gap between fragments cuts a piece of " + cellText(partition, piece) +
-                          " apart; its largest part remains, and " + messageText(lost) + " m² are left out.",
+                          " apart; its largest part remains, and " + quantityText(QuantityKind::Area, lost) +
+                          " are left out.",
                       lost);
 }
 
@@ -262,8 +263,8 @@ ShrunkPiece shrunkPiece(const Partition& partition, std::uint32_t piece, double 
 Diagnostic vanishedReport(const Partition& partition, std::uint32_t piece, double lost) {
     return diagnostic(DiagnosticCode::VanishedPiece, {.seed = partition.seedOfPiece[piece]},
                       "A piece of " + cellText(partition, piece) +
-                          " is narrower than the gap between fragments; it is omitted with " + messageText(lost) +
-                          " m².",
+                          " is narrower than the gap between fragments; it is omitted with " +
+                          quantityText(QuantityKind::Area, lost) + ".",
                       lost);
 }
 

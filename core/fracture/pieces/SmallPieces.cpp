@@ -1,6 +1,6 @@
 #include "core/fracture/pieces/SmallPieces.h"
 
-#include "core/base/MessageText.h"
+#include "core/base/QuantityText.h"
 #include "core/fracture/partition/CappedDiagnostics.h"
 #include "core/fracture/pieces/PieceDraft.h"
 
@@ -59,15 +59,16 @@ private:
 Diagnostic mergedReport(const Partition& partition, std::uint32_t piece, std::uint32_t receiver, double area) {
     const std::uint32_t seed = partition.seedOfPiece[piece], of = partition.seedOfPiece[receiver];
     if (seed == kNone) {
-        const std::string size = messageText(area) + " m²";
-        return diagnostic(DiagnosticCode::MergedPiece, {},
-                          "A piece of " + size + " is too small; it is merged into a neighbour.", area);
+        return diagnostic(
+            DiagnosticCode::MergedPiece, {},
+            "A piece of " + quantityText(QuantityKind::Area, area) + " is too small; it is merged into a neighbour.",
+            area);
     }
     const bool isPart = partOfCell(partition, piece) != kNone;
     return diagnostic(DiagnosticCode::MergedPiece, {.seed = seed, .otherSeed = of},
                       std::string(isPart ? "Part of the" : "The") + " cell of seed " + std::to_string(seed) +
-                          " is too small (" + messageText(area) + " m²); it is merged into the cell of seed " +
-                          std::to_string(of) + ".",
+                          " is too small (" + quantityText(QuantityKind::Area, area) +
+                          "); it is merged into the cell of seed " + std::to_string(of) + ".",
                       area);
 }
 

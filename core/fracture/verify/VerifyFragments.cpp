@@ -1,5 +1,7 @@
 #include "core/fracture/verify/VerifyFragments.h"
 
+#include "core/base/MessageText.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -74,7 +76,7 @@ Fault hullFault(const Fragment& fragment, const Polygon& outline, double slack) 
     }
     const double expected = area(outline) * fragment.depth();
     if (!(std::abs(volume - expected) <= slack + kRelative * expected)) {
-        return "is filled by its hulls with " + std::to_string(volume) + " m³ instead of " + std::to_string(expected) +
+        return "is filled by its hulls with " + messageText(volume) + " m³ instead of " + messageText(expected) +
                " m³.";
     }
     return std::nullopt;
@@ -136,8 +138,8 @@ Fault sumFault(const Fragments& fragments, const Prism& prism, double gapVolume)
     }
     const MassProperties sum = combined(parts);
     if (!(std::abs(sum.volume + gapVolume - whole.volume) <= kRelative * whole.volume)) {
-        return "The fragments' volumes sum to " + std::to_string(sum.volume) + " m³, with a gap of " +
-               std::to_string(gapVolume) + " m³ instead of " + std::to_string(whole.volume) + " m³.";
+        return "The fragments' volumes sum to " + messageText(sum.volume) + " m³, with a gap of " +
+               messageText(gapVolume) + " m³ instead of " + messageText(whole.volume) + " m³.";
     }
     const double reach = glm::length(Vec3(boundsOf(prism.outline.outer).size(), prism.depth));
     const double slack = kRelative + gapVolume / whole.volume;

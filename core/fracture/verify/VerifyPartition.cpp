@@ -181,8 +181,7 @@ Fault verifyAreas(const Partition& p, const Polygon& outline, double diagonal) {
     }
     const double expected = area(outline) - p.gap;
     if (std::abs(sum - expected) > kAreaTolerance * area(outline)) {
-        return "The pieces' areas sum to " + std::to_string(sum) + " m² instead of " + std::to_string(expected) +
-               " m².";
+        return "The pieces' areas sum to " + messageText(sum) + " m² instead of " + messageText(expected) + " m².";
     }
     return std::nullopt;
 }

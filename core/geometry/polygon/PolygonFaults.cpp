@@ -24,7 +24,7 @@ std::string at(Vec2 point) { return "(" + messageText(point.x) + ", " + messageT
 
 /// Rounded, for computed points, which are not in the input.
 std::string roundedAt(Vec2 point) {
-    constexpr int kDigits = 9;  // resolve 1 cm at 1000 km
+    constexpr int kDigits = 6;  // resolve a millimetre of a kilometre
     return "(" + roundedText(point.x, kDigits) + ", " + roundedText(point.y, kDigits) + ")";
 }
 

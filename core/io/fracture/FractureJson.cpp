@@ -1,6 +1,7 @@
 #include "core/io/fracture/FractureJson.h"
 
 #include "core/base/MessageText.h"
+#include "core/base/QuantityText.h"
 #include "core/fracture/delaunay/Delaunay.h"
 #include "core/fracture/thesis/ThesisMethod.h"
 #include "core/fracture/voronoi/VoronoiPartition.h"
@@ -68,9 +69,10 @@ Result<std::string> exactJson(const FractureInput& input, const TaskContext& tas
     reports.insert(reports.end(), partition->diagnostics.begin(), partition->diagnostics.end());
     if (input.seeds.empty()) {
         const double whole = area(input.prism.outline);
-        reports.push_back(
-            diagnostic(DiagnosticCode::Gap, {},
-                       "There are no seeds, so no cell covers the outline of " + messageText(whole) + " m².", whole));
+        reports.push_back(diagnostic(
+            DiagnosticCode::Gap, {},
+            "There are no seeds, so no cell covers the outline of " + quantityText(QuantityKind::Area, whole) + ".",
+            whole));
     }
     const double least = kMinSharedEdge * boundsOf(input.prism.outline.outer).diagonal();
     return outputJson(cellList(*partition, least), triangleList(*delaunay), reports);
