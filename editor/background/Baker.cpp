@@ -3,6 +3,7 @@
 #include "core/asset/bake/BakeEstimate.h"
 #include "core/asset/bake/BakeHash.h"
 #include "core/asset/bake/FractureResult.h"
+#include "core/asset/project/FragmentLevels.h"
 #include "core/base/MessageText.h"
 #include "core/base/OutOfMemory.h"
 #include "editor/document/EnteredFragment.h"

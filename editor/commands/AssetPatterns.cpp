@@ -1,6 +1,7 @@
 #include "editor/commands/AssetPatterns.h"
 
 #include "core/asset/bake/Bake.h"
+#include "core/asset/project/FragmentLevels.h"
 #include "editor/document/ShownText.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 #include "editor/commands/MaterialEdits.h"
 
 #include "core/asset/project/Names.h"
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 
 #include <QCoreApplication>
 

@@ -2,7 +2,7 @@
 
 #include "core/asset/project/Ids.h"
 #include "core/asset/project/Names.h"
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "editor/commands/AssetPatterns.h"
 
 #include <QCoreApplication>

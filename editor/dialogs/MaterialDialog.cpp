@@ -1,6 +1,6 @@
 #include "editor/dialogs/MaterialDialog.h"
 
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "core/base/MessageText.h"
 #include "editor/dialogs/MaterialSummary.h"
 #include "editor/dialogs/PatternPreview.h"

@@ -1,6 +1,6 @@
 #include "editor/dialogs/MaterialSummary.h"
 
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "core/base/MessageText.h"
 #include "core/fracture/pattern/PatternKind.h"
 #include "editor/widgets/ColourConversion.h"

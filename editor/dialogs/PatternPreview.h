@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/asset/project/MaterialPreset.h"
+#include "core/asset/library/MaterialPreset.h"
 #include "core/fracture/partition/Partition.h"
 
 #include <QWidget>

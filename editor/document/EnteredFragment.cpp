@@ -1,6 +1,7 @@
 #include "editor/document/EnteredFragment.h"
 
 #include "core/asset/bake/FragmentLookup.h"
+#include "core/asset/project/FragmentLevels.h"
 
 namespace rubble {
 

@@ -1,6 +1,6 @@
 #include "editor/window/Program.h"
 
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "core/base/OutOfMemory.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/project/ProjectLock.h"

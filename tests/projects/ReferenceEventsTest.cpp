@@ -1,5 +1,5 @@
 // Events whose outcome people know, simulated with the presets of resources/materials and derived thresholds.
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "core/io/project/MaterialPresetFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Sessions.h"

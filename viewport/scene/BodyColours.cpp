@@ -2,6 +2,8 @@
 
 #include "core/asset/project/FragmentColours.h"
 #include "core/asset/project/Threshold.h"
+#include "core/asset/strength/FragmentThreshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "core/asset/project/Variants.h"
 #include "core/play/scene/PlayAsset.h"
 

@@ -2,7 +2,7 @@
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/options/MaterialOptions.h"
 #include "app/cli/verbs/Verb.h"
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
 #include "core/fracture/pattern/PatternKind.h"

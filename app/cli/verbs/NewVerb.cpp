@@ -1,7 +1,7 @@
 #include "app/cli/console/InputOutput.h"
 #include "app/cli/options/MaterialOptions.h"
 #include "app/cli/verbs/Verb.h"
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "core/base/MessageText.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/project/ProjectLock.h"

@@ -3,7 +3,7 @@
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/bake/AssetBakes.h"
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "core/base/MessageText.h"
 #include "core/io/play/StrengthReportJson.h"
 

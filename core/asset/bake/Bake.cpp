@@ -4,6 +4,7 @@
 #include "core/asset/bake/BakeHash.h"
 #include "core/asset/bake/FractureResult.h"
 #include "core/asset/bake/PrismHulls.h"
+#include "core/asset/project/FragmentLevels.h"
 #include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
@@ -155,25 +156,6 @@ void reportLost(const Asset& asset, Bake& bake) {
 }
 
 }  // namespace
-
-const Level* levelFor(const Asset& asset, const FragmentPath& fragment, std::uint32_t level) {
-    const auto leaf = std::ranges::lower_bound(asset.leaves, fragment, {}, &FragmentLevel::fragment);
-    if (leaf != asset.leaves.end() && leaf->fragment == fragment) return leaf->level ? &*leaf->level : nullptr;
-    return level < asset.levels.size() ? &asset.levels[level] : nullptr;
-}
-
-std::optional<double> ownThreshold(const Asset& asset, const FragmentPath& fragment) {
-    const auto found = std::ranges::lower_bound(asset.fragmentThresholds, fragment, {}, &FragmentThreshold::fragment);
-    const bool isFound = found != asset.fragmentThresholds.end() && found->fragment == fragment;
-    return isFound ? std::optional(found->threshold) : std::nullopt;
-}
-
-std::optional<double> fragmentThreshold(const Asset& asset, const FragmentPath& fragment, std::uint32_t level) {
-    const Level* own = levelFor(asset, fragment, level);
-    if (own == nullptr) return std::nullopt;
-    const std::optional<double> alone = ownThreshold(asset, fragment);
-    return alone ? alone : own->threshold;
-}
 
 std::uint32_t Bake::fragmentCount() const {
     return fractures.empty() ? 0 : fractures.back().first + fractures.back().fragments.count();

@@ -10,16 +10,6 @@
 
 namespace rubble {
 
-/// The level by which a fragment is fractured: its own setting, or the setting of its level. Null if it is not
-/// fractured.
-const Level* levelFor(const Asset& asset, const FragmentPath& fragment, std::uint32_t level);
-
-/// The threshold that is set for this fragment alone, N·s.
-std::optional<double> ownThreshold(const Asset& asset, const FragmentPath& fragment);
-/// The threshold that is set for a fragment, N·s: its own, or that of the level which fractures it. Nothing if it
-/// follows from its volume, see thresholdScaleOf(), or if the fragment is not fractured.
-std::optional<double> fragmentThreshold(const Asset& asset, const FragmentPath& fragment, std::uint32_t level);
-
 /// The fragments of the whole, or the children of one fragment.
 struct BakedFracture {
     std::uint32_t parent = kNone;  // number of the fractured fragment; kNone: the whole

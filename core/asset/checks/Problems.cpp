@@ -1,7 +1,7 @@
 #include "core/asset/checks/Problems.h"
 
 #include "core/asset/bake/FractureResult.h"
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
 #include "core/base/QuantityText.h"

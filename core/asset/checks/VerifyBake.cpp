@@ -2,6 +2,7 @@
 
 #include "core/asset/bake/BakeHash.h"
 #include "core/asset/bake/FractureResult.h"
+#include "core/asset/project/FragmentLevels.h"
 #include "core/base/MessageText.h"
 #include "core/fracture/pattern/AnisotropyMap.h"
 #include "core/fracture/pattern/PatternPartition.h"

@@ -1,6 +1,6 @@
 #include "core/asset/compare/RecipeDifference.h"
 
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
 #include "core/fracture/layer/LayerParameter.h"

@@ -6,7 +6,7 @@
 #include "core/asset/project/Names.h"
 #include "core/asset/project/Ranges.h"
 #include "core/asset/project/SurfaceFault.h"
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "core/base/MessageText.h"
 #include "core/base/Utf8.h"
 

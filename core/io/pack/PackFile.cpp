@@ -1,7 +1,8 @@
 #include "core/io/pack/PackFile.h"
 
 #include "core/asset/bake/BakeHash.h"
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/FragmentThreshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "core/base/Parallel.h"
 #include "core/io/pack/PackBodyJson.h"
 #include "core/io/pack/PackFormat.h"

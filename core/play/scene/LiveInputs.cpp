@@ -1,6 +1,6 @@
 #include "core/play/scene/LiveInputs.h"
 
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 
 namespace rubble {
 namespace {

@@ -1,7 +1,7 @@
 #include "core/play/scene/PlayAsset.h"
 
 #include "core/asset/bake/FractureResult.h"
-#include "core/base/Roots.h"
+#include "core/asset/strength/FragmentThreshold.h"
 #include "core/play/scene/BodyShape.h"
 
 #include <set>
@@ -52,10 +52,10 @@ Status appendPieces(const Asset& asset, const BakedFracture& baked, const TaskCo
         Result<std::shared_ptr<const Shape>> shape =
             namedShape("Fragment " + id, solid.hulls(), mass, place, ready.diagnostics);
         if (!shape) return shape.error();
-        ready.pieces.push_back({.shape = std::move(*shape),
-                                .offset = solid.offset(),
-                                .thresholdScale = thresholdScaleOf(mass.volume / bake.whole.volume),
-                                .threshold = fragmentThreshold(asset, place.path, baked.level)});
+        ready.fragments.push_back({.shape = std::move(*shape),
+                                   .offset = solid.offset(),
+                                   .thresholdScale = thresholdScaleOf(mass.volume / bake.whole.volume),
+                                   .threshold = fragmentThreshold(asset, place.path, baked.level)});
     }
     return success();
 }
@@ -77,13 +77,8 @@ void reportLostThresholds(const Asset& asset, PlayAsset& ready) {
 
 }  // namespace
 
-double thresholdOf(const PlayPiece& piece, double whole) {
-    return piece.threshold ? *piece.threshold : whole * piece.thresholdScale;
-}
-
-double thresholdScaleOf(double volumeFraction) {
-    const double root = cubeRoot(volumeFraction);
-    return root * root;
+double thresholdOf(const PlaySolid& solid, double whole) {
+    return solid.threshold ? *solid.threshold : whole * solid.thresholdScale;
 }
 
 std::vector<Polytope> wholeHullsInPrism(const Bake& bake) {

@@ -49,12 +49,8 @@ struct PlayAsset {
     const PlayFracture* fractureOf(std::uint32_t fragment) const;
 };
 
-/// The threshold of a piece where that of the whole is `whole`, N·s.
-double thresholdOf(const PlayPiece& piece, double whole);
-
-/// The thresholdScale of a fragment with this fraction of the whole's volume: the fraction to the power of 2/3, since
-/// breaking energy scales with area.
-double thresholdScaleOf(double volumeFraction);
+/// The threshold of a solid where that of the whole is `whole`, N·s.
+double thresholdOf(const PlaySolid& solid, double whole);
 
 /// The hulls of the whole in the prism's frame.
 std::vector<Polytope> wholeHullsInPrism(const Bake& bake);

@@ -3,6 +3,7 @@
 #include "core/asset/project/Ranges.h"
 #include "core/base/Assert.h"
 #include "core/base/Stopwatch.h"
+#include "core/play/breaking/DebrisRemoval.h"
 #include "core/play/breaking/Swap.h"
 #include "core/play/session/DebrisRemoval.h"
 #include "core/play/session/SessionInputs.h"

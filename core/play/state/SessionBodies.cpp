@@ -1,6 +1,6 @@
 #include "core/play/state/SessionBodies.h"
 
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "core/base/Assert.h"
 #include "core/base/MessageText.h"
 

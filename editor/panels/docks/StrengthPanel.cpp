@@ -1,6 +1,6 @@
 #include "editor/panels/docks/StrengthPanel.h"
 
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "core/fracture/pattern/SeedEdits.h"
 #include "core/play/analysis/RequirementImpulse.h"
 #include "core/play/analysis/RequirementShot.h"

@@ -1,6 +1,6 @@
 #include "editor/panels/inspector/AssetPage.h"
 
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/commands/Renaming.h"
 #include "editor/commands/Resizing.h"

@@ -1,6 +1,7 @@
 #include "editor/panels/inspector/FragmentSection.h"
 
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/FragmentThreshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "core/play/scene/PlayAsset.h"
 #include "editor/commands/FragmentEdits.h"
 

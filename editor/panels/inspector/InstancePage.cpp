@@ -1,6 +1,6 @@
 #include "editor/panels/inspector/InstancePage.h"
 
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "editor/commands/Renaming.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/EulerAngles.h"

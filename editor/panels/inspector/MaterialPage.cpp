@@ -1,6 +1,6 @@
 #include "editor/panels/inspector/MaterialPage.h"
 
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "editor/commands/Renaming.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/Buttons.h"

@@ -1,6 +1,6 @@
 #include "editor/panels/inspector/PatternEditor.h"
 
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "editor/commands/AssetPatterns.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/widgets/Buttons.h"

@@ -1,6 +1,6 @@
 #include "tests/attack/monkey/Monkey.h"
 
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "editor/canvas/widget/PatternCanvas.h"
 #include "editor/view3d/SceneView.h"
 #include "editor/views/Views.h"

@@ -1,6 +1,6 @@
 #include "editor/commands/ProjectEdits.h"
 
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/ProjectParts.h"
 #include "tests/support/editor/EditedProject.h"

@@ -2,7 +2,7 @@
 
 #include "core/asset/checks/VerifyBake.h"
 #include "core/asset/checks/VerifyProject.h"
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "core/io/project/ProjectFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Combs.h"

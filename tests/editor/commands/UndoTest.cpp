@@ -1,6 +1,6 @@
 // Tests editor/commands and editor/document/Document.cpp with random edits.
 #include "core/asset/checks/VerifyProject.h"
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
 #include "editor/document/Document.h"
 #include "tests/support/FaultOfSeed.h"

@@ -1,6 +1,6 @@
 #include "editor/dialogs/ExportDialog.h"
 
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "core/geometry/polygon/OutlineShapes.h"
 #include "editor/commands/InstanceEdits.h"
 #include "editor/document/FilePath.h"

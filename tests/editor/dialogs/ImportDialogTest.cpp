@@ -1,6 +1,6 @@
 #include "editor/dialogs/ImportDialog.h"
 
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "editor/dialogs/ImportView.h"
 #include "editor/document/Document.h"
 #include "editor/document/Translations.h"

@@ -1,7 +1,7 @@
 #include "editor/dialogs/MaterialDialog.h"
 
-#include "core/asset/project/StarterProject.h"
-#include "core/asset/project/Threshold.h"
+#include "core/asset/library/StarterProject.h"
+#include "core/asset/strength/Threshold.h"
 #include "core/play/analysis/RequirementImpulse.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Sessions.h"

@@ -1,4 +1,4 @@
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
 #include "editor/document/Autosave.h"
 #include "tests/support/TestProgram.h"

@@ -1,6 +1,6 @@
 #include "editor/document/DocumentFile.h"
 
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/project/ProjectLock.h"
 #include "editor/document/FilePath.h"

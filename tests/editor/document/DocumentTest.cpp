@@ -1,4 +1,4 @@
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "editor/document/Document.h"
 #include "tests/support/TestProgram.h"
 

@@ -1,5 +1,5 @@
 // Tests that editor/document/Document.cpp does an edit whole or not at all where memory runs out.
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
 #include "editor/document/Document.h"
 #include "tests/support/FailingAllocator.h"

@@ -1,7 +1,7 @@
 // Tests editor/document/DocumentFile.cpp and editor/document/Autosave.cpp: no work is lost when a save fails. Each call
 // to the file system that opening, backing up and saving a project make fails once, and the program is killed before
 // each.
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "editor/document/Autosave.h"

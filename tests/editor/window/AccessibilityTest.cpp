@@ -1,6 +1,6 @@
 // Tests editor/window/MainWindow.cpp with all docks as assistive technologies see them: through the tree of
 // QAccessible, which Qt exports to AT-SPI.
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "editor/views/Views.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/EditorStory.h"

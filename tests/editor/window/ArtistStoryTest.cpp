@@ -1,6 +1,6 @@
 // Tests editor/actions/AssetActions.cpp, editor/actions/MaterialActions.cpp and
 // editor/dialogs/sheet/ContactSheetWindow.cpp.
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/dialogs/MaterialDialog.h"
 #include "editor/dialogs/SelectDialogs.h"

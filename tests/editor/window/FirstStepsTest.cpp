@@ -1,5 +1,5 @@
 // Tests editor/views/FirstSteps.cpp.
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/EditorStory.h"
 

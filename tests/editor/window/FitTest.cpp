@@ -1,5 +1,5 @@
 // Tests the layout of editor/views/DockLayout.cpp and of all docks and dialogs: every text fits into its rectangle.
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
 #include "editor/dialogs/ImportDialog.h"
 #include "editor/views/Views.h"

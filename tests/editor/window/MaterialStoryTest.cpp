@@ -1,6 +1,6 @@
 // Tests editor/actions/MaterialActions.cpp and editor/dialogs/MaterialDialog.cpp.
-#include "core/asset/project/StarterProject.h"
-#include "core/asset/project/Threshold.h"
+#include "core/asset/library/StarterProject.h"
+#include "core/asset/strength/Threshold.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "editor/dialogs/MaterialDialog.h"

@@ -1,5 +1,5 @@
 // Tests editor/window/Application.cpp: what the editor does where memory runs out while a window is open.
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "editor/document/FilePath.h"
 #include "editor/play/PlayController.h"
 #include "editor/window/Application.h"

@@ -1,5 +1,5 @@
 // Tests Program::quit() and which windows are used again, in editor/window/Program.cpp.
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
 #include "editor/actions/FileActions.h"
 #include "editor/commands/ProjectEdits.h"

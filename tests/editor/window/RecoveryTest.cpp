@@ -1,5 +1,5 @@
 // Tests editor/window/Program.cpp, editor/actions/FileActions.cpp and editor/actions/LockQuestion.cpp.
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/project/ProjectLock.h"
 #include "editor/actions/CompareActions.h"

@@ -1,5 +1,5 @@
 // Tests editor/help/ActionSearch.cpp with all actions of the window.
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "editor/help/ActionSearch.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/EditorStory.h"

@@ -1,5 +1,5 @@
 // Tests the shortcuts of editor/actions: in every context, a key has at most one meaning.
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "editor/views/Views.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/EditorStory.h"

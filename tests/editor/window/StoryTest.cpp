@@ -1,5 +1,5 @@
 // Tests editor/window/MainWindow.cpp, editor/window/Program.cpp and editor/actions/FileActions.cpp.
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
 #include "editor/canvas/widget/PatternCanvas.h"
 #include "editor/view3d/SceneView.h"

@@ -1,6 +1,6 @@
 // Tests editor/workspace/ViewportStyle.cpp and all else that has the colours of the theme: in an open window, each view
 // has the new colours at once, without a restart.
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "editor/dialogs/sheet/ContactSheetWindow.h"
 #include "editor/help/ManualWindow.h"
 #include "editor/view3d/PlayView.h"

@@ -1,6 +1,6 @@
 // Tests that no event of the interface takes long, whatever is done in the background: editor/document/Autosave.cpp,
 // editor/document/DocumentFile.cpp, editor/background/Baker.cpp, editor/dialogs/ImportDialog.cpp.
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "editor/dialogs/ImportDialog.h"
 #include "editor/document/FilePath.h"
 #include "tests/support/TestProgram.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "tests/support/asset/ProjectParts.h"
 
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "core/base/Random.h"
 #include "core/fracture/pattern/SeedEdits.h"
 #include "core/geometry/polygon/OutlineShapes.h"

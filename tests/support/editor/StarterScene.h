@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "viewport/scene/SceneBuilder.h"
 
 #include <memory>

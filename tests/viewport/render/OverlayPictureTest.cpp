@@ -1,4 +1,5 @@
 // Tests the overlays of viewport/render/RenderPasses.cpp: lines, boxes, dust, scale bar.
+#include "core/asset/library/StarterProject.h"
 #include "core/asset/project/FragmentColours.h"
 #include "core/asset/project/StarterProject.h"
 #include "tests/support/TestProgram.h"

@@ -1,5 +1,5 @@
 // Tests viewport/render/ImageDecoding.cpp and how textures are drawn.
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "core/base/Random.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"

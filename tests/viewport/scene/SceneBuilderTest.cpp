@@ -1,3 +1,4 @@
+#include "core/asset/library/StarterProject.h"
 #include "core/asset/project/FragmentColours.h"
 #include "core/asset/project/StarterProject.h"
 #include "core/geometry/hull/AspectRatio.h"

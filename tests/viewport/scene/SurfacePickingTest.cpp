@@ -1,7 +1,7 @@
 #include "tests/support/TestProgram.h"
 #include "viewport/scene/SurfacePicking.h"
 
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "core/base/Random.h"
 #include "core/geometry/hull/PolytopeRay.h"
 #include "tests/support/asset/Projects.h"

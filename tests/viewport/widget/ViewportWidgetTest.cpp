@@ -1,4 +1,4 @@
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/EventLoop.h"
 #include "tests/support/editor/StarterScene.h"

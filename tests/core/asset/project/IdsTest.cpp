@@ -1,6 +1,6 @@
 #include "core/asset/project/Ids.h"
 
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "tests/support/TestProgram.h"
 
 #include <limits>

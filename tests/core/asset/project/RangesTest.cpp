@@ -1,7 +1,7 @@
 #include "core/asset/project/Ranges.h"
 
 #include "core/asset/project/Project.h"
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "tests/support/TestProgram.h"
 
 #include <cmath>

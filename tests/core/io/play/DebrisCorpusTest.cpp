@@ -1,4 +1,4 @@
-// Tests core/play/session/DebrisRemoval.cpp with the projects of tests/corpus/Debris.
+// Tests core/play/breaking/DebrisRemoval.cpp with the projects of tests/corpus/Debris.
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"

@@ -2,7 +2,7 @@
 
 #include "core/asset/bake/Bake.h"
 #include "core/asset/checks/VerifyBake.h"
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "core/base/MessageText.h"
 #include "core/fracture/pattern/PatternKind.h"
 #include "core/io/system/AtomicFile.h"

@@ -1,5 +1,5 @@
 // Tests core/io/project/ProjectFile.cpp and the readers and writers of its parts.
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "tests/support/ErrorText.h"

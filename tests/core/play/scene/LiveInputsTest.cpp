@@ -1,6 +1,6 @@
 #include "core/play/scene/LiveInputs.h"
 
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Sessions.h"
 

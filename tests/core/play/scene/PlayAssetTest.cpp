@@ -1,8 +1,9 @@
 // Tests core/play/scene/PlayAsset.cpp, PlayScene.cpp and BodyShape.cpp.
 #include "core/play/scene/PlayAsset.h"
 
-#include "core/base/Roots.h"
-#include "core/base/Trigonometry.h"
+#include "core/asset/strength/FragmentThreshold.h"
+#include "core/base/math/Roots.h"
+#include "core/base/math/Trigonometry.h"
 #include "core/play/scene/BodyShape.h"
 #include "tests/support/Closeness.h"
 #include "tests/support/TestProgram.h"

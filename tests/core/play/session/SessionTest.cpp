@@ -1,7 +1,7 @@
 // Tests core/play/session/Session.cpp and SessionInputs.cpp, core/play/breaking/Swap.cpp.
 #include "core/play/session/Session.h"
 
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/House.h"
 #include "tests/support/asset/Projects.h"

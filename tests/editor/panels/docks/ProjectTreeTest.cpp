@@ -1,5 +1,5 @@
 #include "core/asset/checks/VerifyProject.h"
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 #include "core/geometry/polygon/OutlineShapes.h"
 #include "core/io/project/ProjectFile.h"
 #include "editor/commands/AssetPatterns.h"

@@ -1,4 +1,4 @@
-#include "core/asset/project/MaterialPreset.h"
+#include "core/asset/library/MaterialPreset.h"
 
 #include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"

@@ -1,4 +1,4 @@
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 
 #include "core/asset/bake/Bake.h"
 #include "core/asset/checks/VerifyProject.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/asset/project/MaterialPreset.h"
+#include "core/asset/library/MaterialPreset.h"
 
 namespace rubble {
 

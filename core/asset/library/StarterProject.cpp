@@ -1,6 +1,6 @@
-#include "core/asset/project/StarterProject.h"
+#include "core/asset/library/StarterProject.h"
 
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 
 namespace rubble {
 namespace {

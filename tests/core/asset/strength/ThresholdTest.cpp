@@ -1,4 +1,4 @@
-#include "core/asset/project/Threshold.h"
+#include "core/asset/strength/Threshold.h"
 
 #include "core/asset/checks/VerifyProject.h"
 

@@ -1,4 +1,4 @@
-#include "core/play/session/DebrisRemoval.h"
+#include "core/play/breaking/DebrisRemoval.h"
 
 #include "core/base/MessageText.h"
 #include "core/play/state/SessionBodies.h"
@@ -32,17 +32,17 @@ void reportLeft(const SessionParts& parts, const PlayBody& body, const std::stri
                                                             ": " + reason + "."));
 }
 
-/// Adds the debris that exceeds a number of pieces: sleeping first, then the smallest, then the oldest. Returns the
+/// Adds the debris that exceeds a number of fragments: sleeping first, then the smallest, then the oldest. Returns the
 /// number of bodies visited.
-std::size_t addExcess(const SessionParts& parts, std::uint32_t maxPieces, std::vector<std::uint32_t>& gone) {
+std::size_t addExcess(const SessionParts& parts, std::uint32_t maxFragments, std::vector<std::uint32_t>& gone) {
     std::vector<std::tuple<bool, double, std::uint32_t>> debris;  // awake, volume, number
     for (const PlayBody& body : parts.state.bodies) {
         if (!body.isDebris() || std::ranges::binary_search(gone, body.number)) continue;
         debris.emplace_back(!parts.world.state(body.body).asleep, parts.world.shape(body.body).mass.volume,
                             body.number);
     }
-    if (debris.size() <= maxPieces) return parts.state.bodies.size();
-    const auto end = debris.begin() + static_cast<std::ptrdiff_t>(debris.size() - maxPieces);
+    if (debris.size() <= maxFragments) return parts.state.bodies.size();
+    const auto end = debris.begin() + static_cast<std::ptrdiff_t>(debris.size() - maxFragments);
     std::ranges::nth_element(debris, end);
     for (auto one = debris.begin(); one != end; ++one) gone.push_back(std::get<2>(*one));
     return parts.state.bodies.size();
@@ -68,7 +68,7 @@ std::size_t removeDebris(const SessionParts& parts) {
         if (reason) reportLeft(parts, body, *reason);
         if (isFaded || reason) gone.push_back(body.number);
     }
-    if (debris.maxPieces) visited += addExcess(parts, *debris.maxPieces, gone);
+    if (debris.maxFragments) visited += addExcess(parts, *debris.maxFragments, gone);
     std::ranges::sort(gone);
     for (const std::uint32_t number : gone) {
         parts.state.events.removed.push_back(*findBody(parts.state, number));

@@ -1,4 +1,4 @@
-#include "core/play/session/DebrisRemoval.h"
+#include "core/play/breaking/DebrisRemoval.h"
 
 #include "core/play/state/SessionBodies.h"
 #include "tests/support/TestProgram.h"
@@ -30,7 +30,7 @@ private slots:
     void debrisStaysByDefault() {
         Session session = brokenBlock({});
         for (int step = 0; step < 600; ++step) session.step();
-        QCOMPARE(test::countOf(session, PlayRole::Piece), 10u);
+        QCOMPARE(test::countOf(session, PlayRole::Debris), 10u);
     }
     void debrisFadesOutAndIsRemoved() {
         Session session = brokenBlock({.lifetime = 1.0, .fade = 0.5});
@@ -40,9 +40,9 @@ private slots:
         while (session.stepsDone() < 45) session.step();
         QVERIFY(std::abs(fade() - 0.5) < 1e-9);
         while (session.stepsDone() < 59) session.step();
-        QCOMPARE(test::countOf(session, PlayRole::Piece), 10u);
+        QCOMPARE(test::countOf(session, PlayRole::Debris), 10u);
         session.step();
-        QCOMPARE(test::countOf(session, PlayRole::Piece), 0u);
+        QCOMPARE(test::countOf(session, PlayRole::Debris), 0u);
         QCOMPARE(session.events().removed.size(), 10u);
     }
     void fadeLongerThanTheLifetimeStartsAtBirth() {
@@ -51,14 +51,14 @@ private slots:
         QVERIFY2(fade < 0.05, QByteArray::number(fade));
     }
     void smallestDebrisIsRemovedFirst() {
-        Session session = brokenBlock({.maxPieces = 4});
-        QCOMPARE(test::countOf(session, PlayRole::Piece), 4u);
+        Session session = brokenBlock({.maxFragments = 4});
+        QCOMPARE(test::countOf(session, PlayRole::Debris), 4u);
         double largestGone = 0.0, smallestLeft = 1e9;
         for (const PlayBody& body : session.events().removed) {
-            largestGone = std::max(largestGone, body.asset->piece(body.fragment).shape->mass.volume);
+            largestGone = std::max(largestGone, body.asset->solid(body.fragment).shape->mass.volume);
         }
         for (const PlayBody& body : session.bodies()) {
-            if (body.role != PlayRole::Piece) continue;
+            if (body.role != PlayRole::Debris) continue;
             smallestLeft = std::min(smallestLeft, session.world().shape(body.body).mass.volume);
         }
         QVERIFY(largestGone <= smallestLeft);
@@ -67,7 +67,7 @@ private slots:
         Project project = test::floatingBlock(10);
         project.instances[0].pose.position.y = 0.5;
         project.gravity = {0.0, -9.81, 0.0};
-        project.debris = {.maxPieces = 10};
+        project.debris = {.maxFragments = 10};
         const Id pebbles = test::addAsset(project,
                                           {.name = "pebbles",
                                            .material = project.materials[0].id,
@@ -80,7 +80,7 @@ private slots:
         while (session.stepsDone() < 300) session.step();  // all asleep
         test::addInput(session, BreakInput{session.bodies()[1].number});
         session.step();
-        QCOMPARE(test::countOf(session, PlayRole::Piece), 10u);
+        QCOMPARE(test::countOf(session, PlayRole::Debris), 10u);
         QCOMPARE(session.events().removed.size(), std::size_t{3});
         for (const PlayBody& body : session.events().removed) {  // larger than those still falling
             QCOMPARE(session.nameOf(body).substr(0, 6), std::string("block/"));
@@ -88,7 +88,7 @@ private slots:
     }
     void oldestOfEqualDebrisIsRemoved() {
         Project project = test::floatingBlock(2);
-        project.debris = {.maxPieces = 3};
+        project.debris = {.maxFragments = 3};
         test::addInstance(project, project.assets[0].id, "later", {.position = {5.0, 5.0, 0.0}});
         Session session = test::sessionOf(project);
         test::addInput(session, BreakInput{session.bodies()[1].number});
@@ -98,13 +98,13 @@ private slots:
         session.step();
         QCOMPARE(session.events().removed.size(), std::size_t{1});
         QCOMPARE(session.nameOf(session.events().removed[0]).substr(0, 6), std::string("block/"));
-        QCOMPARE(test::countOf(session, PlayRole::Piece), 3u);
+        QCOMPARE(test::countOf(session, PlayRole::Debris), 3u);
     }
     void wholeBodiesAreNoDebris_data() {
         QTest::addColumn<Debris>("debris");
         QTest::newRow("lifetime") << Debris{.lifetime = 0.5, .fade = 0.2};
-        QTest::newRow("number") << Debris{.maxPieces = 1};
-        QTest::newRow("both") << Debris{.lifetime = 0.5, .fade = 0.0, .maxPieces = 1};
+        QTest::newRow("number") << Debris{.maxFragments = 1};
+        QTest::newRow("both") << Debris{.lifetime = 0.5, .fade = 0.0, .maxFragments = 1};
     }
     void wholeBodiesAreNoDebris() {
         QFETCH(Debris, debris);
@@ -140,12 +140,12 @@ private slots:
         while (session.stepsDone() < 60) session.step();
         test::addInput(session, BreakInput{session.bodies().back().number});
         while (session.stepsDone() < 89) session.step();
-        QCOMPARE(test::countOf(session, PlayRole::Piece), 4u);
+        QCOMPARE(test::countOf(session, PlayRole::Debris), 4u);
         session.step();
-        QCOMPARE(test::countOf(session, PlayRole::Piece), 0u);
+        QCOMPARE(test::countOf(session, PlayRole::Debris), 0u);
     }
     void removedBodiesAreReportedByNumber() {
-        Session session = brokenBlock({.maxPieces = 4});
+        Session session = brokenBlock({.maxFragments = 4});
         QVERIFY(std::ranges::is_sorted(session.events().removed, {}, &PlayBody::number));
         for (const PlayBody& body : session.events().removed) QVERIFY(session.body(body.number) == nullptr);
     }
@@ -157,13 +157,13 @@ private slots:
         while (session.stepsDone() < 90) session.step();
         test::addInput(session, BreakInput{session.bodies()[1].number});
         while (session.stepsDone() < 149) session.step();
-        QCOMPARE(test::countOf(session, PlayRole::Piece), 10u);
+        QCOMPARE(test::countOf(session, PlayRole::Debris), 10u);
         session.step();
-        QCOMPARE(test::countOf(session, PlayRole::Piece), 0u);
+        QCOMPARE(test::countOf(session, PlayRole::Debris), 0u);
     }
     /// What has faded counts no more among those that are too many.
     void fadedDebrisIsNotCounted() {
-        Session session = brokenBlock({.lifetime = 1.0, .maxPieces = 10});
+        Session session = brokenBlock({.lifetime = 1.0, .maxFragments = 10});
         while (session.stepsDone() < 59) session.step();
         const Throw thrown{.size = Vec3(0.2), .mass = 10.0, .from = {0.0, 40.0, 0.0}, .to = {9.0, 41.0, 0.0}};
         test::addInput(session, ShotInput{"box", thrown});
@@ -195,7 +195,7 @@ private slots:
         QFETCH(bool, isFaded);
         PlayScene scene;
         if (isFaded) scene.project.debris.lifetime = 1.0;
-        if (!isFaded) scene.project.debris.maxPieces = 1;
+        if (!isFaded) scene.project.debris.maxFragments = 1;
         const SessionSettings settings;
         SessionState state;
         state.lowest = -100.0;
@@ -205,7 +205,7 @@ private slots:
         const std::shared_ptr<const Shape> shape = *makeShape(box);
         for (int k = 0; k < bodies; ++k) {
             const Vec3 position(k % 256, 0.0, k / 256);
-            if (!addBody(parts, {.shape = shape, .pose = {.position = position}}, {.role = PlayRole::Piece}))
+            if (!addBody(parts, {.shape = shape, .pose = {.position = position}}, {.role = PlayRole::Debris}))
                 QFAIL("The body cannot be added.");
         }
         state.step = 1000;  // all have faded out, where they fade
