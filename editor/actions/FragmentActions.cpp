@@ -154,7 +154,7 @@ void FragmentActions::enterSelected() {
     const Bake& bake = *baked->bake;
     const FragmentSet set = fragmentsOf(selection.fragments(), bake);
     std::vector<std::uint32_t> roots = rootsOf(set, bake);
-    const auto pathTo = [&](std::uint32_t fragment) { return pathOfId(bake.fragmentId(fragment)); };
+    const auto pathTo = [&](std::uint32_t fragment) { return bake.fragmentPath(fragment); };
     if (roots.size() > 1) {
         std::erase_if(roots, [&](std::uint32_t root) {
             return nearestFractured(*m_workspace.asset(), &bake, pathTo(root)) != pathTo(root);

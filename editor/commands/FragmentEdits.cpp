@@ -81,7 +81,7 @@ std::vector<SelectedPiece> selectedDescendants(const Bake& bake, const FragmentS
         if (!set[k]) continue;
         std::uint32_t ancestor = bake.fragment(k).parent;
         while (ancestor != kNone && !set[ancestor]) ancestor = bake.fragment(ancestor).parent;
-        const FragmentPath path = pathOfId(bake.fragmentId(k));
+        const FragmentPath path = bake.fragmentPath(k);
         if (ancestor != kNone || !isWithin(path, parent) || parentOf(path) == parent) continue;
         const Fragment solid = bake.fragment(k).solid;
         fragments.push_back({path, area(solid.outline()), splitLine(solid.outline(), Vec2{solid.offset()})});

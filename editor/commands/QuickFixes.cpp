@@ -167,7 +167,7 @@ void splitRepeatedly(Asset& asset, const std::set<FragmentPath>& fragments, cons
         const std::size_t before = asset.edits.size();
         for (std::uint32_t k = 0; k < baked->fragmentCount(); ++k) {
             if (task.isCancelled()) return;
-            FragmentPath path = pathOfId(baked->fragmentId(k));
+            FragmentPath path = baked->fragmentPath(k);
             if (round == 0 && !fragments.contains(path)) {
                 others.insert(std::move(path));  // siblings that appear in later rounds are parts of `fragments`
             } else if (!others.contains(path) && parents.contains(parentOf(path))) {

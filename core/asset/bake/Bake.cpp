@@ -137,9 +137,9 @@ std::size_t maxLevels(const Asset& asset) {
 void reportLost(const Asset& asset, Bake& bake) {
     if (asset.leaves.empty() && asset.edits.empty()) return;
     std::set<FragmentPath> fragments, broken;
-    for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) fragments.insert(pathOfId(bake.fragmentId(k)));
+    for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) fragments.insert(bake.fragmentPath(k));
     for (const BakedFracture& fracture : bake.fractures) {
-        broken.insert(fracture.parent == kNone ? FragmentPath() : pathOfId(bake.fragmentId(fracture.parent)));
+        broken.insert(fracture.parent == kNone ? FragmentPath() : bake.fragmentPath(fracture.parent));
     }
     const auto report = [&](const FragmentPath& path, const std::string& message) {
         bake.diagnostics.push_back(diagnostic(DiagnosticCode::LostPiece, {.asset = bake.asset, .path = path}, message));

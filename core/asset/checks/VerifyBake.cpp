@@ -91,7 +91,7 @@ Sentence linkFault(const Bake& bake, const Asset& asset, std::size_t k) {
     }
     const std::uint32_t level = bake.fragment(fracture.parent).level;
     const std::string name = "fragment " + bake.fragmentId(fracture.parent);
-    if (!levelFor(asset, pathOfId(bake.fragmentId(fracture.parent)), level)) {
+    if (!levelFor(asset, bake.fragmentPath(fracture.parent), level)) {
         return name + " is fractured below the last level.";
     }
     if (fracture.level != level + 1) return name + " has fragments of a wrong level.";

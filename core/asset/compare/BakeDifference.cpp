@@ -10,7 +10,7 @@ namespace {
 /// The fragments of a bake by path.
 std::map<FragmentPath, std::uint32_t> numbersIn(const Bake& bake) {
     std::map<FragmentPath, std::uint32_t> numbers;
-    for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) numbers.emplace(pathOfId(bake.fragmentId(k)), k);
+    for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) numbers.emplace(bake.fragmentPath(k), k);
     return numbers;
 }
 
@@ -50,13 +50,13 @@ public:
         const std::map<FragmentPath, std::uint32_t> later = numbersIn(m_after);
         std::vector<bool> isMatched(m_after.fragmentCount());
         for (std::uint32_t k = 0; k < m_before.fragmentCount(); ++k) {
-            FragmentPath path = pathOfId(m_before.fragmentId(k));
+            FragmentPath path = m_before.fragmentPath(k);
             const auto found = later.find(path);
             if (found != later.end()) isMatched[found->second] = true;
             compare(std::move(path), k, found == later.end() ? kNone : found->second);
         }
         for (std::uint32_t k = 0; k < m_after.fragmentCount(); ++k) {
-            if (!isMatched[k]) compare(pathOfId(m_after.fragmentId(k)), kNone, k);
+            if (!isMatched[k]) compare(m_after.fragmentPath(k), kNone, k);
         }
         std::ranges::stable_sort(m_difference.pieces, {}, &PieceDifference::change);
         return std::move(m_difference);

@@ -65,7 +65,7 @@ void reportLostThresholds(const Asset& asset, PlayAsset& ready) {
     if (asset.fragmentThresholds.empty()) return;
     std::set<FragmentPath> broken;
     for (const BakedFracture& baked : ready.bake->fractures) {
-        if (baked.parent != kNone) broken.insert(pathOfId(ready.bake->fragmentId(baked.parent)));
+        if (baked.parent != kNone) broken.insert(ready.bake->fragmentPath(baked.parent));
     }
     for (const FragmentThreshold& own : asset.fragmentThresholds) {
         if (broken.contains(own.fragment)) continue;

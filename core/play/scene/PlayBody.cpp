@@ -17,7 +17,7 @@ DiagnosticPlace placeOf(const PlayBody& body) {
     return {.asset = bake.asset,
             .level = bake.fragment(body.fragment).level,
             .fragment = body.fragment,
-            .path = pathOfId(bake.fragmentId(body.fragment))};
+            .path = bake.fragmentPath(body.fragment)};
 }
 
 std::vector<Polytope> hullsOf(const PlayBody& body) {

@@ -39,6 +39,7 @@ public:
     std::vector<std::uint32_t> neighbours(std::uint32_t piece) const;
     /// The id of the fragment that the piece becomes: "3/5.17".
     std::string fragmentId(std::uint32_t piece) const;
+    FragmentPath fragmentPath(std::uint32_t piece) const { return pathOfId(fragmentId(piece)); }
 
     /// The id by which the piece is selected: that of its seed, or of its cell in a cut layer.
     SeedId cellOf(std::uint32_t piece) const;

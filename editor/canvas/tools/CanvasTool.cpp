@@ -38,7 +38,7 @@ std::optional<FragmentPath> CanvasState::fracturedFragmentAt(Vec2 point) const {
     const std::uint32_t piece = pattern ? pattern->pieceAt(point) : kNone;
     const auto baked = bakes.find(selection.asset());
     if (piece == kNone || !asset() || !baked || !baked->bake) return std::nullopt;
-    FragmentPath path = pathOfId(pattern->fragmentId(piece));
+    FragmentPath path = pattern->fragmentPath(piece);
     if (nearestFractured(*asset(), baked->bake.get(), path) != path) return std::nullopt;
     return path;
 }

@@ -21,7 +21,7 @@ std::optional<std::vector<std::uint32_t>> numbersIn(const Bake& bake, const Canv
                                                     const std::vector<std::uint32_t>& pieces) {
     std::vector<std::uint32_t> numbers;
     for (const std::uint32_t piece : pieces) {
-        const std::optional<std::uint32_t> number = fragmentAt(bake, pathOfId(state.pattern->fragmentId(piece)));
+        const std::optional<std::uint32_t> number = fragmentAt(bake, state.pattern->fragmentPath(piece));
         if (!number || *number == kNone) return std::nullopt;
         numbers.push_back(*number);
     }

@@ -59,7 +59,7 @@ std::vector<BreakingFragment> FragmentSection::selected() const {
     for (const BakedFracture& fracture : bake.fractures) {
         if (fracture.parent == kNone || !isSelected[fracture.parent]) continue;
         const BakedFragment fragment = bake.fragment(fracture.parent);
-        const FragmentPath path = pathOfId(bake.fragmentId(fracture.parent));
+        const FragmentPath path = bake.fragmentPath(fracture.parent);
         const double byVolume = whole * thresholdScaleOf(fragment.solid.volume() / bake.whole.volume);
         fragments.push_back({.path = path,
                              .threshold = ownThreshold(*asset, path),

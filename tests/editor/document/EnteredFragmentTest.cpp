@@ -88,7 +88,7 @@ private slots:
     void nearestFracturedIsAnExistingAncestor() {
         Desk desk(halves());
         const auto nearest = [&](const char* path) { return nearestFractured(desk.asset(), &desk.bakeNow(), path); };
-        const FragmentPath inner = pathOfId(desk.bakeNow().fragmentId(desk.bakeNow().fractureOf(0)->first));
+        const FragmentPath inner = desk.bakeNow().fragmentPath(desk.bakeNow().fractureOf(0)->first);
         QCOMPARE(nearest("5.1"), FragmentPath("5.1"));
         QCOMPARE(nearest(inner.c_str()), inner);
         QCOMPARE(nearest((inner + "/7.0").c_str()), inner);  // there is no third level

@@ -50,7 +50,7 @@ private slots:
             const Bake baked = randomBake(*m_random, kind);
             for (const BakedFracture& fracture : baked.fractures) {
                 if (fracture.parent == kNone) continue;
-                const FragmentPath parent = pathOfId(baked.fragmentId(fracture.parent));
+                const FragmentPath parent = baked.fragmentPath(fracture.parent);
                 FragmentSet one(baked.fragmentCount(), false);
                 one[fracture.first] = true;
                 const FragmentSelection selection = selectionOf(one, baked, parent);

@@ -148,7 +148,7 @@ private slots:
         Asset& wall = project.assets[0];
         wall.levels = {{.pattern = {{{.id = 70, .parameters = UniformScatter{.count = 3}}}}, .threshold = 5.0}};
         const AssetBakes bakes = allBakes(project);
-        const FragmentPath own = pathOfId(bakes.begin()->second->fragmentId(0));
+        const FragmentPath own = bakes.begin()->second->fragmentPath(0);
         wall.fragmentThresholds = {{own, 2.0}};
         wall.threshold = 90.0;
         const RenderScene scene = sceneOf(project, bakes, {.colouring = SceneColouring::Threshold});

@@ -19,7 +19,7 @@ private slots:
                             {.pattern = {{{.id = 91, .parameters = Slices{.cuts = 2}}}}, .minimumVolume = 0.01}};
             const Bake baked = *bake(asset);
             for (std::uint32_t k = 0; k < baked.fragmentCount(); ++k) {
-                QCOMPARE(fragmentAt(baked, pathOfId(baked.fragmentId(k))), std::optional(k));
+                QCOMPARE(fragmentAt(baked, baked.fragmentPath(k)), std::optional(k));
             }
         }
     }

@@ -122,7 +122,7 @@ private slots:
         const std::vector<ExportFile> files = filesOf(asset, {.glb = false});
         std::set<std::string> expected, names;
         for (std::uint32_t k = 0; k < baked.fragmentCount(); ++k) {
-            std::string path = pathOfId(baked.fragmentId(k));
+            std::string path = baked.fragmentPath(k);
             std::ranges::replace(path, '/', '-');
             expected.insert("old_ring-" + path);
         }

@@ -170,7 +170,7 @@ private slots:
         QCOMPARE(audit->resting.piece, damaged.bake->fragmentId(lighter));
         const Diagnostic pushed = found(*audit, DiagnosticCode::PushedPiece);
         QCOMPARE(pushed.place.fragment, lighter);
-        QCOMPARE(pushed.place.path, pathOfId(damaged.bake->fragmentId(lighter)));
+        QCOMPARE(pushed.place.path, damaged.bake->fragmentPath(lighter));
         QCOMPARE(pushed.value, audit->resting.speed);
         QVERIFY(audit->resting.speed > 1e-3 && audit->restingEnergy > 1e-6);
         QVERIFY2(faults.find("collision shapes may push it: move their seeds") != std::string::npos, faults.c_str());

@@ -94,7 +94,7 @@ private slots:
             const std::shared_ptr<const Bake> baked = bench.bakes.find(asset.id)->bake;
             for (const BakedFracture& fracture : baked->fractures) {
                 if (fracture.parent == kNone) continue;
-                bench.enter(pathOfId(baked->fragmentId(fracture.parent)));
+                bench.enter(baked->fragmentPath(fracture.parent));
                 const BakedPattern& shown = bench.canvas.displayedPattern()->baked();
                 QVERIFY(isSame(shown.partition, fracture.fragments.partition));
                 QVERIFY(shown.seeds.ids == fracture.seeds.ids && shown.seeds.positions == fracture.seeds.positions);
