@@ -94,7 +94,7 @@ int main() {
     printRow("all 77 of the house: the whole step", all.withSwap, "one of the ten steps after", all.after, 3.0);
 
     Project cutAtImpact = test::house();
-    cutAtImpact.assets[0].cutAtImpact = CutAtImpact{.pieces = 30};
+    cutAtImpact.assets[0].cutAtImpact = CutAtImpact{.fragments = 30};
     Session cut = started(cutAtImpact);
     const Cost thirty = costOf(cut, instancesOf(cut, 1));
     printRow("one polytope cut into 30 where it is hit", thirty.swap, "a step of the cut house", stepOfCutHouse(), 1.0);

@@ -24,11 +24,11 @@ struct Boxes {
     std::vector<AssetBakes> bakes;
 };
 
-Boxes boxes(std::size_t pieces) {
+Boxes boxes(std::size_t solids) {
     Boxes made;
     made.project.nextId = 10;
     made.project.materials = {{.id = 2, .name = "stone"}};
-    for (const Asset& asset : boxAssets(pieces)) {
+    for (const Asset& asset : boxAssets(solids)) {
         AssetBakes bakes{{{asset.id}, std::make_shared<const Bake>(bake(asset).value())}};
         made.bakes.push_back(std::move(bakes));
         made.project.assets = {asset};
@@ -129,8 +129,8 @@ void buildPlayScene(benchmark::State& state) {
 }
 
 /// The scenes of a whole and, step by step, of its fragments.
-std::vector<std::shared_ptr<const RenderScene>> scenesOfAFall(std::size_t pieces) {
-    const auto scene = boxesInTheAir(pieces);
+std::vector<std::shared_ptr<const RenderScene>> scenesOfAFall(std::size_t solids) {
+    const auto scene = boxesInTheAir(solids);
     SessionSceneBuilder builder(scene);
     std::vector<std::shared_ptr<const RenderScene>> scenes{builder.sceneOf(Session::start(scene, {}).value())};
     Session session = brokenBoxes(scene);
@@ -200,7 +200,7 @@ int main(int argc, char** argv) {
     addPlay("moment", buildPlayScene);
     addPlay("frame prepared", prepareFrame);
     RatioReporter reporter(
-        "pieces",
+        "solids",
         {"new scene", "exploded", "upload", "picture", "picture, 4x MSAA", "first pick", "moment", "frame prepared"},
         {});
     return runBenchmarks(argc, argv, reporter);

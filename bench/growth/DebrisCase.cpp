@@ -25,7 +25,7 @@ double debrisCase(std::size_t n) {
     project.nextId = 5;
     project.ground.isOn = false;
     project.gravity = Vec3(0.0);
-    project.debris = {.lifetime = 1.5 * kStep, .fade = 0.0, .maxPieces = 1'000'000};
+    project.debris = {.lifetime = 1.5 * kStep, .fade = 0.0, .maxFragments = 1'000'000};
     Session session = Session::start(playScene(project).value(), {.dt = kStep}).value();
     static_cast<void>(session.add(BreakInput{session.bodies()[0].number}));
     session.step();

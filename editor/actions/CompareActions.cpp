@@ -99,7 +99,7 @@ void CompareActions::end() {
 void CompareActions::updateCanvas() { m_views.canvas().setCompared(m_comparison.asset()); }
 
 /// Selects a fragment and frames it; frames the former place of a removed one.
-void CompareActions::reveal(const PieceDifference& fragment) {
+void CompareActions::reveal(const FragmentDifference& fragment) {
     Selection& selection = m_workspace.selection();
     const ComparedAsset& compared = *m_comparison.asset();
     const bool exists = fragment.after != kNone;

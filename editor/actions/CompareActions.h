@@ -46,7 +46,7 @@ private:
     void compareWith(const QString& path, const QString& name);
     void end();
     void updateCanvas();
-    void reveal(const PieceDifference& fragment);
+    void reveal(const FragmentDifference& fragment);
     void updateEnabled();
 
     Views& m_views;

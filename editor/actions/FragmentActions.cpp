@@ -30,8 +30,8 @@ std::vector<std::uint32_t> rootsOf(const FragmentSet& set, const Bake& bake) {
     return roots;
 }
 
-bool haveOneParent(const std::vector<SelectedPiece>& fragments) {
-    return std::ranges::all_of(fragments, [&](const SelectedPiece& fragment) {
+bool haveOneParent(const std::vector<SelectedFragment>& fragments) {
+    return std::ranges::all_of(fragments, [&](const SelectedFragment& fragment) {
         return parentOf(fragment.path) == parentOf(fragments.front().path);
     });
 }
@@ -84,20 +84,20 @@ FragmentActions::FragmentActions(Views& views)
 QAction* FragmentActions::addEdit(const ActionDefinition& definition, FragmentEdit edit) {
     QAction* action = makeAction(this, definition);
     connect(action, &QAction::triggered, this, [this, edit] {
-        const std::vector<SelectedPiece> fragments = selectedFragments();
+        const std::vector<SelectedFragment> fragments = selectedFragments();
         if (!fragments.empty()) push(edit, fragments);
     });
     m_menu->addAction(action);
     return action;
 }
 
-bool FragmentActions::push(FragmentEdit edit, const std::vector<SelectedPiece>& fragments) {
+bool FragmentActions::push(FragmentEdit edit, const std::vector<SelectedFragment>& fragments) {
     return m_workspace.document().push(edit(m_workspace.project(), m_workspace.selection().asset(), fragments));
 }
 
 /// Shows the result in the canvas, which draws the edges of deeper levels only if it is told to.
 void FragmentActions::fractureSelected() {
-    const std::vector<SelectedPiece> fragments = selectedFragments();
+    const std::vector<SelectedFragment> fragments = selectedFragments();
     if (fragments.empty() || !push(fractureFragments, fragments)) return;
     CanvasOverlays overlays = m_views.canvas().overlays();
     overlays.hasDeeperLevels = true;
@@ -109,22 +109,23 @@ void FragmentActions::fractureSelected() {
 }
 
 void FragmentActions::mergeSelected() {
-    const std::vector<SelectedPiece> fragments = selectedFragments();
+    const std::vector<SelectedFragment> fragments = selectedFragments();
     if (fragments.size() < 2) return m_views.showStatus(tr("One fragment is selected. Select others to merge with."));
     if (!haveOneParent(fragments))
         return m_views.showStatus(tr("The selected fragments have different parents. Select fragments of one parent."));
     push(mergeFragments, fragments);
 }
 
-std::vector<SelectedPiece> FragmentActions::selectedFragments() const {
+std::vector<SelectedFragment> FragmentActions::selectedFragments() const {
     const Selection& selection = m_workspace.selection();
     const auto pattern = m_workspace.bakes().findPattern(selection.asset(), selection.enteredFragment());
     if (!pattern || !m_workspace.asset()) return {};
-    std::vector<SelectedPiece> fragments = selectedPieces(selection.asset(), pattern->partition, pattern->seeds,
-                                                          selection.fragments(), pattern->parent, pattern->offset);
+    std::vector<SelectedFragment> fragments = rubble::selectedFragments(
+        selection.asset(), pattern->partition, pattern->seeds, selection.fragments(), pattern->parent, pattern->offset);
     const auto baked = m_workspace.bakes().find(selection.asset());
     if (baked && baked->bake && selection.fragments().ids) {
-        std::vector<SelectedPiece> deeper = selectedDescendants(*baked->bake, selection.fragments(), pattern->parent);
+        std::vector<SelectedFragment> deeper =
+            selectedDescendants(*baked->bake, selection.fragments(), pattern->parent);
         std::ranges::move(deeper, std::back_inserter(fragments));
     }
     return fragments;

@@ -25,12 +25,12 @@ public:
     QList<QAction*> editingActions() const { return {m_fracture, m_keepWhole, m_merge, m_split, m_restore}; }
 
 private:
-    using FragmentEdit = Edit (*)(const Project&, Id asset, const std::vector<SelectedPiece>& fragments);
+    using FragmentEdit = Edit (*)(const Project&, Id asset, const std::vector<SelectedFragment>& fragments);
 
     /// Adds an action that applies an edit to the selected fragments.
     QAction* addEdit(const struct ActionDefinition& definition, FragmentEdit edit);
-    bool push(FragmentEdit edit, const std::vector<SelectedPiece>& fragments);
-    std::vector<SelectedPiece> selectedFragments() const;
+    bool push(FragmentEdit edit, const std::vector<SelectedFragment>& fragments);
+    std::vector<SelectedFragment> selectedFragments() const;
     void fractureSelected();
     void mergeSelected();
     void restore();

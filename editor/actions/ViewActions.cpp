@@ -122,7 +122,7 @@ void ViewActions::addColourings(QMenu& menu) {
     QMenu* colourings = menu.addMenu(tr("C&olour Cells By"));
     auto* group = new QActionGroup(this);
     const std::pair<CellColouring, QString> entries[] = {
-        {CellColouring::None, tr("&None")},           {CellColouring::Piece, tr("&Fragment")},
+        {CellColouring::None, tr("&None")},           {CellColouring::Fragment, tr("&Fragment")},
         {CellColouring::Area, tr("&Area")},           {CellColouring::Neighbours, tr("N&eighbours")},
         {CellColouring::Aspect, tr("A&spect Ratio")}, {CellColouring::Level, tr("&Level")},
         {CellColouring::Volume, tr("&Volume")},       {CellColouring::Mass, tr("&Mass")},

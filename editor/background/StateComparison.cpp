@@ -70,7 +70,7 @@ void StateComparison::compare() {
                 if (!made) return made.error();
                 compared->before = std::make_shared<const Bake>(std::move(*made));
             }
-            if (compared->before) compared->pieces = differenceOf(*compared->before, *compared->after);
+            if (compared->before) compared->fragments = differenceOf(*compared->before, *compared->after);
             return success();
         },
         [this, compared, id = was ? was->id : 0](const Status& status) {

@@ -12,11 +12,11 @@ namespace rubble {
 struct ComparedAsset {
     bool wasThere = false;  // in the earlier state; else the following three are empty
     std::vector<RecipeChange> recipe;
-    BakeDifference pieces;
+    BakeDifference fragments;
     std::shared_ptr<const Bake> before;
     std::shared_ptr<const Bake> after;
 
-    bool isEmpty() const { return wasThere && recipe.empty() && pieces.isEmpty(); }
+    bool isEmpty() const { return wasThere && recipe.empty() && fragments.isEmpty(); }
 };
 
 /// Compares the active asset with an earlier state of the project, and updates the result as both change. Bakes the

@@ -15,13 +15,13 @@ namespace {
 
 constexpr double kTypicalFragmentSize = 0.25;  // of the length of its parent
 
-/// The position in Asset::leaves of a pattern index behind those of the levels.
+/// The position in Asset::fragmentLevels of a pattern index behind those of the levels.
 std::size_t leafAt(const Asset& asset, std::size_t index) { return index - asset.levels.size() - 1; }
 
 /// Null where levelAt() is.
 Level* mutableLevelAt(Asset& asset, std::size_t index) {
     if (levelAt(asset, index) == nullptr) return nullptr;
-    return index <= asset.levels.size() ? &asset.levels[index - 1] : &*asset.leaves[leafAt(asset, index)].level;
+    return index <= asset.levels.size() ? &asset.levels[index - 1] : &*asset.fragmentLevels[leafAt(asset, index)].level;
 }
 
 struct AssetPatternsTexts {
@@ -30,12 +30,12 @@ struct AssetPatternsTexts {
 
 }  // namespace
 
-std::size_t patternCount(const Asset& asset) { return 1 + asset.levels.size() + asset.leaves.size(); }
+std::size_t patternCount(const Asset& asset) { return 1 + asset.levels.size() + asset.fragmentLevels.size(); }
 
 const Level* levelAt(const Asset& asset, std::size_t index) {
     if (index == 0 || index >= patternCount(asset)) return nullptr;
     if (index <= asset.levels.size()) return &asset.levels[index - 1];
-    const FragmentLevel& leaf = asset.leaves[leafAt(asset, index)];
+    const FragmentLevel& leaf = asset.fragmentLevels[leafAt(asset, index)];
     return leaf.level ? &*leaf.level : nullptr;
 }
 
@@ -48,16 +48,16 @@ const Pattern* patternAt(const Asset& asset, std::size_t index) {
 Pattern& patternAt(Asset& asset, std::size_t index) {
     if (index == 0) return asset.pattern;
     if (index <= asset.levels.size()) return asset.levels[index - 1].pattern;
-    FragmentLevel& leaf = asset.leaves.at(leafAt(asset, index));
+    FragmentLevel& leaf = asset.fragmentLevels.at(leafAt(asset, index));
     if (!leaf.level) leaf.level.emplace();
     return leaf.level->pattern;
 }
 
 std::size_t patternIndexFor(const Asset& asset, const FragmentPath& fragment) {
     if (fragment.empty()) return 0;
-    const auto leaf = std::ranges::find(asset.leaves, fragment, &FragmentLevel::fragment);
-    if (leaf != asset.leaves.end())
-        return 1 + asset.levels.size() + static_cast<std::size_t>(leaf - asset.leaves.begin());
+    const auto leaf = std::ranges::find(asset.fragmentLevels, fragment, &FragmentLevel::fragment);
+    if (leaf != asset.fragmentLevels.end())
+        return 1 + asset.levels.size() + static_cast<std::size_t>(leaf - asset.fragmentLevels.begin());
     const std::size_t level = levelOf(fragment);
     return level < asset.levels.size() ? level + 1 : 0;
 }
@@ -72,9 +72,9 @@ Pattern& ownPattern(Asset& asset, const FragmentPath& fragment) {
     if (!hasOwnPattern(asset, fragment)) {
         const Level* shared = levelFor(asset, fragment, levelOf(fragment));
         const Level own = shared ? *shared : Level{};
-        const auto leaf = std::ranges::lower_bound(asset.leaves, fragment, {}, &FragmentLevel::fragment);
-        const bool exists = leaf != asset.leaves.end() && leaf->fragment == fragment;
-        (exists ? leaf : asset.leaves.insert(leaf, {fragment, {}}))->level = own;
+        const auto leaf = std::ranges::lower_bound(asset.fragmentLevels, fragment, {}, &FragmentLevel::fragment);
+        const bool exists = leaf != asset.fragmentLevels.end() && leaf->fragment == fragment;
+        (exists ? leaf : asset.fragmentLevels.insert(leaf, {fragment, {}}))->level = own;
     }
     return patternAt(asset, patternIndexFor(asset, fragment));
 }
@@ -92,13 +92,13 @@ void removeLevelAt(Asset& asset, std::size_t index) {
     if (index <= asset.levels.size()) {
         asset.levels.erase(asset.levels.begin() + static_cast<std::ptrdiff_t>(index) - 1);
     } else {
-        asset.leaves.erase(asset.leaves.begin() + static_cast<std::ptrdiff_t>(leafAt(asset, index)));
+        asset.fragmentLevels.erase(asset.fragmentLevels.begin() + static_cast<std::ptrdiff_t>(leafAt(asset, index)));
     }
 }
 
 std::size_t depthAt(const Asset& asset, std::size_t index) {
     if (index <= asset.levels.size() || index >= patternCount(asset)) return index;
-    return levelOf(asset.leaves[leafAt(asset, index)].fragment) + 1;
+    return levelOf(asset.fragmentLevels[leafAt(asset, index)].fragment) + 1;
 }
 
 Box2 domainBounds(const Asset& asset, std::size_t index) {
@@ -112,7 +112,7 @@ Box2 domainBounds(const Asset& asset, std::size_t index) {
 QString patternName(const Asset& asset, std::size_t index) {
     if (index == 0) return AssetPatternsTexts::tr("Intact asset");
     if (index <= asset.levels.size()) return AssetPatternsTexts::tr("Fragments, level %1").arg(index);
-    const FragmentLevel& leaf = asset.leaves[leafAt(asset, index)];
+    const FragmentLevel& leaf = asset.fragmentLevels[leafAt(asset, index)];
     const QString name = nameText(leaf.fragment);
     return leaf.level ? AssetPatternsTexts::tr("Fragment %1").arg(name)
                       : AssetPatternsTexts::tr("Fragment %1, kept intact").arg(name);

@@ -29,9 +29,9 @@ Vec2 minorAxisOf(const AreaMoments& moments) {
 }
 
 FragmentLevel& leafOf(Asset& asset, const FragmentPath& path) {
-    const auto position = std::ranges::lower_bound(asset.leaves, path, {}, &FragmentLevel::fragment);
-    if (position != asset.leaves.end() && position->fragment == path) return *position;
-    return *asset.leaves.insert(position, {path, {}});
+    const auto position = std::ranges::lower_bound(asset.fragmentLevels, path, {}, &FragmentLevel::fragment);
+    if (position != asset.fragmentLevels.end() && position->fragment == path) return *position;
+    return *asset.fragmentLevels.insert(position, {path, {}});
 }
 
 /// Tests whether edits concern fragments that come from some seeds.
@@ -56,27 +56,28 @@ struct EditFilter {
 
 }  // namespace
 
-std::vector<SelectedPiece> selectedPieces(Id asset, const Partition& partition, const Seeds& seeds,
-                                          const FragmentSelection& selection, const FragmentPath& parent, Vec2 offset) {
+std::vector<SelectedFragment> selectedFragments(Id asset, const Partition& partition, const Seeds& seeds,
+                                                const FragmentSelection& selection, const FragmentPath& parent,
+                                                Vec2 offset) {
     const std::string prefix = parent.empty() ? std::string() : parent + "/";
     const std::string ofAsset = std::to_string(asset) + "/";
     const FragmentSelection::Seeds cells = selection.seedsOf(parent);
-    std::vector<SelectedPiece> pieces;
+    std::vector<SelectedFragment> fragments;
     for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
         const SeedId cell = cellId(partition, piece, seeds.ids);
         if (!cells.contains(cell)) continue;
         const FragmentPath path = prefix + pieceName(partition, piece, seeds.ids);
         if (!selection.contains(parent, cell, ofAsset + path)) continue;
         const AreaMoments moments = momentsOf(pieceOutline(partition, piece));
-        pieces.push_back({path, moments.area, {offset + partition.origin + moments.centre, minorAxisOf(moments)}});
+        fragments.push_back({path, moments.area, {offset + partition.origin + moments.centre, minorAxisOf(moments)}});
     }
-    return pieces;
+    return fragments;
 }
 
-std::vector<SelectedPiece> selectedDescendants(const Bake& bake, const FragmentSelection& selection,
-                                               const FragmentPath& parent) {
+std::vector<SelectedFragment> selectedDescendants(const Bake& bake, const FragmentSelection& selection,
+                                                  const FragmentPath& parent) {
     const FragmentSet set = fragmentsOf(selection, bake);
-    std::vector<SelectedPiece> fragments;
+    std::vector<SelectedFragment> fragments;
     for (std::uint32_t k = 0; k < set.size(); ++k) {
         if (!set[k]) continue;
         std::uint32_t ancestor = bake.fragment(k).parent;
@@ -94,11 +95,11 @@ Line splitLine(const Polygon& outline, Vec2 origin) {
     return {origin + moments.centre, minorAxisOf(moments)};
 }
 
-Edit fractureFragments(const Project& project, Id asset, const std::vector<SelectedPiece>& pieces) {
+Edit fractureFragments(const Project& project, Id asset, const std::vector<SelectedFragment>& fragments) {
     Edit edit{.text = FragmentEditsTexts::tr("Fracture Fragments")};
     Asset changed = *findAsset(project, asset);
-    for (const SelectedPiece& piece : pieces) {
-        FragmentLevel& leaf = leafOf(changed, piece.path);
+    for (const SelectedFragment& fragment : fragments) {
+        FragmentLevel& leaf = leafOf(changed, fragment.path);
         if (leaf.level) continue;
         const Id layer = edit.allocateId(project);
         leaf.level.emplace();
@@ -109,26 +110,27 @@ Edit fractureFragments(const Project& project, Id asset, const std::vector<Selec
     return edit;
 }
 
-Edit keepFragmentsWhole(const Project& project, Id asset, const std::vector<SelectedPiece>& pieces) {
+Edit keepFragmentsWhole(const Project& project, Id asset, const std::vector<SelectedFragment>& fragments) {
     Asset changed = *findAsset(project, asset);
-    for (const SelectedPiece& piece : pieces) leafOf(changed, piece.path).level.reset();
+    for (const SelectedFragment& fragment : fragments) leafOf(changed, fragment.path).level.reset();
     return modify(FragmentEditsTexts::tr("Keep Fragments Intact"), std::move(changed));
 }
 
-Edit mergeFragments(const Project& project, Id asset, const std::vector<SelectedPiece>& pieces) {
-    const auto largest = std::ranges::max_element(pieces, {}, &SelectedPiece::area);
+Edit mergeFragments(const Project& project, Id asset, const std::vector<SelectedFragment>& fragments) {
+    const auto largest = std::ranges::max_element(fragments, {}, &SelectedFragment::area);
     FragmentMerge merge{.into = largest->path, .merged = {}};
-    for (const SelectedPiece& piece : pieces) {
-        if (piece.path != merge.into) merge.merged.push_back(piece.path);
+    for (const SelectedFragment& fragment : fragments) {
+        if (fragment.path != merge.into) merge.merged.push_back(fragment.path);
     }
     Asset changed = *findAsset(project, asset);
     changed.edits.push_back(std::move(merge));
     return modify(FragmentEditsTexts::tr("Merge Fragments"), std::move(changed));
 }
 
-Edit splitFragments(const Project& project, Id asset, const std::vector<SelectedPiece>& pieces) {
+Edit splitFragments(const Project& project, Id asset, const std::vector<SelectedFragment>& fragments) {
     Asset changed = *findAsset(project, asset);
-    for (const SelectedPiece& piece : pieces) changed.edits.push_back(FragmentSplit{piece.path, piece.splitLine});
+    for (const SelectedFragment& fragment : fragments)
+        changed.edits.push_back(FragmentSplit{fragment.path, fragment.splitLine});
     return modify(FragmentEditsTexts::tr("Split Fragments"), std::move(changed));
 }
 
@@ -147,7 +149,7 @@ Edit restoreFragments(const Project& project, Id asset, const std::set<SeedId>& 
     Asset changed = *findAsset(project, asset);
     const EditFilter filter{seeds, parent};
     std::erase_if(changed.edits, [&](const FragmentEdit& edit) { return filter.matches(edit); });
-    std::erase_if(changed.leaves, [&](const FragmentLevel& leaf) { return filter.matches(leaf); });
+    std::erase_if(changed.fragmentLevels, [&](const FragmentLevel& leaf) { return filter.matches(leaf); });
     std::erase_if(changed.fragmentThresholds, [&](const FragmentThreshold& own) { return filter.matches(own); });
     return modify(FragmentEditsTexts::tr("Restore Fragments"), std::move(changed));
 }
@@ -155,7 +157,7 @@ Edit restoreFragments(const Project& project, Id asset, const std::set<SeedId>& 
 bool canRestoreFragments(const Asset& asset, const std::set<SeedId>& seeds, const FragmentPath& parent) {
     const EditFilter filter{seeds, parent};
     const auto matches = [&](const auto& setting) { return filter.matches(setting); };
-    return std::ranges::any_of(asset.edits, matches) || std::ranges::any_of(asset.leaves, matches) ||
+    return std::ranges::any_of(asset.edits, matches) || std::ranges::any_of(asset.fragmentLevels, matches) ||
            std::ranges::any_of(asset.fragmentThresholds, matches);
 }
 

@@ -34,7 +34,7 @@ void applyPattern(const Project& project, const MaterialPreset& preset, Asset& a
         layer.id = edit.allocateId(project);
         layer.randomSeed = layer.id;
     }
-    asset.leaves.clear();
+    asset.fragmentLevels.clear();
     asset.fragmentThresholds.clear();
     asset.edits.clear();
 }

@@ -123,8 +123,8 @@ void replaceLayerIds(const Project& project, Pattern& pattern, Edit& edit, std::
 
 /// Updates the fragment names of an asset whose layer ids were replaced.
 void renameFragments(const std::map<Id, Id>& layers, Asset& asset) {
-    for (FragmentLevel& leaf : asset.leaves) leaf.fragment = withLayers(leaf.fragment, layers);
-    std::ranges::sort(asset.leaves, {}, &FragmentLevel::fragment);
+    for (FragmentLevel& leaf : asset.fragmentLevels) leaf.fragment = withLayers(leaf.fragment, layers);
+    std::ranges::sort(asset.fragmentLevels, {}, &FragmentLevel::fragment);
     for (FragmentThreshold& own : asset.fragmentThresholds) own.fragment = withLayers(own.fragment, layers);
     std::ranges::sort(asset.fragmentThresholds, {}, &FragmentThreshold::fragment);
     for (FragmentEdit& edit : asset.edits) {
@@ -173,7 +173,7 @@ Addition duplicateAsset(const Project& project, Id source) {
     std::map<Id, Id> layers;
     replaceLayerIds(project, copy.pattern, addition.edit, layers);
     for (Level& level : copy.levels) replaceLayerIds(project, level.pattern, addition.edit, layers);
-    for (FragmentLevel& leaf : copy.leaves) {
+    for (FragmentLevel& leaf : copy.fragmentLevels) {
         if (leaf.level) replaceLayerIds(project, leaf.level->pattern, addition.edit, layers);
     }
     renameFragments(layers, copy);

@@ -14,7 +14,7 @@ ImpactRecord recordOf(const Session& session, const PlayBody& body) {
         .step = session.stepsDone(),
         .name = session.nameOf(body),
         .asset = body.asset->bake->asset,
-        .scale = body.asset->piece(body.fragment).threshold ? 0.0 : body.asset->piece(body.fragment).thresholdScale};
+        .scale = body.asset->solid(body.fragment).threshold ? 0.0 : body.asset->solid(body.fragment).thresholdScale};
 }
 
 ImpactRecord recordOf(const Session& session, const PlayBreak& broken) {
@@ -22,7 +22,7 @@ ImpactRecord recordOf(const Session& session, const PlayBreak& broken) {
     record.impact = broken.impact;
     record.threshold = broken.threshold;
     record.point = broken.point;
-    record.pieces = broken.pieces;
+    record.fragmentCount = broken.fragmentCount;
     record.milliseconds = broken.milliseconds;
     return record;
 }

@@ -39,11 +39,11 @@ struct ImpactRecord {
     double impact = 0.0;     // N·s
     double threshold = 0.0;  // N·s
     Vec3 point{0.0, 0.0, 0.0};
-    std::uint32_t pieces = 0;  // 0: it stayed whole
+    std::uint32_t fragmentCount = 0;  // 0: it stayed intact
     double milliseconds = 0.0;
     Id asset = 0;        // that the body is made of
     double scale = 1.0;  // its threshold relative to that of the whole asset; 0: it has its own
-    bool isBreak() const { return pieces > 0; }
+    bool isBreak() const { return fragmentCount > 0; }
     double ratio() const { return impact / threshold; }
 };
 

@@ -28,7 +28,7 @@ QString titleOf(SceneColouring colouring) {
         case SceneColouring::Aspect: return SceneLegend::tr("Aspect ratio");
         case SceneColouring::Threshold: return SceneLegend::tr("Parent threshold");
         case SceneColouring::Material:
-        case SceneColouring::Piece: break;
+        case SceneColouring::Fragment: break;
     }
     return {};
 }

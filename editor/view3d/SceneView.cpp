@@ -29,8 +29,8 @@ namespace rubble {
 namespace {
 
 constexpr QSize kBarIcon{18, 18};
-constexpr std::array kColourings = {SceneColouring::Material, SceneColouring::Piece, SceneColouring::Level,
-                                    SceneColouring::Volume,   SceneColouring::Mass,  SceneColouring::Aspect,
+constexpr std::array kColourings = {SceneColouring::Material, SceneColouring::Fragment, SceneColouring::Level,
+                                    SceneColouring::Volume,   SceneColouring::Mass,     SceneColouring::Aspect,
                                     SceneColouring::Threshold};
 constexpr double kInstanceMargin = 0.25;  // of its size, on each side
 constexpr double kFragmentMargin = 1.5;   // of its size, on each side

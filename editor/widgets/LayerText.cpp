@@ -59,7 +59,7 @@ private:
         switch (count.by) {
             case CountBy::Number: break;
             case CountBy::Density: return LayerTexts::tr("%1 per m²").arg(roundedText(count.amount, {}, m_locale));
-            case CountBy::PieceSize:
+            case CountBy::FragmentSize:
                 return LayerTexts::tr("fragments of %1")
                     .arg(localizedQuantity(QuantityKind::Length, count.amount, m_units, m_locale));
         }

@@ -8,7 +8,7 @@ uniform uint surfaces;                 // 0: all, 1: opaque ones, 2: transparent
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
-layout(location = 3) in uint piece;
+layout(location = 3) in uint solid;
 layout(location = 4) in vec2 across;
 layout(location = 5) in uint side;  // see VertexSide
 layout(location = 6) in uint firstBody;
@@ -19,7 +19,7 @@ const uint kHidden = 1u;
 const uint kSelected = 2u;
 const uint kHovered = 4u;
 
-int bodyIndex() { return int(firstBody + piece); }
+int bodyIndex() { return int(firstBody + solid); }
 uvec4 appearanceOfBody() {
     uvec4 appearance = texelFetch(appearances, bodyIndex());
     if (uint(bodyIndex()) + 1u == hovered.x) appearance.z |= kHovered;

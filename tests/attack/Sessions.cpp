@@ -46,7 +46,7 @@ std::optional<std::string> outcomeFault(const Session& session) {
     }
     for (const PlayBreak& broken : session.recentBreaks()) {
         outcome.breaks.push_back({broken.step, session.nameOf(broken.body), broken.impact, broken.threshold,
-                                  broken.point, broken.pieces, std::nullopt});
+                                  broken.point, broken.fragmentCount, std::nullopt});
     }
     for (const Diagnostic& one : session.events().diagnostics) {
         if (Sentence fault = test::errorFault({ErrorCode::BadInput, one.message})) return fault;

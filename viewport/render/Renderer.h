@@ -25,7 +25,7 @@ struct RenderView {
     bool operator==(const RenderView&) const = default;
 };
 
-/// Draws scenes with OpenGL 3.3 core. The number of draw calls depends on the number of assets, not of pieces or
+/// Draws scenes with OpenGL 3.3 core. The number of draw calls depends on the number of assets, not of solids or
 /// instances. All calls, including the destructor, need the same current context.
 class Renderer {
 public:

@@ -68,7 +68,7 @@ void describeVertices(const GlBuffer& vertices, const GlBuffer& indices, const G
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride, at(offsetof(SceneVertex, position)));
     glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, kStride, at(offsetof(SceneVertex, normal)));
     glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, kStride, at(offsetof(SceneVertex, uv)));
-    glVertexAttribIPointer(3, 1, GL_UNSIGNED_INT, kStride, at(offsetof(SceneVertex, piece)));
+    glVertexAttribIPointer(3, 1, GL_UNSIGNED_INT, kStride, at(offsetof(SceneVertex, solid)));
     glVertexAttribPointer(4, 2, GL_UNSIGNED_BYTE, GL_TRUE, kStride, at(offsetof(SceneVertex, across)));
     glVertexAttribIPointer(5, 1, GL_UNSIGNED_BYTE, kStride, at(offsetof(SceneVertex, side)));
     glVertexAttribPointer(7, 1, GL_UNSIGNED_BYTE, GL_FALSE, kStride, at(offsetof(SceneVertex, sizeCode)));

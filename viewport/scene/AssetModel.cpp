@@ -27,7 +27,7 @@ public:
         const Colour colour = fragmentColour(m_model.bake->fragmentId(number));
         const double parent = fragment.parent == kNone ? m_model.bake->whole.volume
                                                        : m_model.bake->fragment(fragment.parent).solid.volume();
-        m_model.pieces.push_back({.fragment = number,
+        m_model.solids.push_back({.fragment = number,
                                   .offset = solid.offset(),
                                   .volume = solid.volume(),
                                   .parent = fragment.parent,
@@ -35,25 +35,25 @@ public:
                                   .aspect = aspectRatio(solid.outline()),
                                   .level = fragment.level,
                                   .colour = colour});
-        addPiece(*m_geometry, m_mesher.fragmentMesh(fragment, cuts.cornersOf(number)), texture());
-        if (m_hulls) addPiece(*m_hulls, solid.hulls());
+        addSolid(*m_geometry, m_mesher.fragmentMesh(fragment, cuts.cornersOf(number)), texture());
+        if (m_hulls) addSolid(*m_hulls, solid.hulls());
     }
 
-    /// `offset`: origin of the piece's frame in the prism's frame.
+    /// `offset`: origin of the solid's frame in the prism's frame.
     void addWhole(const Bake& bake, Vec3 offset) {
         const Vec3 centre = bake.whole.centre - offset;
         Mesh mesh = m_mesher.wholeMesh(bake);
         for (Vec3& position : mesh.positions) position += centre;
         const Colour colour = fragmentColour(std::to_string(m_model.asset.id));
-        m_model.pieces.push_back({.offset = offset,
+        m_model.solids.push_back({.offset = offset,
                                   .volume = bake.whole.volume,
                                   .aspect = aspectRatio(m_model.asset.prism.outline),
                                   .colour = colour});
-        addPiece(*m_geometry, mesh, texture());
+        addSolid(*m_geometry, mesh, texture());
         if (!m_hulls) return;
         std::vector<Polytope> hulls = bake.wholeHulls;
         for (Polytope& hull : hulls) hull = translated(std::move(hull), centre);
-        addPiece(*m_hulls, hulls);
+        addSolid(*m_hulls, hulls);
     }
 
     AssetModel finished() {
@@ -71,20 +71,20 @@ private:
     std::shared_ptr<SceneGeometry> m_hulls;
 };
 
-/// The bonds between the pieces of a model, each once.
+/// The bonds between the solids of a model, each once.
 std::vector<ModelBond> bondsOf(const AssetModel& model) {
     std::vector<ModelBond> bonds;
     if (!model.bake) return bonds;
-    std::vector<std::uint32_t> pieceOf(model.bake->fragmentCount(), kNone);
-    for (std::uint32_t piece = 0; piece < model.pieces.size(); ++piece) {
-        if (model.pieces[piece].fragment != kNone) pieceOf[model.pieces[piece].fragment] = piece;
+    std::vector<std::uint32_t> solidOf(model.bake->fragmentCount(), kNone);
+    for (std::uint32_t solid = 0; solid < model.solids.size(); ++solid) {
+        if (model.solids[solid].fragment != kNone) solidOf[model.solids[solid].fragment] = solid;
     }
-    for (std::uint32_t piece = 0; piece < model.pieces.size(); ++piece) {
-        if (model.pieces[piece].fragment == kNone) continue;
-        const BakedFragment fragment = model.bake->fragment(model.pieces[piece].fragment);
+    for (std::uint32_t solid = 0; solid < model.solids.size(); ++solid) {
+        if (model.solids[solid].fragment == kNone) continue;
+        const BakedFragment fragment = model.bake->fragment(model.solids[solid].fragment);
         for (const Bond& bond : fragment.solid.bonds()) {
-            const std::uint32_t other = pieceOf[fragment.firstSibling + bond.fragment];
-            if (other != kNone && other > piece) bonds.push_back({piece, other, bond.area});
+            const std::uint32_t other = solidOf[fragment.firstSibling + bond.fragment];
+            if (other != kNone && other > solid) bonds.push_back({solid, other, bond.area});
         }
     }
     return bonds;

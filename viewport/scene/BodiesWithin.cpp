@@ -32,11 +32,11 @@ std::vector<std::uint32_t> bodiesWithin(const RenderScene& scene, const Camera& 
     std::vector<std::uint32_t> bodies;
     for (const SceneBatch& batch : scene.batches) {
         for (const std::uint32_t first : batch.firstBodies) {
-            for (std::uint32_t piece = 0; piece < batch.geometry->pieceCount(); ++piece) {
-                const std::uint32_t body = first + piece;
+            for (std::uint32_t solid = 0; solid < batch.geometry->solidCount(); ++solid) {
+                const std::uint32_t body = first + solid;
                 if ((scene.appearances[body].marks & kHidden) != 0) continue;
                 const Vec3 centre = explodeOffset(scene, body) +
-                                    centreOf(poseAt(scene, body, stepFraction), batch.geometry->boxes[piece]);
+                                    centreOf(poseAt(scene, body, stepFraction), batch.geometry->boxes[solid]);
                 const std::optional<Vec2> pixel = pixelOf(centre, matrices, size);
                 if (pixel && isWithin(*pixel, pixels)) bodies.push_back(body);
             }

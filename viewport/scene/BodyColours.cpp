@@ -1,10 +1,9 @@
 #include "viewport/scene/BodyColours.h"
 
 #include "core/asset/project/FragmentColours.h"
-#include "core/asset/project/Threshold.h"
+#include "core/asset/project/Variants.h"
 #include "core/asset/strength/FragmentThreshold.h"
 #include "core/asset/strength/Threshold.h"
-#include "core/asset/project/Variants.h"
 #include "core/play/scene/PlayAsset.h"
 
 #include <algorithm>
@@ -25,7 +24,7 @@ const Material* insideOf(const AssetModel& model, const Project& project) {
 }
 
 bool isQuantity(SceneColouring colouring) {
-    return colouring != SceneColouring::Material && colouring != SceneColouring::Piece;
+    return colouring != SceneColouring::Material && colouring != SceneColouring::Fragment;
 }
 
 double thresholdOf(const Project& project, const AssetModel& model, Id instance) {
@@ -36,10 +35,10 @@ double thresholdOf(const Project& project, const AssetModel& model, Id instance)
     return asset != nullptr ? rubble::thresholdOf(project, *asset) : model.asset.threshold;
 }
 
-/// Evaluates the quantity that the pieces of one instance are coloured by.
-class PieceQuantity {
+/// Evaluates the quantity that the solids of one instance are coloured by.
+class SolidQuantity {
 public:
-    PieceQuantity(const Project& project, const AssetModel& model, Id instance, SceneColouring colouring)
+    SolidQuantity(const Project& project, const AssetModel& model, Id instance, SceneColouring colouring)
         : m_colouring(colouring) {
         if (colouring == SceneColouring::Threshold) {
             m_factor = thresholdOf(project, model, instance);
@@ -50,15 +49,15 @@ public:
         m_factor = material != nullptr ? material->density : 0.0;
     }
 
-    double of(const ModelPiece& piece) const {
+    double of(const ModelSolid& solid) const {
         switch (m_colouring) {
-            case SceneColouring::Level: return piece.level;
-            case SceneColouring::Volume: return piece.volume;
-            case SceneColouring::Mass: return piece.volume * m_factor;
-            case SceneColouring::Aspect: return piece.aspect;
-            case SceneColouring::Threshold: return thresholdOfParent(piece);
+            case SceneColouring::Level: return solid.level;
+            case SceneColouring::Volume: return solid.volume;
+            case SceneColouring::Mass: return solid.volume * m_factor;
+            case SceneColouring::Aspect: return solid.aspect;
+            case SceneColouring::Threshold: return thresholdOfParent(solid);
             case SceneColouring::Material:
-            case SceneColouring::Piece: break;
+            case SceneColouring::Fragment: break;
         }
         return 0.0;
     }
@@ -71,20 +70,20 @@ private:
         const auto isSet = [](const Level& level) { return level.threshold.has_value(); };
         const auto isLeafSet = [&](const FragmentLevel& leaf) { return leaf.level && isSet(*leaf.level); };
         if (asset->fragmentThresholds.empty() && std::ranges::none_of(asset->levels, isSet) &&
-            std::ranges::none_of(asset->leaves, isLeafSet)) {
+            std::ranges::none_of(asset->fragmentLevels, isLeafSet)) {
             return;
         }
         m_asset = variantOf(*asset, model.variant);
         m_bake = model.bake;
     }
 
-    /// The threshold of what breaks into the piece.
-    double thresholdOfParent(const ModelPiece& piece) const {
-        if (m_asset && piece.parent != kNone) {
-            const FragmentPath path = pathOfId(m_bake->fragmentId(piece.parent));
+    /// The threshold of what breaks into the solid.
+    double thresholdOfParent(const ModelSolid& solid) const {
+        if (m_asset && solid.parent != kNone) {
+            const FragmentPath path = m_bake->fragmentPath(solid.parent);
             if (const std::optional<double> set = fragmentThreshold(*m_asset, path, levelOf(path))) return *set;
         }
-        return thresholdScaleOf(piece.parentVolumeFraction) * m_factor;
+        return thresholdScaleOf(solid.parentVolumeFraction) * m_factor;
     }
 
     SceneColouring m_colouring;
@@ -107,9 +106,9 @@ ValueRange rangeOf(const RenderScene& scene, std::span<const AssetModel* const> 
                    SceneColouring colouring) {
     ValueRange range{1e308, 0.0};
     forEachInstance(scene, models, [&](const AssetModel& model, Id instance, std::uint32_t) {
-        const PieceQuantity quantity(project, model, instance, colouring);
-        for (const ModelPiece& piece : model.pieces) {
-            const double value = quantity.of(piece);
+        const SolidQuantity quantity(project, model, instance, colouring);
+        for (const ModelSolid& solid : model.solids) {
+            const double value = quantity.of(solid);
             range = {std::min(range.least, value), std::max(range.most, value)};
         }
     });
@@ -128,18 +127,18 @@ void colourBodies(RenderScene& scene, std::span<const AssetModel* const> models,
         return spread > 0.0 ? (value - scene.colourRange->least) / spread : 0.5;
     };
     forEachInstance(scene, models, [&](const AssetModel& model, Id instance, std::uint32_t first) {
-        const PieceQuantity quantity(project, model, instance, colouring);
+        const SolidQuantity quantity(project, model, instance, colouring);
         const Material* material = colouring == SceneColouring::Material ? materialOf(model, project) : nullptr;
         const Material* cutMaterial = material != nullptr ? insideOf(model, project) : nullptr;
-        for (std::uint32_t piece = 0; piece < model.pieces.size(); ++piece) {
-            const ModelPiece& shown = model.pieces[piece];
+        for (std::uint32_t solid = 0; solid < model.solids.size(); ++solid) {
+            const ModelSolid& shown = model.solids[solid];
             const Colour outside = isOnRamp              ? rampColour(fractionOf(quantity.of(shown)))
                                    : material != nullptr ? material->outside
                                                          : shown.colour;
             const Material* cut = cutMaterial != nullptr ? cutMaterial : material;
-            scene.appearances[first + piece].outside =
+            scene.appearances[first + solid].outside =
                 packedSurface(outside, material != nullptr ? material->opacity : 1.0);
-            scene.appearances[first + piece].inside =
+            scene.appearances[first + solid].inside =
                 cut != nullptr ? packedSurface(cut->inside, cut->opacity) : packed(insideOf(outside));
         }
     });

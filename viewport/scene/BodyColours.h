@@ -6,8 +6,8 @@
 
 namespace rubble {
 
-/// Colours every body of a scene by the material of its asset in the project, by piece, or by a quantity on a ramp from
-/// its least to its greatest value in the scene. Bodies without an asset are coloured by piece. `models`: one per
+/// Colours every body of a scene by the material of its asset in the project, by solid, or by a quantity on a ramp from
+/// its least to its greatest value in the scene. Bodies without an asset are coloured by solid. `models`: one per
 /// batch. Linear in bodies.
 void colourBodies(RenderScene& scene, std::span<const AssetModel* const> models, const Project& project,
                   SceneColouring colouring);

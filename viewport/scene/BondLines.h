@@ -6,7 +6,7 @@
 
 namespace rubble {
 
-/// Adds a line for every bond between two visible pieces, from centre to centre as drawn; its width grows with the
+/// Adds a line for every bond between two visible solids, from centre to centre as drawn; its width grows with the
 /// bond's area. `models`: one per batch. Linear in bonds.
 void addBondLines(RenderScene& scene, std::span<const AssetModel* const> models);
 

@@ -75,18 +75,19 @@ struct Splinter {
     double opacityAt(double age) const { return std::min(1.0, 4.0 * (1.0 - age / lifetime)); }
 };
 
-/// A point of a random cut between two pieces of a broken body, in the frame of its asset.
+/// A point of a random cut between two solids of a broken body, in the frame of its asset.
 Vec3 cutAt(const PlayBreak& broken, const PlayFracture& fracture, Random& random) {
-    if (fracture.neighbours.empty()) return broken.asset->pieces[fracture.first + random.below(fracture.count)].offset;
+    if (fracture.neighbours.empty())
+        return broken.asset->fragments[fracture.first + random.below(fracture.count)].offset;
     const PlayContact& parted = fracture.neighbours[random.below(fracture.neighbours.size())];
-    return 0.5 * (broken.asset->pieces[parted.first].offset + broken.asset->pieces[parted.second].offset);
+    return 0.5 * (broken.asset->fragments[parted.first].offset + broken.asset->fragments[parted.second].offset);
 }
 
-/// Twice the largest distance of its pieces from its centre.
+/// Twice the largest distance of its solids from its centre.
 double sizeOf(const PlayBreak& broken, const PlayFracture& fracture, Vec3 centre) {
     double size = 0.0;
     for (std::uint32_t k = 0; k < fracture.count; ++k) {
-        size = std::max(size, glm::distance(broken.asset->pieces[fracture.first + k].offset, centre));
+        size = std::max(size, glm::distance(broken.asset->fragments[fracture.first + k].offset, centre));
     }
     return 2.0 * size;
 }
@@ -99,7 +100,7 @@ struct Start {
 };
 
 Start startOf(const PlayBreak& broken, const PlayFracture& fracture, Random& random) {
-    const Vec3 centre = broken.asset->piece(broken.body.fragment).offset;
+    const Vec3 centre = broken.asset->solid(broken.body.fragment).offset;
     const double size = std::min(sizeOf(broken, fracture, centre), kMostSize);
     const double deep = glm::dot(broken.point - broken.pose.position, broken.normal);  // the surface that was hit
     const Vec3 out = random.unit() < 0.5 ? -broken.normal : broken.normal;

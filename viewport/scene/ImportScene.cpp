@@ -28,7 +28,7 @@ void addBody(RenderScene& scene, const Pose& pose, const BodyAppearance& appeara
 
 void addBatch(RenderScene& scene, SceneBatch batch, const Pose& pose, const BodyAppearance& appearance) {
     batch.firstBodies = {static_cast<std::uint32_t>(scene.poses.size())};
-    for (std::uint32_t piece = 0; piece < batch.geometry->pieceCount(); ++piece) addBody(scene, pose, appearance);
+    for (std::uint32_t solid = 0; solid < batch.geometry->solidCount(); ++solid) addBody(scene, pose, appearance);
     scene.batches.push_back(std::move(batch));
 }
 
@@ -49,17 +49,17 @@ std::shared_ptr<const SceneGeometry> arrowOf(const PrismFit& prism) {
     const Ring shaft = regularPolygonOutline(kArrowSides, kArrowWidth * extent).outer;
     std::vector<Polytope> parts = arrowHead(kHeadWidth * extent, base, end);
     parts.push_back(extruded(shaft, -end, base));
-    addPiece(*geometry, parts);
+    addSolid(*geometry, parts);
     return geometry;
 }
 
 /// Adds the prism as the hull of a body without geometry.
 void addPrism(RenderScene& scene, const PrismFit& prism) {
     const AssetModel model = modelOf({.prism = {prism.outline, prism.depth}}, nullptr, {});
-    if (model.pieces.empty()) return;
+    if (model.solids.empty()) return;
     const auto noGeometry = std::make_shared<SceneGeometry>();
     noGeometry->boxes = model.geometry->boxes;
-    const Vec3 centre = prism.pose.position + prism.pose.orientation * model.pieces.front().offset;
+    const Vec3 centre = prism.pose.position + prism.pose.orientation * model.solids.front().offset;
     addBatch(scene, {noGeometry, model.geometry, {}}, {centre, prism.pose.orientation}, {});
     addBatch(scene, {arrowOf(prism), nullptr, {}}, prism.pose, kArrowAppearance);
 }

@@ -8,7 +8,7 @@ namespace rubble {
 /// The drawable meshes of an imported file, placed in the world.
 struct SourceModel {
     Vec3 origin{0.0, 0.0, 0.0};                     // m, in the world: the centre of their bounding box
-    std::shared_ptr<const SceneGeometry> geometry;  // relative to it; one piece per object
+    std::shared_ptr<const SceneGeometry> geometry;  // relative to it; one solid per object
 };
 
 /// Takes O(n log n) in the file's triangles.

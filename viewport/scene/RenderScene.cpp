@@ -109,10 +109,10 @@ Box3 boundsAt(const RenderScene& scene, std::span<const RenderPose> poses, std::
     Box3 bounds;
     for (const SceneBatch& batch : scene.batches) {
         for (const std::uint32_t first : batch.firstBodies) {
-            for (std::uint32_t piece = 0; piece < batch.geometry->pieceCount(); ++piece) {
-                const std::uint32_t body = first + piece;
+            for (std::uint32_t solid = 0; solid < batch.geometry->solidCount(); ++solid) {
+                const std::uint32_t body = first + solid;
                 if (marks != 0 && (scene.appearances[body].marks & marks) == 0) continue;
-                includeBody(bounds, scene, body, batch.geometry->boxes[piece], poses);
+                includeBody(bounds, scene, body, batch.geometry->boxes[solid], poses);
             }
         }
     }
@@ -130,7 +130,7 @@ Box3 boundsOfBody(const RenderScene& scene, std::uint32_t body) {
     Box3 bounds;
     for (const SceneBatch& batch : scene.batches) {
         for (const std::uint32_t first : batch.firstBodies) {
-            if (body < first || body - first >= batch.geometry->pieceCount()) continue;
+            if (body < first || body - first >= batch.geometry->solidCount()) continue;
             const Box3& box = batch.geometry->boxes[body - first];
             includeBody(bounds, scene, body, box, scene.poses);
             if (!scene.previousPoses.empty()) includeBody(bounds, scene, body, box, scene.previousPoses);

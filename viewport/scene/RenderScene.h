@@ -27,7 +27,7 @@ struct PickId {
 /// The pose of a body in the format of the shaders.
 struct RenderPose {
     glm::vec4 position{0.0f};  // m, relative to RenderScene::origin; w: shrinkage, from 0 (full size) to 1 (a point)
-    glm::vec4 orientation{0.0f, 0.0f, 0.0f, 1.0f};  // scene from piece: x, y, z, w
+    glm::vec4 orientation{0.0f, 0.0f, 0.0f, 1.0f};  // scene from solid: x, y, z, w
     bool operator==(const RenderPose&) const = default;
 };
 
@@ -56,8 +56,8 @@ inline constexpr std::uint32_t kHovered = 4;
 /// All instances of one geometry.
 struct SceneBatch {
     std::shared_ptr<const SceneGeometry> geometry;
-    std::shared_ptr<const SceneGeometry> hulls;   // the same pieces as convex hulls; null if not shown
-    std::vector<std::uint32_t> firstBodies;       // per instance: the body of its piece 0; the other pieces follow
+    std::shared_ptr<const SceneGeometry> hulls;   // the same solids as convex hulls; null if not shown
+    std::vector<std::uint32_t> firstBodies;       // per instance: the body of its solid 0; the other solids follow
     std::shared_ptr<const EncodedImage> texture;  // of its textured vertices; null: they are as others
     bool operator==(const SceneBatch&) const = default;
 };

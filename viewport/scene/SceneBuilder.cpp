@@ -32,7 +32,7 @@ public:
     }
 
     void add(const AssetModel& model) {
-        if (model.pieces.empty()) return;
+        if (model.solids.empty()) return;
         m_scene.batches.push_back(batchOf(model, m_options));
         m_models.push_back(&model);
         if (m_options.asset != 0) return addInstance(model, 0, Pose{});
@@ -54,11 +54,11 @@ private:
     void addInstance(const AssetModel& model, Id instance, const Pose& pose) {
         if (m_scene.poses.empty()) m_scene.origin = pose.position;
         m_scene.batches.back().firstBodies.push_back(static_cast<std::uint32_t>(m_scene.poses.size()));
-        for (const ModelPiece& piece : model.pieces) {
-            const Vec3 position = pose.position + pose.orientation * piece.offset;
+        for (const ModelSolid& solid : model.solids) {
+            const Vec3 position = pose.position + pose.orientation * solid.offset;
             m_scene.poses.push_back(renderPose({position, pose.orientation}, m_scene.origin));
             m_scene.appearances.emplace_back();
-            m_scene.picks.push_back({model.asset.id, instance, piece.fragment});
+            m_scene.picks.push_back({model.asset.id, instance, solid.fragment});
         }
     }
 

@@ -9,8 +9,8 @@
 
 namespace rubble {
 
-/// The property that pieces are coloured by. Threshold: that of the parent, whose break releases the piece.
-enum class SceneColouring { Material, Piece, Level, Volume, Mass, Aspect, Threshold };
+/// The property that solids are coloured by. Threshold: that of the parent, whose break releases the solid.
+enum class SceneColouring { Material, Fragment, Level, Volume, Mass, Aspect, Threshold };
 
 /// The content of a scene.
 struct SceneOptions {
@@ -19,7 +19,7 @@ struct SceneOptions {
     std::uint32_t level = kNone;  // the deepest level shown; kNone: the leaf fragments
     double explodeFactor = 0.0;   // 0: assembled; 1: twice as far from the centre
     bool hasHulls = false;
-    bool hasBonds = false;  // lines between bonded pieces, their width by area
+    bool hasBonds = false;  // lines between bonded solids, their width by area
     bool isWhole = false;   // ignores the bakes
     SceneMarks marks;
 };
@@ -32,7 +32,7 @@ class SceneBuilder {
 public:
     /// The project's instances, or one asset. An asset without a bake is shown whole; missing assets and prisms that
     /// cannot be fractured are left out. An asset by itself stands on the ground. Bodies are ordered by asset, then by
-    /// instance in the project's order, then by piece in the bake's order. Linear in bodies, and in the vertices of new
+    /// instance in the project's order, then by solid in the bake's order. Linear in bodies, and in the vertices of new
     /// bakes.
     RenderScene sceneOf(const Project& project, const AssetBakes& bakes, const SceneOptions& options);
 

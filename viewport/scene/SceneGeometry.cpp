@@ -1,6 +1,6 @@
 #include "viewport/scene/SceneGeometry.h"
 
-#include "viewport/scene/PieceBuilder.h"
+#include "viewport/scene/SolidBuilder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ VertexSide sideOf(const MeshFace& face, const Texture* texture) {
 }
 
 /// Adds the coplanar faces [first, end).
-void addFaces(const Mesh& mesh, const Texture* texture, std::size_t first, std::size_t end, PieceBuilder& builder) {
+void addFaces(const Mesh& mesh, const Texture* texture, std::size_t first, std::size_t end, SolidBuilder& builder) {
     const bool isSingle = end - first == 1;
     const std::vector<DirectedEdge> edges = isSingle ? std::vector<DirectedEdge>() : edgesOf(mesh, first, end);
     for (std::size_t f = first; f < end; ++f) {
@@ -46,7 +46,7 @@ void addFaces(const Mesh& mesh, const Texture* texture, std::size_t first, std::
     }
 }
 
-/// Sets the size code of the last piece's vertices, from `first`.
+/// Sets the size code of the last solid's vertices, from `first`.
 void setSizeCode(SceneGeometry& geometry, std::size_t first) {
     const double code = 128.0 + 8.0 * std::log2(std::max(geometry.boxes.back().diagonal(), 1e-5));
     for (std::size_t k = first; k < geometry.vertices.size(); ++k) {
@@ -56,9 +56,9 @@ void setSizeCode(SceneGeometry& geometry, std::size_t first) {
 
 }  // namespace
 
-void addPiece(SceneGeometry& geometry, const Mesh& mesh, const Texture* texture) {
+void addSolid(SceneGeometry& geometry, const Mesh& mesh, const Texture* texture) {
     const std::size_t firstVertex = geometry.vertices.size();
-    PieceBuilder builder(geometry);
+    SolidBuilder builder(geometry);
     for (std::size_t first = 0; first < mesh.faces.size();) {
         std::size_t end = first + 1;
         while (end < mesh.faces.size() && mesh.faces[end].normal == mesh.faces[first].normal) ++end;
@@ -68,9 +68,9 @@ void addPiece(SceneGeometry& geometry, const Mesh& mesh, const Texture* texture)
     setSizeCode(geometry, firstVertex);
 }
 
-void addPiece(SceneGeometry& geometry, std::span<const Polytope> hulls) {
+void addSolid(SceneGeometry& geometry, std::span<const Polytope> hulls) {
     const std::size_t firstVertex = geometry.vertices.size();
-    PieceBuilder builder(geometry);
+    SolidBuilder builder(geometry);
     for (const Polytope& hull : hulls) {
         for (std::size_t f = 0; f < hull.faces.size(); ++f) {
             builder.beginFace(hull.planes[f].normal, VertexSide::Outside);

@@ -16,33 +16,33 @@ enum class VertexSide : std::uint8_t { Outside, Inside, Textured };
 
 /// A vertex as uploaded to the GPU. Faces are flat and share no vertices.
 struct SceneVertex {
-    glm::vec3 position{0.0f};  // m, in the piece's own frame
+    glm::vec3 position{0.0f};  // m, in the solid's own frame
     glm::vec3 normal{0.0f};    // length 1
     glm::vec2 uv{0.0f};
-    std::uint32_t piece = 0;  // index in SceneGeometry::boxes; the shaders look up pose and colours by it
+    std::uint32_t solid = 0;  // index in SceneGeometry::boxes; the shaders look up pose and colours by it
 
     /// Position across the face in two directions: 0 and 255 on visible edges, 128 away from them. From the
     /// interpolated values the fragment shader computes the distance to the nearest edge, so that edges need no line
     /// geometry.
     std::array<std::uint8_t, 2> across{128, 128};
     VertexSide side = VertexSide::Outside;
-    std::uint8_t sizeCode = 0;  // of the piece's bounding box: a diagonal of 2^((sizeCode - 128) / 8) m
+    std::uint8_t sizeCode = 0;  // of the solid's bounding box: a diagonal of 2^((sizeCode - 128) / 8) m
 };
 
-/// The triangles of many pieces, immutable and shared by all instances of an asset; poses, visibility and colours are
+/// The triangles of many solids, immutable and shared by all instances of an asset; poses, visibility and colours are
 /// in RenderScene.
 struct SceneGeometry {
     std::vector<SceneVertex> vertices;
     std::vector<std::uint32_t> indices;  // three per triangle, counter-clockwise from outside
-    std::vector<Box3> boxes;             // bounding box of each piece, in its own frame
+    std::vector<Box3> boxes;             // bounding box of each solid, in its own frame
 
-    std::uint32_t pieceCount() const { return static_cast<std::uint32_t>(boxes.size()); }
+    std::uint32_t solidCount() const { return static_cast<std::uint32_t>(boxes.size()); }
 };
 
-/// Appends a piece with the faces of a mesh, or of several hulls; the faces are convex. Edges between coplanar faces of
+/// Appends a solid with the faces of a mesh, or of several hulls; the faces are convex. Edges between coplanar faces of
 /// a mesh (the convex parts of a cap) are hidden.
 /// `texture`: of the mesh's outside; null: none.
-void addPiece(SceneGeometry& geometry, const Mesh& mesh, const Texture* texture = nullptr);
-void addPiece(SceneGeometry& geometry, std::span<const Polytope> hulls);
+void addSolid(SceneGeometry& geometry, const Mesh& mesh, const Texture* texture = nullptr);
+void addSolid(SceneGeometry& geometry, std::span<const Polytope> hulls);
 
 }  // namespace rubble

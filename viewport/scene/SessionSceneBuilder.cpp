@@ -21,10 +21,10 @@ constexpr Colour kProjectileColour{0.30, 0.34, 0.40};
 AssetModel projectileModel(const Polytope& hull, const SceneOptions& options) {
     AssetModel model;
     const auto geometry = std::make_shared<SceneGeometry>();
-    addPiece(*geometry, {&hull, 1});
+    addSolid(*geometry, {&hull, 1});
     model.geometry = geometry;
     if (options.hasHulls) model.hulls = geometry;
-    model.pieces = {{.volume = massOf(hull).volume, .colour = kProjectileColour}};
+    model.solids = {{.volume = massOf(hull).volume, .colour = kProjectileColour}};
     return model;
 }
 
@@ -208,9 +208,9 @@ void SessionSceneBuilder::remapPrevious(const std::vector<Slots>& previousSlots)
             const auto isSame = [&](const Slot& slot) { return slot.asset == then.asset && slot.hull == then.hull; };
             const auto now = std::ranges::find_if(m_slots[origin], isSame);
             if (then.first == kNone || now == m_slots[origin].end() || now->first == kNone) continue;
-            const std::size_t pieces = then.asset != nullptr ? 1 + then.asset->bake->fragmentCount() : 1;
+            const std::size_t solids = then.asset != nullptr ? 1 + then.asset->bake->fragmentCount() : 1;
             const auto copy = [&](const auto& from, auto& to) {
-                std::copy_n(from.begin() + then.first, pieces, to.begin() + now->first);
+                std::copy_n(from.begin() + then.first, solids, to.begin() + now->first);
             };
             copy(m_previous->poses, kept->poses);
             copy(m_previous->appearances, kept->appearances);
@@ -231,8 +231,8 @@ void SessionSceneBuilder::addSlot(const Session& session, std::uint32_t origin, 
     const AssetModel& drawn = m_models[model].drawn;
     if (model == m_layout.batches.size()) m_layout.batches.push_back(batchOf(drawn, m_options));
     m_layout.batches[model].firstBodies.push_back(free->first);
-    for (const ModelPiece& piece : drawn.pieces) {
-        m_layout.picks.push_back({drawn.asset.id, session.origins()[origin].instance, piece.fragment, origin});
+    for (const ModelSolid& solid : drawn.solids) {
+        m_layout.picks.push_back({drawn.asset.id, session.origins()[origin].instance, solid.fragment, origin});
     }
 }
 

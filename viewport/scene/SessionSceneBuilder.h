@@ -42,13 +42,13 @@ public:
 private:
     /// The geometry of an asset, or of a projectile without one.
     struct Model;
-    /// The scene bodies reserved for the pieces of one model of one origin.
+    /// The scene bodies reserved for the solids of one model of one origin.
     struct Slot {
         std::shared_ptr<const PlayAsset> asset;
         std::shared_ptr<const Polytope> hull;  // if there is no asset
-        std::uint32_t first = kNone;           // scene body of piece 0; kNone: unused
+        std::uint32_t first = kNone;           // scene body of solid 0; kNone: unused
     };
-    /// The slots of an origin: the body as placed or thrown, and its pieces if it was cut at the point of impact.
+    /// The slots of an origin: the body as placed or thrown, and its solids if it was cut at the point of impact.
     using Slots = std::array<Slot, 2>;
 
     std::shared_ptr<RenderScene> freeScene();

@@ -1,6 +1,6 @@
 #include "viewport/scene/SurfaceGeometry.h"
 
-#include "viewport/scene/PieceBuilder.h"
+#include "viewport/scene/SolidBuilder.h"
 
 #include <glm/geometric.hpp>
 
@@ -81,7 +81,7 @@ std::vector<bool> shownEdges(const TriangleMesh& mesh, const std::vector<Vec3>& 
 void addSurface(SceneGeometry& geometry, const TriangleMesh& mesh) {
     const std::vector<Vec3> normals = normalsOf(mesh);
     const std::vector<bool> areShown = shownEdges(mesh, normals);
-    PieceBuilder builder(geometry);
+    SolidBuilder builder(geometry);
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
         const auto& points = mesh.triangles[triangle];
         const auto corner = [&](std::size_t k, std::size_t edge) {

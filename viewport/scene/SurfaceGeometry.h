@@ -4,7 +4,7 @@
 
 namespace rubble {
 
-/// Appends a piece with the triangles of an arbitrary mesh: it may be open or inside out, so both sides of each
+/// Appends a solid with the triangles of an arbitrary mesh: it may be open or inside out, so both sides of each
 /// triangle are drawn, the back as inside. Visible edges are boundaries and creases of more than one degree. O(n log
 /// n).
 void addSurface(SceneGeometry& geometry, const TriangleMesh& mesh);

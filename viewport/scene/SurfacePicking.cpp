@@ -69,24 +69,24 @@ double distanceTo(const Ray& ray, Vec3 a, Vec3 b, Vec3 c) {
 void castInto(const RenderScene& scene, const SceneBatch& batch, std::uint32_t first, const Ray& ray, double& nearest,
               std::optional<SurfaceHit>& found) {
     const SceneGeometry& geometry = *batch.geometry;
-    std::vector<std::optional<Ray>> rays(geometry.pieceCount());  // in the frames of pieces whose boxes it hits
-    for (std::uint32_t piece = 0; piece < rays.size(); ++piece) {
-        if ((scene.appearances[first + piece].marks & kHidden) != 0) continue;
-        const BodyFrame frame(scene, first + piece);
+    std::vector<std::optional<Ray>> rays(geometry.solidCount());  // in the frames of solids whose boxes it hits
+    for (std::uint32_t solid = 0; solid < rays.size(); ++solid) {
+        if ((scene.appearances[first + solid].marks & kHidden) != 0) continue;
+        const BodyFrame frame(scene, first + solid);
         if (frame.isPoint()) continue;
         const Ray local = frame.local(ray);
-        if (hits(local, geometry.boxes[piece])) rays[piece] = local;
+        if (hits(local, geometry.boxes[solid])) rays[solid] = local;
     }
     for (std::size_t k = 0; k < geometry.indices.size(); k += 3) {
         const SceneVertex& corner = geometry.vertices[geometry.indices[k]];
-        if (!rays[corner.piece]) continue;
-        const double along = distanceTo(*rays[corner.piece], Vec3(corner.position),
+        if (!rays[corner.solid]) continue;
+        const double along = distanceTo(*rays[corner.solid], Vec3(corner.position),
                                         Vec3(geometry.vertices[geometry.indices[k + 1]].position),
                                         Vec3(geometry.vertices[geometry.indices[k + 2]].position));
-        const double distance = along * BodyFrame(scene, first + corner.piece).scale();
+        const double distance = along * BodyFrame(scene, first + corner.solid).scale();
         if (!(distance < nearest)) continue;
         nearest = distance;
-        found = {first + corner.piece, ray.at(distance)};
+        found = {first + corner.solid, ray.at(distance)};
     }
 }
 
@@ -108,10 +108,10 @@ std::optional<Vec3> cornerNear(const RenderScene& scene, std::uint32_t body, con
     const Vec3 back = axesOf(camera).back, eye = eyeOf(camera);
     for (const SceneBatch& batch : scene.batches) {
         for (const std::uint32_t first : batch.firstBodies) {
-            if (body < first || body >= first + batch.geometry->pieceCount()) continue;
+            if (body < first || body >= first + batch.geometry->solidCount()) continue;
             const BodyFrame frame(scene, body);
             for (const SceneVertex& vertex : batch.geometry->vertices) {
-                if (vertex.piece != body - first || vertex.across == kMiddleOfFace) continue;
+                if (vertex.solid != body - first || vertex.across == kMiddleOfFace) continue;
                 const Vec3 point = frame.world(Vec3(vertex.position));
                 const Vec3 towardsEye = camera.projection == Projection::Orthographic ? back : eye - point;
                 if (glm::dot(frame.worldNormal(Vec3(vertex.normal)), towardsEye) <= 0.0) continue;

@@ -11,7 +11,7 @@ struct SheetStyle {
     ImageSize size{320, 240};  // of one image
     Theme theme = Theme::Light;
     StandardView view = StandardView::Isometric;
-    SceneColouring colouring = SceneColouring::Piece;
+    SceneColouring colouring = SceneColouring::Fragment;
     int samples = 4;  // see renderImage()
     bool operator==(const SheetStyle&) const = default;
 };
@@ -26,7 +26,7 @@ public:
     /// Errors: see OffscreenRenderer::create().
     static Result<ContactSheetPainter> create(const SheetRequest& request, const SheetStyle& style);
 
-    /// A variant at its step, or its pieces at rest. Its session is not needed afterwards.
+    /// A variant at its step, or its solids at rest. Its session is not needed afterwards.
     ///
     /// Errors: BadInput, with the entry's message, if the entry has an error; see OffscreenRenderer.
     Result<Image> renderImage(const SheetEntry& entry, const TaskContext& task = {});

@@ -27,8 +27,8 @@ constexpr OverlayWord kOverlays[] = {{"contacts", &PlayOverlays::hasContacts}, {
 
 /// The values of --colour.
 constexpr std::pair<const char*, SceneColouring> kColourings[] = {
-    {"material", SceneColouring::Material},  {"piece", SceneColouring::Piece}, {"level", SceneColouring::Level},
-    {"volume", SceneColouring::Volume},      {"mass", SceneColouring::Mass},   {"aspect", SceneColouring::Aspect},
+    {"material", SceneColouring::Material},  {"piece", SceneColouring::Fragment}, {"level", SceneColouring::Level},
+    {"volume", SceneColouring::Volume},      {"mass", SceneColouring::Mass},      {"aspect", SceneColouring::Aspect},
     {"threshold", SceneColouring::Threshold}};
 
 /// Adds an option whose value must be accepted by `parse`.

@@ -10,8 +10,8 @@ namespace rubble {
 namespace {
 
 SimulatedBreak toResult(const PlayBreak& broken, const Session& session, bool isTimed) {
-    SimulatedBreak result{broken.step,  session.nameOf(broken.body), broken.impact, broken.threshold, broken.point,
-                          broken.pieces};
+    SimulatedBreak result{broken.step,  session.nameOf(broken.body), broken.impact, broken.threshold,
+                          broken.point, broken.fragmentCount};
     if (isTimed) result.swapMilliseconds = broken.milliseconds;
     return result;
 }

@@ -63,14 +63,14 @@ Result<std::vector<NamedAudit>> auditsOf(const Project& project, std::span<const
     return audits;
 }
 
-std::string speedText(const PieceSpeed& fastest) {
-    return quantityText(QuantityKind::Speed, fastest.speed) + " (" + fastest.piece + ")";
+std::string speedText(const FragmentSpeed& fastest) {
+    return quantityText(QuantityKind::Speed, fastest.speed) + " (" + fastest.fragment + ")";
 }
 
 std::string textOf(const NamedAudit& named) {
     if (!named.audit) return shownName(named.name) + ": does not break\n";
     const SwapAudit& audit = *named.audit;
-    std::string text = shownName(named.name) + ": " + countText(audit.pieces, "fragment", "fragments") + ", " +
+    std::string text = shownName(named.name) + ": " + countText(audit.fragments, "fragment", "fragments") + ", " +
                        (audit.isClean() ? "clean" : "not clean") + "\n";
     text += "  contacts after the swap: " + std::to_string(audit.contacts) + " with " +
             countText(audit.contactPoints, "point", "points") + "; deepest overlap " +

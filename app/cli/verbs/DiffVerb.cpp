@@ -55,12 +55,12 @@ Result<std::vector<AssetPair>> selectedPairs(std::vector<AssetPair> pairs, const
 }
 
 /// Returns a line for each fragment, grouped by change; at most kMaxListed of each change unless `isAll`.
-std::string piecesText(const BakeDifference& difference, bool isAll) {
+std::string changesText(const BakeDifference& difference, bool isAll) {
     std::string text;
-    for (auto begin = difference.pieces.begin(); begin != difference.pieces.end();) {
-        const auto end = std::ranges::find_if(begin, difference.pieces.end(), [&](const PieceDifference& piece) {
-            return piece.change != begin->change;
-        });
+    for (auto begin = difference.fragments.begin(); begin != difference.fragments.end();) {
+        const auto end =
+            std::ranges::find_if(begin, difference.fragments.end(),
+                                 [&](const FragmentDifference& fragment) { return fragment.change != begin->change; });
         const auto count = static_cast<std::size_t>(end - begin);
         const std::size_t listed = isAll ? count : std::min(count, kMaxListed);
         for (std::size_t k = 0; k < listed; ++k) text += "  " + sentenceOf(*begin++) + '\n';
@@ -75,16 +75,16 @@ std::string textOf(const AssetDifference& difference, bool isAll) {
     const std::string name = shownName(pair.name());
     if (difference.isEmpty()) return name + ": same\n";
     if (!pair.before)
-        return name + ": added, " + countText(difference.pieces.sum().after, "fragment", "fragments") + "\n";
+        return name + ": added, " + countText(difference.fragments.sum().after, "fragment", "fragments") + "\n";
     if (!pair.after)
-        return name + ": removed, had " + countText(difference.pieces.sum().before, "fragment", "fragments") + "\n";
+        return name + ": removed, had " + countText(difference.fragments.sum().before, "fragment", "fragments") + "\n";
     std::string text = name + ": changed\n";
     for (const RecipeChange& change : difference.recipe) text += "  " + sentenceOf(change) + '\n';
-    const std::vector<LevelDifference>& levels = difference.pieces.levels;
+    const std::vector<LevelDifference>& levels = difference.fragments.levels;
     for (std::size_t k = 0; k < levels.size(); ++k) {
         text += (levels.size() > 1 ? "  level " + std::to_string(k) + ": " : "  ") + sentenceOf(levels[k]) + '\n';
     }
-    return text + piecesText(difference.pieces, isAll);
+    return text + changesText(difference.fragments, isAll);
 }
 
 std::string textOf(const ProjectDifference& difference, bool isAll) {

@@ -97,7 +97,7 @@ Status addVertexSeeds(const SeedsOptions& options, const CliContext& context) {
 std::vector<Pattern*> patternsOf(Asset& asset) {
     std::vector<Pattern*> patterns{&asset.pattern};
     for (Level& level : asset.levels) patterns.push_back(&level.pattern);
-    for (FragmentLevel& leaf : asset.leaves) {
+    for (FragmentLevel& leaf : asset.fragmentLevels) {
         if (leaf.level) patterns.push_back(&leaf.level->pattern);
     }
     return patterns;

@@ -69,7 +69,7 @@ struct LevelWork {
 LevelWork levelWork(const Asset& asset, std::uint32_t level, std::uint32_t first, const Bake& bake) {
     LevelWork work;
     for (std::uint32_t k = first; k < bake.fragmentCount(); ++k) {
-        const FragmentPath path = asset.leaves.empty() ? FragmentPath() : pathOfId(bake.fragmentId(k));
+        const FragmentPath path = asset.fragmentLevels.empty() ? FragmentPath() : bake.fragmentPath(k);
         const Level* by = levelFor(asset, path, level);
         if (!by || bake.fragment(k).solid.volume() < by->minimumVolume) continue;
         work.parents.push_back(k);
@@ -127,7 +127,7 @@ Status appendLevel(const Asset& asset, std::uint32_t level, std::uint32_t first,
 /// The largest number of levels below the first that an asset can have.
 std::size_t maxLevels(const Asset& asset) {
     std::size_t deepest = asset.levels.size();
-    for (const FragmentLevel& leaf : asset.leaves) {
+    for (const FragmentLevel& leaf : asset.fragmentLevels) {
         if (leaf.level) deepest = std::max(deepest, std::size_t{levelOf(leaf.fragment)} + 1);
     }
     return deepest;
@@ -135,7 +135,7 @@ std::size_t maxLevels(const Asset& asset) {
 
 /// Reports settings and edits of fragments that do not exist.
 void reportLost(const Asset& asset, Bake& bake) {
-    if (asset.leaves.empty() && asset.edits.empty()) return;
+    if (asset.fragmentLevels.empty() && asset.edits.empty()) return;
     std::set<FragmentPath> fragments, broken;
     for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) fragments.insert(bake.fragmentPath(k));
     for (const BakedFracture& fracture : bake.fractures) {
@@ -144,7 +144,7 @@ void reportLost(const Asset& asset, Bake& bake) {
     const auto report = [&](const FragmentPath& path, const std::string& message) {
         bake.diagnostics.push_back(diagnostic(DiagnosticCode::LostPiece, {.asset = bake.asset, .path = path}, message));
     };
-    for (const FragmentLevel& leaf : asset.leaves) {
+    for (const FragmentLevel& leaf : asset.fragmentLevels) {
         if (fragments.contains(leaf.fragment)) continue;
         report(leaf.fragment, "Fragment " + leaf.fragment + " has its own pattern, but does not exist.");
     }
@@ -167,9 +167,9 @@ BakedFragment Bake::fragment(std::uint32_t number) const {
                            .level = fracture.level,
                            .firstSibling = fracture.first,
                            .solid = fracture.fragments[number - fracture.first]};
-    if (const BakedFracture* pieces = fractureOf(number)) {
-        fragment.firstChild = pieces->first;
-        fragment.childCount = pieces->fragments.count();
+    if (const BakedFracture* children = fractureOf(number)) {
+        fragment.firstChild = children->first;
+        fragment.childCount = children->fragments.count();
     }
     return fragment;
 }

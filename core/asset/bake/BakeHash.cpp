@@ -139,8 +139,8 @@ void add(Hasher& hasher, const FragmentEdit& edit) {
 /// only.
 void addShaping(Hasher& hasher, const Asset& asset) {
     const SmallPieces& small = asset.shaping.smallPieces;
-    const bool isDefault =
-        small.rule == SmallPieceRule::Keep && asset.shaping.gap == 0.0 && asset.leaves.empty() && asset.edits.empty();
+    const bool isDefault = small.rule == SmallPieceRule::Keep && asset.shaping.gap == 0.0 &&
+                           asset.fragmentLevels.empty() && asset.edits.empty();
     if (isDefault) return;
     hasher.add(static_cast<std::uint64_t>(small.rule));
     if (small.rule != SmallPieceRule::Keep) {
@@ -148,8 +148,8 @@ void addShaping(Hasher& hasher, const Asset& asset) {
         hasher.add(small.limit);
     }
     hasher.add(asset.shaping.gap);
-    hasher.add(std::uint64_t{asset.leaves.size()});
-    for (const FragmentLevel& leaf : asset.leaves) {
+    hasher.add(std::uint64_t{asset.fragmentLevels.size()});
+    for (const FragmentLevel& leaf : asset.fragmentLevels) {
         add(hasher, leaf.fragment);
         hasher.add(std::uint64_t{leaf.level.has_value()});
         if (leaf.level) add(hasher, *leaf.level);

@@ -164,7 +164,7 @@ Asset child(std::span<const Asset> parents, const VariantRecipe& recipe, std::ui
         scattering[picked]->randomSeed = random.next();
         if (picked >= ownCount) scattering[picked]->overrides.clear();  // they were made for other seeds
     }
-    made.leaves.clear();  // this and the next two: they refer to the old fragments
+    made.fragmentLevels.clear();  // this and the next two: they refer to the old fragments
     made.fragmentThresholds.clear();
     made.edits.clear();
     return made;

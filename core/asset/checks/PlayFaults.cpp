@@ -12,10 +12,10 @@ namespace {
 using Sentence = std::optional<std::string>;
 
 Sentence cutFault(const std::string& owner, const CutAtImpact& cut) {
-    if (!rangeOf(ProjectNumber::ImpactPieces).contains(cut.pieces)) {
-        return owner + ": the number of fragments of the fracture at the impact is " + std::to_string(cut.pieces) +
-               ", but it must be from " + std::to_string(CutAtImpact::kMinPieces) + " to " +
-               std::to_string(CutAtImpact::kMaxPieces) + ".";
+    if (!rangeOf(ProjectNumber::ImpactFragments).contains(cut.fragments)) {
+        return owner + ": the number of fragments of the fracture at the impact is " + std::to_string(cut.fragments) +
+               ", but it must be from " + std::to_string(CutAtImpact::kMinFragments) + " to " +
+               std::to_string(CutAtImpact::kMaxFragments) + ".";
     }
     return rangeFault(owner, {{ProjectNumber::ImpactFalloffRadius, cut.falloffRadius}});
 }
@@ -76,7 +76,7 @@ std::optional<std::string> playFault(const Asset& asset) {
 }
 
 std::optional<std::string> faultOf(const Debris& debris) {
-    if (debris.maxPieces && !rangeOf(ProjectNumber::DebrisPieces).contains(*debris.maxPieces))
+    if (debris.maxFragments && !rangeOf(ProjectNumber::DebrisFragments).contains(*debris.maxFragments))
         return "The debris: the maximum number of fragments is 0, but it must be at least 1.";
     return rangeFault("The debris", {{ProjectNumber::DebrisLifetime, debris.lifetime.value_or(1.0)},
                                      {ProjectNumber::DebrisFade, debris.fade}});

@@ -55,7 +55,7 @@ Sentence shapeFault(const Asset& asset) {
     for (const FragmentEdit& edit : asset.edits) {
         if (Sentence fault = verifyEdit(edit)) return fault;
     }
-    if (Sentence fault = pathFault(asset.leaves, "settings")) return fault;
+    if (Sentence fault = pathFault(asset.fragmentLevels, "settings")) return fault;
     return pathFault(asset.fragmentThresholds, "threshold");
 }
 
@@ -109,7 +109,7 @@ std::optional<std::string> faultOf(const Asset& asset) {
         if (Sentence fault = levelFault(owner, level)) return fault;
     }
     if (Sentence fault = shapeFault(asset)) return owner + ": " + *fault;
-    for (const FragmentLevel& leaf : asset.leaves) {
+    for (const FragmentLevel& leaf : asset.fragmentLevels) {
         if (!leaf.level) continue;
         if (Sentence fault = levelFault(owner, *leaf.level)) return fault;
     }

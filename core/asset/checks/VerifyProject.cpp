@@ -32,7 +32,7 @@ IdUse useOf(const PatternLayer& layer, const std::string& asset) {
 std::vector<const Pattern*> deeperPatterns(const Asset& asset) {
     std::vector<const Pattern*> patterns;
     for (const Level& level : asset.levels) patterns.push_back(&level.pattern);
-    for (const FragmentLevel& leaf : asset.leaves) {
+    for (const FragmentLevel& leaf : asset.fragmentLevels) {
         if (leaf.level) patterns.push_back(&leaf.level->pattern);
     }
     return patterns;

@@ -43,7 +43,7 @@ Result<AssetDifference> differenceOf(const Project& before, const Project& after
     for (const std::optional<Result<Bake>>& baked : bakes) {
         if (!*baked) return baked->error();
     }
-    AssetDifference difference{.pair = pair, .pieces = differenceOf(**bakes[0], **bakes[1])};
+    AssetDifference difference{.pair = pair, .fragments = differenceOf(**bakes[0], **bakes[1])};
     if (pair.before && pair.after) difference.recipe = recipeChanges(before, *pair.before, after, *pair.after);
     return difference;
 }
@@ -51,7 +51,7 @@ Result<AssetDifference> differenceOf(const Project& before, const Project& after
 std::string sentenceOf(const LevelDifference& level) {
     std::string text = std::to_string(level.after) + (level.after == 1 ? " fragment" : " fragments");
     if (level.before != level.after) text += (level.before == 1 ? ", was " : ", were ") + std::to_string(level.before);
-    const std::array<const char*, kPieceChanges> words{" removed", " added", " moved", " reshaped"};
+    const std::array<const char*, kFragmentChanges> words{" removed", " added", " moved", " reshaped"};
     std::string changes;
     for (std::size_t k = 0; k < words.size(); ++k) {
         if (level.changed[k] == 0) continue;
@@ -60,16 +60,17 @@ std::string sentenceOf(const LevelDifference& level) {
     return text + (changes.empty() ? ", unchanged" : changes);
 }
 
-std::string sentenceOf(const PieceDifference& piece) {
-    switch (piece.change) {
-        case PieceChange::Gone: return piece.path + " removed, was " + volumeText(piece.volumeBefore);
-        case PieceChange::Added: return piece.path + " added, " + volumeText(piece.volumeAfter);
-        case PieceChange::Moved:
-        case PieceChange::Reshaped: break;
+std::string sentenceOf(const FragmentDifference& fragment) {
+    switch (fragment.change) {
+        case FragmentChange::Gone: return fragment.path + " removed, was " + volumeText(fragment.volumeBefore);
+        case FragmentChange::Added: return fragment.path + " added, " + volumeText(fragment.volumeAfter);
+        case FragmentChange::Moved:
+        case FragmentChange::Reshaped: break;
     }
-    const bool isMoved = piece.change == PieceChange::Moved;
-    std::string text = piece.path + (isMoved ? " moved by " + quantityText(QuantityKind::Length, piece.shift) : "");
-    const std::string before = volumeText(piece.volumeBefore), after = volumeText(piece.volumeAfter);
+    const bool isMoved = fragment.change == FragmentChange::Moved;
+    std::string text =
+        fragment.path + (isMoved ? " moved by " + quantityText(QuantityKind::Length, fragment.shift) : "");
+    const std::string before = volumeText(fragment.volumeBefore), after = volumeText(fragment.volumeAfter);
     if (!isMoved) text += " changed shape";
     return before == after ? text + ", " + after : text + ", now " + after + ", was " + before;
 }

@@ -22,10 +22,10 @@ std::vector<AssetPair> assetPairs(const Project& before, const Project& after);
 struct AssetDifference {
     AssetPair pair;
     std::vector<RecipeChange> recipe;  // empty if a state does not have the asset
-    BakeDifference pieces;             // a state without the asset has no fragments
+    BakeDifference fragments;          // a state without the asset has no fragments
 
     /// True if recipe and fragments are equal.
-    bool isEmpty() const { return pair.before && pair.after && recipe.empty() && pieces.isEmpty(); }
+    bool isEmpty() const { return pair.before && pair.after && recipe.empty() && fragments.isEmpty(); }
 };
 
 /// Bakes both states of an asset in parallel and compares them.
@@ -37,6 +37,6 @@ Result<AssetDifference> differenceOf(const Project& before, const Project& after
 /// The changes as a sentence: "20 fragments, were 18: 3 removed, 5 added, 4 moved, 2 reshaped".
 std::string sentenceOf(const LevelDifference& level);
 /// The change as a sentence: "5.17 moved by 12 mm, now 0.0012 m³, was 0.0013 m³".
-std::string sentenceOf(const PieceDifference& piece);
+std::string sentenceOf(const FragmentDifference& fragment);
 
 }  // namespace rubble

@@ -58,7 +58,7 @@ public:
         for (std::uint32_t k = 0; k < m_after.fragmentCount(); ++k) {
             if (!isMatched[k]) compare(m_after.fragmentPath(k), kNone, k);
         }
-        std::ranges::stable_sort(m_difference.pieces, {}, &PieceDifference::change);
+        std::ranges::stable_sort(m_difference.fragments, {}, &FragmentDifference::change);
         return std::move(m_difference);
     }
 
@@ -68,28 +68,28 @@ private:
         return m_difference.levels[level];
     }
 
-    void add(PieceChange change, PieceDifference piece) {
-        ++at(piece.level).changed[static_cast<int>(change)];
-        piece.change = change;
-        m_difference.pieces.push_back(std::move(piece));
+    void add(FragmentChange change, FragmentDifference fragment) {
+        ++at(fragment.level).changed[static_cast<int>(change)];
+        fragment.change = change;
+        m_difference.fragments.push_back(std::move(fragment));
     }
 
     /// Compares one fragment, given by its numbers in both bakes.
     void compare(FragmentPath path, std::uint32_t before, std::uint32_t after) {
-        PieceDifference piece{.path = std::move(path), .before = before, .after = after};
-        piece.level = levelOf(piece.path);
-        LevelDifference& level = at(piece.level);
+        FragmentDifference fragment{.path = std::move(path), .before = before, .after = after};
+        fragment.level = levelOf(fragment.path);
+        LevelDifference& level = at(fragment.level);
         level.before += before != kNone;
         level.after += after != kNone;
-        if (before != kNone) piece.volumeBefore = m_before.fragment(before).solid.volume();
-        if (after != kNone) piece.volumeAfter = m_after.fragment(after).solid.volume();
-        if (after == kNone) return add(PieceChange::Gone, std::move(piece));
-        if (before == kNone) return add(PieceChange::Added, std::move(piece));
+        if (before != kNone) fragment.volumeBefore = m_before.fragment(before).solid.volume();
+        if (after != kNone) fragment.volumeAfter = m_after.fragment(after).solid.volume();
+        if (after == kNone) return add(FragmentChange::Gone, std::move(fragment));
+        if (before == kNone) return add(FragmentChange::Added, std::move(fragment));
         const Fragment earlier = m_before.fragment(before).solid, later = m_after.fragment(after).solid;
-        piece.shift = glm::distance(earlier.offset(), later.offset());
-        if (piece.shift > m_minShift) return add(PieceChange::Moved, std::move(piece));
+        fragment.shift = glm::distance(earlier.offset(), later.offset());
+        if (fragment.shift > m_minShift) return add(FragmentChange::Moved, std::move(fragment));
         if (differ(earlier.mass(), later.mass(), m_limits.relative))
-            return add(PieceChange::Reshaped, std::move(piece));
+            return add(FragmentChange::Reshaped, std::move(fragment));
         ++level.unchanged;
     }
 
@@ -102,7 +102,7 @@ private:
 
 }  // namespace
 
-std::size_t BakeDifference::count(PieceChange change) const { return sum().changed[static_cast<int>(change)]; }
+std::size_t BakeDifference::count(FragmentChange change) const { return sum().changed[static_cast<int>(change)]; }
 
 LevelDifference BakeDifference::sum() const {
     LevelDifference sum;
@@ -110,7 +110,7 @@ LevelDifference BakeDifference::sum() const {
         sum.before += level.before;
         sum.after += level.after;
         sum.unchanged += level.unchanged;
-        for (int k = 0; k < kPieceChanges; ++k) sum.changed[k] += level.changed[k];
+        for (int k = 0; k < kFragmentChanges; ++k) sum.changed[k] += level.changed[k];
     }
     return sum;
 }

@@ -7,13 +7,13 @@
 namespace rubble {
 
 /// The difference of a fragment, identified by its path, between two bakes of an asset.
-enum class PieceChange {
+enum class FragmentChange {
     Gone,      // only in the earlier bake
     Added,     // only in the later bake
     Moved,     // its centre of mass moved
     Reshaped,  // in place, but with another volume or inertia
 };
-inline constexpr int kPieceChanges = 4;
+inline constexpr int kFragmentChanges = 4;
 
 /// The smallest differences that count as changes: above the rounding errors caused by a different insertion order of
 /// the seeds.
@@ -24,9 +24,9 @@ struct DifferenceLimits {
 };
 
 /// One changed fragment.
-struct PieceDifference {
+struct FragmentDifference {
     FragmentPath path;
-    PieceChange change = PieceChange::Moved;
+    FragmentChange change = FragmentChange::Moved;
     std::uint32_t level = 0;
     std::uint32_t before = kNone;  // its number in the earlier bake
     std::uint32_t after = kNone;   // its number in the later bake
@@ -39,18 +39,19 @@ struct PieceDifference {
 struct LevelDifference {
     std::size_t before = 0;
     std::size_t after = 0;
-    std::size_t changed[kPieceChanges] = {};  // one per PieceChange
+    std::size_t changed[kFragmentChanges] = {};  // one per FragmentChange
     std::size_t unchanged = 0;
     bool operator==(const LevelDifference&) const = default;
 };
 
 /// The differences between two bakes of an asset.
 struct BakeDifference {
-    std::vector<PieceDifference> pieces;  // by PieceChange, then by number in the earlier bake, else the later one
+    std::vector<FragmentDifference>
+        fragments;                        // by FragmentChange, then by number in the earlier bake, else the later one
     std::vector<LevelDifference> levels;  // from 0; as many as the deeper bake has
 
-    bool isEmpty() const { return pieces.empty(); }
-    std::size_t count(PieceChange change) const;
+    bool isEmpty() const { return fragments.empty(); }
+    std::size_t count(FragmentChange change) const;
     /// The sums over all levels.
     LevelDifference sum() const;
 };

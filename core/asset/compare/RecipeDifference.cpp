@@ -95,7 +95,7 @@ std::string materialText(const Project& project, Id id) {
 
 std::string cutText(const std::optional<CutAtImpact>& cut) {
     if (!cut) return "off";
-    return countText(cut->pieces, "fragment", "fragments") + ", falloff radius " + messageText(cut->falloffRadius) +
+    return countText(cut->fragments, "fragment", "fragments") + ", falloff radius " + messageText(cut->falloffRadius) +
            " m";
 }
 
@@ -205,8 +205,8 @@ std::vector<RecipeChange> recipeChanges(const Project& before, const Asset& earl
     changes.compare(earlier.pattern, later.pattern, "");
     changes.compare(earlier.levels, later.levels);
     changes.compare(earlier.shaping, later.shaping);
-    changes.add(earlier.leaves == later.leaves, "fragments with their own pattern",
-                std::to_string(earlier.leaves.size()), std::to_string(later.leaves.size()));
+    changes.add(earlier.fragmentLevels == later.fragmentLevels, "fragments with their own pattern",
+                std::to_string(earlier.fragmentLevels.size()), std::to_string(later.fragmentLevels.size()));
     changes.add("thresholds of single fragments", thresholdsText(earlier.fragmentThresholds),
                 thresholdsText(later.fragmentThresholds));
     changes.add(earlier.edits == later.edits, "fragments merged or split", std::to_string(earlier.edits.size()),

@@ -63,14 +63,14 @@ FragmentMesher::FragmentMesher(const Asset& asset)
 }
 
 Mesh FragmentMesher::fragmentMesh(const BakedFragment& fragment, const EdgeCorners& rough) const {
-    const Fragment& piece = fragment.solid;
-    const Polygon outline = piece.outline();
-    const std::vector<std::uint32_t> neighbours = piece.edgeNeighbours();
+    const Fragment& solidFragment = fragment.solid;
+    const Polygon outline = solidFragment.outline();
+    const std::vector<std::uint32_t> neighbours = solidFragment.edgeNeighbours();
     const auto isStraight = [](const std::vector<Vec2>& corners) { return corners.empty(); };
     const bool isPlain = std::ranges::all_of(rough, isStraight);
-    ExtrudedSolid solid{{}, {}, piece.depth(), piece.offset(), piece.isConvex() && isPlain};
+    ExtrudedSolid solid{{}, {}, solidFragment.depth(), solidFragment.offset(), solidFragment.isConvex() && isPlain};
     std::size_t firstEdge = 0;  // of the ring in `neighbours`
-    const Vec2 offset{piece.offset()};
+    const Vec2 offset{solidFragment.offset()};
     const auto sideOf = [&](std::size_t edge, Vec2 a, Vec2 b) {
         return sideBetween(m_outline, m_outlineTolerance, neighbours[firstEdge + edge], a + offset, b + offset);
     };

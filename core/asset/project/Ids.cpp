@@ -24,7 +24,7 @@ std::set<Id> usedIds(const Project& project) {
     for (const Asset& asset : project.assets) {
         addLayers(asset.pattern, ids);
         for (const Level& level : asset.levels) addLayers(level.pattern, ids);
-        for (const FragmentLevel& leaf : asset.leaves) {
+        for (const FragmentLevel& leaf : asset.fragmentLevels) {
             if (leaf.level) addLayers(leaf.level->pattern, ids);
         }
     }

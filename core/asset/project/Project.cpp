@@ -16,12 +16,12 @@ bool isSameSurface(const std::shared_ptr<const Surface>& first, const std::share
 
 bool Asset::operator==(const Asset& other) const {
     return id == other.id && name == other.name && material == other.material && prism == other.prism &&
-           pattern == other.pattern && shaping == other.shaping && levels == other.levels && leaves == other.leaves &&
-           fragmentThresholds == other.fragmentThresholds && edits == other.edits && threshold == other.threshold &&
-           contactTime == other.contactTime && strengthRule == other.strengthRule &&
-           insideUvScale == other.insideUvScale && insideMaterial == other.insideMaterial &&
-           cutAtImpact == other.cutAtImpact && requirements == other.requirements &&
-           isSameSurface(surface, other.surface) && texture == other.texture;
+           pattern == other.pattern && shaping == other.shaping && levels == other.levels &&
+           fragmentLevels == other.fragmentLevels && fragmentThresholds == other.fragmentThresholds &&
+           edits == other.edits && threshold == other.threshold && contactTime == other.contactTime &&
+           strengthRule == other.strengthRule && insideUvScale == other.insideUvScale &&
+           insideMaterial == other.insideMaterial && cutAtImpact == other.cutAtImpact &&
+           requirements == other.requirements && isSameSurface(surface, other.surface) && texture == other.texture;
 }
 
 AssetMaterials materialsOf(const Project& project, const Asset& asset) {

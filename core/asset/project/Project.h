@@ -65,12 +65,12 @@ struct FragmentThreshold {
     bool operator==(const FragmentThreshold&) const = default;
 };
 
-/// Fracture around the point of impact when the asset breaks, instead of into the pieces of its pattern.
+/// Fracture around the point of impact when the asset breaks, instead of into the fragments of its pattern.
 /// Source: "Creating Realistic Real-Time Destruction Using the Vienna Physics Engine" (bachelor thesis), 3.3.
 struct CutAtImpact {
-    static constexpr std::uint32_t kMinPieces = 2;
-    static constexpr std::uint32_t kMaxPieces = 1000;  // it is computed within one step
-    std::uint32_t pieces = 30;                         // from kMinPieces to kMaxPieces
+    static constexpr std::uint32_t kMinFragments = 2;
+    static constexpr std::uint32_t kMaxFragments = 1000;  // it is computed within one step
+    std::uint32_t fragments = 30;                         // from kMinFragments to kMaxFragments
     // m, > 0: half of the seeds lie within it, denser towards the impact, or as near as they have room: their fragments
     // are no thinner than some tenth of the depth.
     double falloffRadius = 0.3;
@@ -118,7 +118,7 @@ struct Asset {
     Pattern pattern;
     Shaping shaping;                                    // of all levels
     std::vector<Level> levels;                          // levels[0] fractures the pattern's fragments
-    std::vector<FragmentLevel> leaves;                  // settings of single fragments; ascending path
+    std::vector<FragmentLevel> fragmentLevels;          // settings of single fragments; ascending path
     std::vector<FragmentThreshold> fragmentThresholds;  // of single fragments; ascending path
     std::vector<FragmentEdit> edits;                    // merges and splits by hand, in the order of editing
     double threshold = 100.0;                           // N·s, > 0, as entered; thresholdOf() gives the effective one
@@ -126,7 +126,7 @@ struct Asset {
     StrengthRule strengthRule = StrengthRule::Bending;  // by which it is derived
     double insideUvScale = 1.0;                         // UV units per metre on inside faces
     Id insideMaterial = 0;                              // of inside faces; 0: the asset's own material
-    std::optional<CutAtImpact> cutAtImpact;             // none: it breaks into the pieces of its pattern
+    std::optional<CutAtImpact> cutAtImpact;             // none: it breaks into the fragments of its pattern
     std::vector<StrengthRequirement> requirements;      // in the order of editing
     std::shared_ptr<const Surface> surface;             // of the imported mesh; null if not imported
     std::optional<Texture> texture;                     // of the outside; none: the material's colour alone
@@ -169,9 +169,9 @@ struct Damage {
 /// The settings for removing debris: fragments, also those of thrown assets. Projectiles, thrown assets that are whole,
 /// and instances are not debris.
 struct Debris {
-    std::optional<double> lifetime;          // s, > 0: after which it has faded out; none: unlimited
-    double fade = 1.0;                       // s, >= 0: duration of fading out, at the end of its life
-    std::optional<std::uint32_t> maxPieces;  // >= 1; beyond it: sleeping first, then smallest, then oldest
+    std::optional<double> lifetime;             // s, > 0: after which it has faded out; none: unlimited
+    double fade = 1.0;                          // s, >= 0: duration of fading out, at the end of its life
+    std::optional<std::uint32_t> maxFragments;  // >= 1; beyond it: sleeping first, then smallest, then oldest
     bool operator==(const Debris&) const = default;
 };
 
@@ -218,7 +218,7 @@ enum class ExpectationKind {
     StandsUntouched,    // nothing moves more than 1 cm within `value` seconds
     Breaks,             // `instance` breaks
     DoesNotBreak,       // `instance` does not break
-    BreaksIntoAtLeast,  // `instance` breaks into at least `value` pieces
+    BreaksIntoAtLeast,  // `instance` breaks into at least `value` fragments
     NothingAbove,       // nothing above the height of `value` metres at the end
     NothingFaster,      // nothing faster than `value` m/s at the end
 };

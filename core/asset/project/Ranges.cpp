@@ -67,7 +67,7 @@ constexpr std::array<NumberRange, kProjectNumbers> kRanges{{
     between("threshold", "N·s", 1e-9, 1e24, 100.0, "at zero a body would break at rest"),
     between("contact time", "s", 1e-9, 1e3, 1e-3),
     between("inside UV scale", "1/m", 1e-6, 1e6, 1.0),
-    {"pieces", "", CutAtImpact::kMinPieces, CutAtImpact::kMaxPieces, false, 30.0,
+    {"pieces", "", CutAtImpact::kMinFragments, CutAtImpact::kMaxFragments, false, 30.0,
      "a fracture has at least two fragments; more than the maximum take longer than a step"},
     between("falloff radius of the fracture at the impact", "m", 1e-9, kMaxCoordinate, 0.3),
     between("height", "m", 1e-6, kMaxCoordinate, 1.0, "a drop needs a height"),
@@ -134,7 +134,7 @@ ProjectNumber numberOf(PieceMeasure measure) {
 ProjectNumber numberOf(ExpectationKind kind) {
     switch (kind) {
         case ExpectationKind::StandsUntouched: return ProjectNumber::ExpectedTime;
-        case ExpectationKind::BreaksIntoAtLeast: return ProjectNumber::ExpectedPieces;
+        case ExpectationKind::BreaksIntoAtLeast: return ProjectNumber::ExpectedFragments;
         case ExpectationKind::NothingFaster: return ProjectNumber::ExpectedSpeed;
         default: return ProjectNumber::ExpectedValue;
     }

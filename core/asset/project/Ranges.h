@@ -34,7 +34,7 @@ enum class ProjectNumber {
     Threshold,  // of assets, instances and the thesis preset
     ContactTime,
     InsideUvScale,
-    ImpactPieces,
+    ImpactFragments,
     ImpactFalloffRadius,
     DropHeight,
     Mass,  // of projectiles and strength requirements
@@ -45,7 +45,7 @@ enum class ProjectNumber {
     Gravity,
     DebrisLifetime,
     DebrisFade,
-    DebrisPieces,
+    DebrisFragments,
     ShotPosition,
     ProjectileSize,
     ProjectileSpeed,
@@ -57,7 +57,7 @@ enum class ProjectNumber {
     ShotTime,
     TestDuration,
     ExpectedTime,  // see numberOf(ExpectationKind)
-    ExpectedPieces,
+    ExpectedFragments,
     ExpectedSpeed,
     ExpectedValue,
     GrabForce,

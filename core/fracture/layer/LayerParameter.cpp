@@ -22,7 +22,7 @@ std::string countText(const SeedCount& count) {
     switch (count.by) {
         case CountBy::Number: break;
         case CountBy::Density: return messageText(count.amount) + " per square metre";
-        case CountBy::PieceSize: return messageText(count.amount) + " m per fragment";
+        case CountBy::FragmentSize: return messageText(count.amount) + " m per fragment";
     }
     return messageText(count.amount);
 }

@@ -6,9 +6,9 @@ namespace rubble {
 
 /// The quantity that determines a seed count.
 enum class CountBy {
-    Number,     // a number of seeds
-    Density,    // seeds per square metre
-    PieceSize,  // the mean size of pieces
+    Number,        // a number of seeds
+    Density,       // seeds per square metre
+    FragmentSize,  // the mean size of pieces
 };
 
 /// The number of seeds that a layer scatters: fixed, or in proportion to the area, so that outlines of any size get

@@ -138,7 +138,7 @@ void addFragmentThresholds(Hasher& hasher, const Asset& asset) {
     for (std::size_t k = 0; k < asset.levels.size(); ++k) {
         if (asset.levels[k].threshold) add("level " + std::to_string(k), *asset.levels[k].threshold);
     }
-    for (const FragmentLevel& leaf : asset.leaves) {
+    for (const FragmentLevel& leaf : asset.fragmentLevels) {
         if (leaf.level && leaf.level->threshold) add("leaf " + leaf.fragment, *leaf.level->threshold);
     }
     for (const FragmentThreshold& own : asset.fragmentThresholds) add(own.fragment, own.threshold);

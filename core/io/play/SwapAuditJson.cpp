@@ -5,9 +5,9 @@
 namespace rubble {
 namespace {
 
-void writeSpeed(JsonWriter& json, std::string_view key, const PieceSpeed& fastest) {
+void writeSpeed(JsonWriter& json, std::string_view key, const FragmentSpeed& fastest) {
     json.openObject(key, JsonLayout::Inline);
-    json.text("piece", fastest.piece);
+    json.text("piece", fastest.fragment);
     json.number("speed", fastest.speed);
     json.close();
 }
@@ -47,7 +47,7 @@ std::string swapAuditJson(std::span<const NamedAudit> audits) {
     for (const NamedAudit& named : audits) {
         json.openObject();
         json.text("name", named.name);
-        json.wholeNumber("pieces", std::uint64_t{named.audit ? named.audit->pieces : 0});
+        json.wholeNumber("pieces", std::uint64_t{named.audit ? named.audit->fragments : 0});
         if (named.audit) writeMeasurements(json, *named.audit);
         json.close();
     }

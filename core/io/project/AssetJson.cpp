@@ -193,7 +193,7 @@ Asset readAssetMembers4(const JsonValue& value) {
     const auto readId = [](const JsonValue& id) { return Id{id.index(1)}; };
     asset.insideMaterial = value["insideMaterial"].optional(readId).value_or(0);
     asset.shaping = readShaping(value["shaping"]);
-    asset.leaves = value["leaves"].list(readLeaf);
+    asset.fragmentLevels = value["leaves"].list(readLeaf);
     asset.edits = value["edits"].list(readEdit);
     return asset;
 }
@@ -248,7 +248,7 @@ void writeAsset(JsonWriter& json, const Asset& asset, const ImageList& images) {
     writePattern(json, asset.pattern);
     writeShaping(json, asset.shaping);
     json.list("levels", asset.levels, writeLevel);
-    json.list("leaves", asset.leaves, writeLeaf);
+    json.list("leaves", asset.fragmentLevels, writeLeaf);
     if (!asset.fragmentThresholds.empty())
         json.list("fragmentThresholds", asset.fragmentThresholds, writeFragmentThreshold);
     json.list("edits", asset.edits, writeEdit);

@@ -36,7 +36,7 @@ SeedCount readCount(const JsonValue& value) {
     if (!value.isObject()) return value.index();
     if (value[kPieceSize].isPresent()) {
         value.requireObject({kPieceSize});
-        return {CountBy::PieceSize, value[kPieceSize].number()};
+        return {CountBy::FragmentSize, value[kPieceSize].number()};
     }
     value.requireObject({kPerSquareMetre});
     return {CountBy::Density, value[kPerSquareMetre].number()};

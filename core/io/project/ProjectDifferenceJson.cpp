@@ -7,7 +7,7 @@
 namespace rubble {
 namespace {
 
-constexpr std::array<const char*, kPieceChanges> kChanges{"gone", "added", "moved", "reshaped"};
+constexpr std::array<const char*, kFragmentChanges> kChanges{"gone", "added", "moved", "reshaped"};
 
 const char* stateOf(const AssetDifference& difference) {
     if (!difference.pair.before) return "added";
@@ -37,13 +37,13 @@ void writeLevelDifference(JsonWriter& json, std::size_t number, const LevelDiffe
     json.close();
 }
 
-void writePiece(JsonWriter& json, const PieceDifference& piece) {
+void writeFragment(JsonWriter& json, const FragmentDifference& fragment) {
     json.openObject({}, JsonLayout::Inline);
-    json.text("path", piece.path);
-    json.text("change", kChanges[static_cast<std::size_t>(piece.change)]);
-    if (piece.change == PieceChange::Moved) json.number("shift", piece.shift);
-    if (piece.before != kNone) json.number("volumeBefore", piece.volumeBefore);
-    if (piece.after != kNone) json.number("volumeAfter", piece.volumeAfter);
+    json.text("path", fragment.path);
+    json.text("change", kChanges[static_cast<std::size_t>(fragment.change)]);
+    if (fragment.change == FragmentChange::Moved) json.number("shift", fragment.shift);
+    if (fragment.before != kNone) json.number("volumeBefore", fragment.volumeBefore);
+    if (fragment.after != kNone) json.number("volumeAfter", fragment.volumeAfter);
     json.close();
 }
 
@@ -60,10 +60,10 @@ std::string projectDifferenceJson(const ProjectDifference& all) {
         json.text("state", stateOf(difference));
         json.list("recipe", difference.recipe, writeChange);
         json.openArray("levels");
-        const std::vector<LevelDifference>& levels = difference.pieces.levels;
+        const std::vector<LevelDifference>& levels = difference.fragments.levels;
         for (std::size_t k = 0; k < levels.size(); ++k) writeLevelDifference(json, k, levels[k]);
         json.close();
-        json.list("pieces", difference.pieces.pieces, writePiece);
+        json.list("pieces", difference.fragments.fragments, writeFragment);
         json.close();
     }
     json.close();

@@ -10,8 +10,6 @@ namespace {
 // In the order of their enumerators.
 constexpr std::array<std::string_view, 2> kDamageRules{"impact", "momentum"};
 
-std::uint32_t readIndex(const JsonValue& value) { return value.index(); }
-
 /// Reads the members of an instance that all versions have.
 Instance readInstanceMembers1(const JsonValue& value) {
     const auto [w, x, y, z] = value["orientation"].numbers<4>();
@@ -95,7 +93,7 @@ void writeDebris(JsonWriter& json, const Debris& debris) {
     json.openObject("debris");
     json.number("lifetime", debris.lifetime);
     json.number("fade", debris.fade);
-    json.wholeNumber("mostPieces", debris.maxPieces);
+    json.wholeNumber("mostPieces", debris.maxFragments);
     json.close();
 }
 
@@ -103,7 +101,7 @@ Debris readDebris(const JsonValue& value) {
     value.requireObject({"lifetime", "fade", "mostPieces"});
     return {.lifetime = value["lifetime"].optionalNumber(),
             .fade = value["fade"].number(),
-            .maxPieces = value["mostPieces"].optional(readIndex)};
+            .maxFragments = value["mostPieces"].optional([](const JsonValue& most) { return most.index(); })};
 }
 
 }  // namespace rubble

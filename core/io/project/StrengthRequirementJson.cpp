@@ -47,14 +47,14 @@ RequirementEvent readEvent(std::size_t kind, const JsonValue& requirement) {
 void writeCutAtImpact(JsonWriter& json, const std::optional<CutAtImpact>& cut) {
     if (!cut) return json.null("cutAtImpact");
     json.openObject("cutAtImpact", JsonLayout::Inline);
-    json.wholeNumber("pieces", cut->pieces);
+    json.wholeNumber("pieces", cut->fragments);
     json.number("reach", cut->falloffRadius);
     json.close();
 }
 
 CutAtImpact readCutAtImpact(const JsonValue& value) {
     value.requireObject({"pieces", "reach"});
-    return {.pieces = value["pieces"].index(), .falloffRadius = value["reach"].number()};
+    return {.fragments = value["pieces"].index(), .falloffRadius = value["reach"].number()};
 }
 
 void writeRequirementMembers(JsonWriter& json, const StrengthRequirement& requirement) {

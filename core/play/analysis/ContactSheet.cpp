@@ -25,9 +25,9 @@ SheetFigures figuresOf(const Bake& bake) {
         if (!leaves[k]) continue;
         const Fragment solid = bake.fragment(k).solid;
         const double volume = solid.volume();
-        figures.smallestPiece = figures.pieces == 0 ? volume : std::min(figures.smallestPiece, volume);
+        figures.smallestFragment = figures.fragments == 0 ? volume : std::min(figures.smallestFragment, volume);
         figures.aspect = std::max(figures.aspect, aspectRatio(solid.outline()));
-        ++figures.pieces;
+        ++figures.fragments;
     }
     return figures;
 }
@@ -53,7 +53,7 @@ public:
         const Ground& ground = m_session.scene().project.ground;
         const double floor = ground.isOn ? ground.height : 0.0;
         for (const PlayBody& body : m_session.bodies()) {
-            if (body.role != PlayRole::Piece || !isOfAsset(m_session, body, m_asset)) continue;
+            if (body.role != PlayRole::Debris || !isOfAsset(m_session, body, m_asset)) continue;
             const double height = topHeight(body, m_session.world()) - floor;
             figures.debrisHeight = std::max(figures.debrisHeight.value_or(height), height);
         }
@@ -154,11 +154,11 @@ private:
 const char* nameOf(SheetMeasure measure) { return kNames[static_cast<std::size_t>(measure)]; }
 
 std::optional<double> SheetFigures::value(SheetMeasure measure, std::uint32_t number) const {
-    if (pieces == 0 && measure != SheetMeasure::Number) return std::nullopt;  // it could not be fractured
+    if (fragments == 0 && measure != SheetMeasure::Number) return std::nullopt;  // it could not be fractured
     switch (measure) {
         case SheetMeasure::Number: return number;
-        case SheetMeasure::Pieces: return pieces;
-        case SheetMeasure::SmallestPiece: return smallestPiece;
+        case SheetMeasure::Fragments: return fragments;
+        case SheetMeasure::SmallestFragment: return smallestFragment;
         case SheetMeasure::Aspect: return aspect;
         case SheetMeasure::BreakImpact: return breakImpact;
         case SheetMeasure::DebrisHeight: return debrisHeight;

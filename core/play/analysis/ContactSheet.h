@@ -10,12 +10,12 @@ namespace rubble {
 
 /// A measure by which the variants of a sheet can be compared and sorted.
 enum class SheetMeasure {
-    Number,         // in order of generation
-    Pieces,         // number of leaf fragments
-    SmallestPiece,  // m³
-    Aspect,         // of the most elongated leaf fragment: see aspectRatio()
-    BreakImpact,    // N·s: the impact that first broke an instance of the asset
-    DebrisHeight,   // m above the ground: the top of its highest fragment at the step
+    Number,            // in order of generation
+    Fragments,         // number of leaf fragments
+    SmallestFragment,  // m³
+    Aspect,            // of the most elongated leaf fragment: see aspectRatio()
+    BreakImpact,       // N·s: the impact that first broke an instance of the asset
+    DebrisHeight,      // m above the ground: the top of its highest fragment at the step
 };
 inline constexpr int kSheetMeasures = 6;
 
@@ -32,8 +32,8 @@ struct SheetStage {
 
 /// The measures of one variant; those of play only with a stage.
 struct SheetFigures {
-    std::uint32_t pieces = 0;
-    double smallestPiece = 0.0;          // m³
+    std::uint32_t fragments = 0;
+    double smallestFragment = 0.0;       // m³
     double aspect = 1.0;                 // of the most elongated leaf
     bool isPlayed = false;               // the request has a stage
     std::optional<double> breakImpact;   // N·s; none: no instance of it broke

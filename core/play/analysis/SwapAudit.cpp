@@ -64,11 +64,11 @@ double speedOf(const Session& session, const PlayBody& body) {
            glm::length(state.angularVelocity) * session.world().shape(body.body).boundingRadius;
 }
 
-void updateFastest(const Session& session, PieceSpeed& fastest) {
+void updateFastest(const Session& session, FragmentSpeed& fastest) {
     for (const PlayBody& body : session.bodies()) {
-        if (body.role != PlayRole::Piece) continue;
+        if (body.role != PlayRole::Debris) continue;
         const double speed = speedOf(session, body);
-        if (fastest.piece.empty() || speed > fastest.speed) fastest = {idOf(body), placeOf(body), speed};
+        if (fastest.fragment.empty() || speed > fastest.speed) fastest = {idOf(body), placeOf(body), speed};
     }
 }
 
@@ -114,7 +114,7 @@ void measureResting(Session session, SwapAudit& audit) {
             audit.contactPoints = counts.contactPoints;
             measureOverlap(session, audit);
         }
-        audit.pieces += static_cast<std::uint32_t>(session.events().born.size());
+        audit.fragments += static_cast<std::uint32_t>(session.events().born.size());
         step(session, kAuditSteps - 1);
         updateFastest(session, audit.resting);
         audit.restingEnergy = std::max(audit.restingEnergy, session.world().momenta().kinetic);
@@ -137,12 +137,12 @@ void measureLying(Session session, SwapAudit& audit) {
     step(session, kAuditSteps - 1);
     const double duration = (kAuditSteps - 1) * SessionSettings().dt;
     for (const PlayBody& body : session.bodies()) {
-        if (body.role != PlayRole::Piece) continue;
+        if (body.role != PlayRole::Debris) continue;
         const Pose &from = first.at(body.number), to = session.world().state(body.body).pose;
         const double angle = angleBetween(from.orientation, to.orientation);
         const double path =
             glm::distance(from.position, to.position) + angle * session.world().shape(body.body).boundingRadius;
-        if (audit.lying.piece.empty() || path / duration > audit.lying.speed)
+        if (audit.lying.fragment.empty() || path / duration > audit.lying.speed)
             audit.lying = {idOf(body), placeOf(body), path / duration};
     }
 }
@@ -168,8 +168,8 @@ Hammer offCentreBlow(const PlayAsset& asset, double momentum) {
 }
 
 /// Advice for a fragment that is pushed.
-std::string adviceOn(const PlayAsset& asset, const DiagnosticPlace& piece) {
-    const auto isAboutIt = [&](const Diagnostic& one) { return one.place.fragment == piece.fragment; };
+std::string adviceOn(const PlayAsset& asset, const DiagnosticPlace& place) {
+    const auto isAboutIt = [&](const Diagnostic& one) { return one.place.fragment == place.fragment; };
     if (std::ranges::any_of(asset.diagnostics, isAboutIt)) {
         return " Its collision shape is simplified: move its seed away from its neighbours', or delete it.";
     }
@@ -180,11 +180,11 @@ std::string adviceOn(const PlayAsset& asset, const DiagnosticPlace& piece) {
     return " Move its seed away from its neighbours', or delete it.";
 }
 
-void checkSpeed(const PlayAsset& asset, SwapAudit& audit, const std::string& when, const PieceSpeed& fastest,
+void checkSpeed(const PlayAsset& asset, SwapAudit& audit, const std::string& when, const FragmentSpeed& fastest,
                 double limit) {
     if (fastest.speed <= limit) return;
     addWarning(audit, DiagnosticCode::PushedPiece, fastest.place,
-               "Fragment " + fastest.piece + " moves at " + roundedText(1e3 * fastest.speed, 3) + " mm/s " + when +
+               "Fragment " + fastest.fragment + " moves at " + roundedText(1e3 * fastest.speed, 3) + " mm/s " + when +
                    "; at most " + messageText(1e3 * limit) + " mm/s is clean." + adviceOn(asset, fastest.place),
                fastest.speed, limit);
 }
@@ -209,12 +209,12 @@ void checkLimits(const PlayAsset& asset, SwapAudit& audit) {
     checkDrift(asset, audit, "adds to the kinetic energy", audit.energyGain, kCleanDrift);
 }
 
-/// The part of the whole's volume that is removed by the gap between pieces; mortar is one.
+/// The part of the whole's volume that is removed by the gap between fragments; mortar is one.
 double gapFractionOf(const Bake& bake) {
-    const Fragments& pieces = bake.fractures[0].fragments;
-    if (pieces.gap == 0.0) return 0.0;
+    const Fragments& fragments = bake.fractures[0].fragments;
+    if (fragments.gap == 0.0) return 0.0;
     double volume = 0.0;
-    for (std::uint32_t k = 0; k < pieces.count(); ++k) volume += pieces[k].volume();
+    for (std::uint32_t k = 0; k < fragments.count(); ++k) volume += fragments[k].volume();
     return 1.0 - volume / bake.whole.volume;
 }
 

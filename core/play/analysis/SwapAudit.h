@@ -15,26 +15,26 @@ inline constexpr double kCleanDrift = 1e-5;       // relative, of mass, momenta 
 inline constexpr int kAuditSteps = 30;            // of 1/60 s
 
 /// A fragment and its speed.
-struct PieceSpeed {
-    std::string piece;  // its id
+struct FragmentSpeed {
+    std::string fragment;  // its id
     DiagnosticPlace place;
     double speed = 0.0;  // m/s, of its fastest corner
 };
 
 /// The changes of mass and motion that swapping an asset for its fragments causes by itself.
 struct SwapAudit {
-    std::uint32_t pieces = 0;  // fragments of all levels
-    int contacts = 0;          // pairs of touching fragments right after the swap of the whole
+    std::uint32_t fragments = 0;  // of all levels
+    int contacts = 0;             // pairs of touching fragments right after the swap of the whole
     int contactPoints = 0;
     double deepestOverlap = 0.0;  // m: of two exact fragments then
-    PieceSpeed resting;           // the fastest fragment, kAuditSteps after the swap of any level, without forces
+    FragmentSpeed resting;        // the fastest fragment, kAuditSteps after the swap of any level, without forces
     double restingEnergy = 0.0;   // J: their kinetic energy then; the whole had none
-    PieceSpeed lying;             // the fastest on average for kAuditSteps, of an asset lying flat on the ground
+    FragmentSpeed lying;          // the fastest on average for kAuditSteps, of an asset lying flat on the ground
     double massDrift = 0.0;       // this and the following: relative, for an asset that flies and rotates
     double momentumDrift = 0.0;
     double angularDrift = 0.0;
     double energyGain = 0.0;   // negative: a loss
-    double gapFraction = 0.0;  // of the volume, removed by the gap between pieces: so much may be lost
+    double gapFraction = 0.0;  // of the volume, removed by the gap between fragments: so much may be lost
     /// Notes: SimplifiedShape and GapVolume. Then warnings, the violated limits with what to change: OverlappingPieces,
     /// PushedPiece and SwapDrift.
     std::vector<Diagnostic> diagnostics;

@@ -45,7 +45,7 @@ double distanceTo(const World& world, BodyId body, Vec3 point) {
 std::vector<StruckFragment> fragmentsByDistance(const SessionParts& parts, Vec3 point) {
     std::vector<StruckFragment> fragments;
     const PlayBreak& broken = parts.state.events.breaks.back();
-    const auto first = std::ranges::lower_bound(parts.state.bodies, broken.firstPiece, {}, &PlayBody::number);
+    const auto first = std::ranges::lower_bound(parts.state.bodies, broken.firstFragment, {}, &PlayBody::number);
     for (auto body = first; body != parts.state.bodies.end(); ++body) {
         fragments.push_back({distanceTo(parts.world, body->body, point), body->number, body->body});
     }

@@ -22,9 +22,9 @@ constexpr int kMaxWidenings = 200;  // from the smallest falloff radius to the l
 
 /// The least distance of the seeds near the impact, m.
 double leastDistance(const Asset& asset) {
-    const double areaOfPiece = area(asset.prism.outline) / asset.cutAtImpact->pieces;
+    const double areaOfFragment = area(asset.prism.outline) / asset.cutAtImpact->fragments;
     return std::min(std::max(asset.prism.depth / kMaxSlenderness, kMinDistance),
-                    kMeanDistance * std::sqrt(areaOfPiece));
+                    kMeanDistance * std::sqrt(areaOfFragment));
 }
 
 /// Places seeds whose density falls with the distance from a point, see pointNear(), and which keep a distance from
@@ -77,15 +77,15 @@ Result<std::shared_ptr<const PlayAsset>> cutAtImpact(const Asset& asset, Vec2 po
     RUBBLE_ASSERT(asset.cutAtImpact.has_value());
     const std::uint64_t randomSeed = mixSeeds(asset.id, number);
     Random random(randomSeed);
-    const std::uint32_t pieces = asset.cutAtImpact->pieces;
+    const std::uint32_t fragments = asset.cutAtImpact->fragments;
     Asset cut = asset;
-    cut.leaves.clear();  // this and the next two: they refer to the pattern's fragments
+    cut.fragmentLevels.clear();  // this and the next two: they refer to the pattern's fragments
     cut.fragmentThresholds.clear();
     cut.edits.clear();
     DistantSeeds seeds(asset, point, random);
-    for (std::uint32_t k = 0; k < pieces / 2; ++k) seeds.add();
+    for (std::uint32_t k = 0; k < fragments / 2; ++k) seeds.add();
     PlacedSeeds near{seeds.take()};
-    const auto others = static_cast<std::uint32_t>(pieces - near.seeds.size());
+    const auto others = static_cast<std::uint32_t>(fragments - near.seeds.size());
     cut.pattern.layers = {{.id = 1, .randomSeed = randomSeed, .parameters = std::move(near)},
                           {.id = 2, .randomSeed = randomSeed, .parameters = UniformScatter{.count = others}}};
     Result<Bake> baked = bake(cut);

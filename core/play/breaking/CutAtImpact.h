@@ -6,7 +6,7 @@ namespace rubble {
 
 /// An asset fractured around a point of impact and prepared for play. Half of the seeds (see Asset::cutAtImpact) lie
 /// within the falloff radius of the point, denser towards it, the others anywhere in the outline. Its levels fracture
-/// the pieces further.
+/// the fragments further.
 ///
 /// Seeds near the point keep a distance of 2 mm and of a twentieth of the depth, or of half the mean distance of all
 /// seeds where there is no room for that; those without room within the falloff radius lie as near as there is.

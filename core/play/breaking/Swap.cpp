@@ -59,20 +59,20 @@ Vec3 limitedVelocity(Vec3 velocity) {
 
 /// Where the centre of mass of a fragment is in the whole, in world space.
 Vec3 centreInWhole(const PendingBreak& broken, const PlayAsset& asset, std::uint32_t fragment) {
-    const PlayPiece& piece = asset.pieces[fragment];
-    const Vec3 offset = piece.offset - asset.piece(broken.event.body.fragment).offset;
-    return broken.pose.position + broken.pose.orientation * (offset + piece.shape->mass.centre);
+    const PlaySolid& solid = asset.fragments[fragment];
+    const Vec3 offset = solid.offset - asset.solid(broken.event.body.fragment).offset;
+    return broken.pose.position + broken.pose.orientation * (offset + solid.shape->mass.centre);
 }
 
 /// A fragment at its position in the whole, moving as that point of the whole did; with the thesis preset, with the
 /// velocity of the whole's centre.
-BodyDefinition pieceDefinition(const SessionParts& parts, const PendingBreak& broken, const PlayAsset& asset,
-                               std::uint32_t fragment) {
-    const PlayPiece& piece = asset.pieces[fragment];
-    const Vec3 offset = piece.offset - asset.piece(broken.event.body.fragment).offset;
-    const BodyMaterial material = bodyMaterial(parts, asset, fragment, PlayRole::Piece);
+BodyDefinition fragmentDefinition(const SessionParts& parts, const PendingBreak& broken, const PlayAsset& asset,
+                                  std::uint32_t fragment) {
+    const PlaySolid& solid = asset.fragments[fragment];
+    const Vec3 offset = solid.offset - asset.solid(broken.event.body.fragment).offset;
+    const BodyMaterial material = bodyMaterial(parts, asset, fragment, PlayRole::Debris);
     BodyDefinition definition{
-        .shape = piece.shape,
+        .shape = solid.shape,
         .pose = {broken.pose.position + broken.pose.orientation * offset, broken.pose.orientation},
         .velocity = broken.mass.velocity,
         .angularVelocity = broken.mass.angularVelocity,
@@ -80,7 +80,7 @@ BodyDefinition pieceDefinition(const SessionParts& parts, const PendingBreak& br
         .friction = material.friction,
         .restitution = material.restitution};
     if (!parts.scene.project.damage.isThesis) {
-        const Vec3 centre = definition.pose.position + broken.pose.orientation * piece.shape->mass.centre;
+        const Vec3 centre = definition.pose.position + broken.pose.orientation * solid.shape->mass.centre;
         definition.velocity = broken.mass.velocityAt(centre);
     }
     definition.velocity = limitedVelocity(definition.velocity);
@@ -97,16 +97,16 @@ void removeWhole(const SessionParts& parts, PendingBreak& broken, Stopwatch& wat
 }
 
 /// Adds a fragment. One that cannot be simulated is reported, and its number stays free.
-BodyId addPiece(const SessionParts& parts, const PendingBreak& broken, std::uint32_t fragment) {
+BodyId addFragment(const SessionParts& parts, const PendingBreak& broken, std::uint32_t fragment) {
     const PlayBreak& event = broken.event;
-    PlayBody piece{.role = PlayRole::Piece, .origin = event.body.origin, .asset = event.asset, .fragment = fragment};
-    const Result<std::uint32_t> added = addBody(parts, pieceDefinition(parts, broken, *event.asset, fragment), piece);
+    PlayBody body{.role = PlayRole::Debris, .origin = event.body.origin, .asset = event.asset, .fragment = fragment};
+    const Result<std::uint32_t> added = addBody(parts, fragmentDefinition(parts, broken, *event.asset, fragment), body);
     if (!added) {
         ++parts.state.nextNumber;
-        parts.state.events.diagnostics.push_back(
-            diagnostic(DiagnosticCode::LeftWorld, placeOf(piece),
-                       quotedName(nameOf(piece, parts.state.origins[piece.origin])) + " was left out at step " +
-                           std::to_string(event.step) + ": " + added.error().message));
+        parts.state.events.diagnostics.push_back(diagnostic(DiagnosticCode::LeftWorld, placeOf(body),
+                                                            quotedName(nameOf(body, parts.state.origins[body.origin])) +
+                                                                " was left out at step " + std::to_string(event.step) +
+                                                                ": " + added.error().message));
         return {};
     }
     parts.state.events.born.push_back(parts.state.bodies.back());
@@ -115,19 +115,19 @@ BodyId addPiece(const SessionParts& parts, const PendingBreak& broken, std::uint
 
 /// Adds the energies of a whole and of the fragments that replaced it. They are where they were in the whole: it has
 /// no potential energy to lose, but the world rounds positions.
-void auditSwap(const SessionParts& parts, const PendingBreak& broken, std::span<const BodyId> pieces) {
+void auditSwap(const SessionParts& parts, const PendingBreak& broken, std::span<const BodyId> fragments) {
     const PlayBreak& event = broken.event;
     const Vec3 gravity = parts.world.gravity();
     EnergyEntry entry{.change = event.asset == event.body.asset ? EnergyChange::Swap : EnergyChange::Cut,
                       .body = event.body.number,
                       .before = broken.mass.kineticEnergy()};
-    for (std::uint32_t k = 0; k < event.pieces; ++k) {
-        if (pieces[k].index == 0) continue;
+    for (std::uint32_t k = 0; k < event.fragmentCount; ++k) {
+        if (fragments[k].index == 0) continue;
         const Vec3 exact = centreInWhole(broken, *event.asset, event.asset->fractureOf(event.body.fragment)->first + k);
-        const Vec3 weight = parts.world.mass(pieces[k]) * gravity;
+        const Vec3 weight = parts.world.mass(fragments[k]) * gravity;
         const double size = glm::length(weight), distance = glm::length(exact);
-        entry.after += kineticEnergy(parts.world, pieces[k]);
-        entry.after -= glm::dot(weight, parts.world.state(pieces[k]).centre - exact);
+        entry.after += kineticEnergy(parts.world, fragments[k]);
+        entry.after -= glm::dot(weight, parts.world.state(fragments[k]).centre - exact);
         entry.rounding += size * kPositionRounding * std::max(1.0, distance / kRoundedDistance);
     }
     // The preset gives each fragment 100 kg, whatever the whole weighs.
@@ -136,19 +136,19 @@ void auditSwap(const SessionParts& parts, const PendingBreak& broken, std::span<
 }
 
 /// Adds the fragments to the world.
-void addPieces(const SessionParts& parts, PendingBreak& broken, Stopwatch& watch) {
+void addFragments(const SessionParts& parts, PendingBreak& broken, Stopwatch& watch) {
     PlayBreak& event = broken.event;
     const PlayFracture& fracture = *event.asset->fractureOf(event.body.fragment);
-    event.firstPiece = parts.state.nextNumber;
-    event.pieces = fracture.count;
-    std::vector<BodyId> pieces(fracture.count);  // index 0 for those left out
-    for (std::uint32_t k = 0; k < fracture.count; ++k) pieces[k] = addPiece(parts, broken, fracture.first + k);
+    event.firstFragment = parts.state.nextNumber;
+    event.fragmentCount = fracture.count;
+    std::vector<BodyId> fragments(fracture.count);  // index 0 for those left out
+    for (std::uint32_t k = 0; k < fracture.count; ++k) fragments[k] = addFragment(parts, broken, fracture.first + k);
     for (const PlayContact& pair : fracture.neighbours) {
-        const BodyId first = pieces[pair.first - fracture.first], second = pieces[pair.second - fracture.first];
+        const BodyId first = fragments[pair.first - fracture.first], second = fragments[pair.second - fracture.first];
         if (first.index != 0 && second.index != 0) parts.world.addContact(first, second, pair.manifolds);
     }
     event.milliseconds += watch.lap();
-    auditSwap(parts, broken, pieces);
+    auditSwap(parts, broken, fragments);
     parts.state.events.breaks.push_back(event);
     parts.state.recentBreaks.push_back(event);
 }
@@ -175,7 +175,7 @@ void applyBreaks(const SessionParts& parts, std::vector<PendingBreak> breaks) {
     for (PendingBreak& broken : breaks) removeWhole(parts, broken, watch);
     eraseRemovedBodies(parts.state);
     watch.lap();
-    for (PendingBreak& broken : breaks) addPieces(parts, broken, watch);
+    for (PendingBreak& broken : breaks) addFragments(parts, broken, watch);
 }
 
 bool breakHitBodies(const SessionParts& parts) {

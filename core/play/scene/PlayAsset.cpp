@@ -33,14 +33,14 @@ PlayFracture playFracture(const BakedFracture& baked) {
 
 /// Computes the contact manifolds of all neighbours.
 void findContacts(PlayAsset& ready, PlayFracture& fracture) {
-    const auto centreOf = [](const PlayPiece& piece) { return piece.offset + piece.shape->mass.centre; };
+    const auto centreOf = [](const PlaySolid& solid) { return solid.offset + solid.shape->mass.centre; };
     for (PlayContact& pair : fracture.neighbours) {
-        const PlayPiece &first = ready.pieces[pair.first], &second = ready.pieces[pair.second];
+        const PlaySolid &first = ready.fragments[pair.first], &second = ready.fragments[pair.second];
         pair.manifolds = cachedManifolds(*first.shape, *second.shape, centreOf(second) - centreOf(first));
     }
 }
 
-Status appendPieces(const Asset& asset, const BakedFracture& baked, const TaskContext& task, PlayAsset& ready) {
+Status appendSolids(const Asset& asset, const BakedFracture& baked, const TaskContext& task, PlayAsset& ready) {
     const Bake& bake = *ready.bake;
     for (std::uint32_t k = 0; k < baked.fragments.count(); ++k) {
         if (task.isCancelled()) return TaskContext::cancelled();
@@ -88,7 +88,7 @@ std::vector<Polytope> wholeHullsInPrism(const Bake& bake) {
 }
 
 const PlayFracture* PlayAsset::fractureOf(std::uint32_t fragment) const {
-    const std::uint32_t fracture = piece(fragment).fracture;
+    const std::uint32_t fracture = solid(fragment).fracture;
     return fracture == kNone ? nullptr : &fractures[fracture];
 }
 
@@ -107,11 +107,11 @@ Result<std::shared_ptr<const PlayAsset>> playAsset(const Asset& asset, std::shar
     if (!whole) return whole.error();
     const auto ready = std::make_shared<PlayAsset>(std::move(*whole));
     for (const BakedFracture& baked : ready->bake->fractures) {
-        if (const Status appended = appendPieces(asset, baked, task, *ready); !appended) {
+        if (const Status appended = appendSolids(asset, baked, task, *ready); !appended) {
             return appended.error().code == ErrorCode::Cancelled ? appended.error() : ofAsset(asset, appended.error());
         }
         if (baked.fragments.count() < 2) continue;
-        PlayPiece& broken = baked.parent == kNone ? ready->whole : ready->pieces[baked.parent];
+        PlaySolid& broken = baked.parent == kNone ? ready->whole : ready->fragments[baked.parent];
         broken.fracture = static_cast<std::uint32_t>(ready->fractures.size());
         ready->fractures.push_back(playFracture(baked));
         if (when == FindContacts::InAdvance) findContacts(*ready, ready->fractures.back());

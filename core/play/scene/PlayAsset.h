@@ -13,7 +13,7 @@
 namespace rubble {
 
 /// A solid that can be a body: the whole of an asset, or one of its fragments.
-struct PlayPiece {
+struct PlaySolid {
     std::shared_ptr<const Shape> shape;  // in its own frame: the prism's for the whole, else the fragment's
     Vec3 offset{0.0, 0.0, 0.0};          // m, of that frame in the prism's; the axes are the same
     double thresholdScale = 1.0;         // its threshold relative to the whole's, unless it has one
@@ -38,13 +38,13 @@ struct PlayFracture {
 /// An asset prepared for play: the shapes of everything it can become, shared by all of its bodies.
 struct PlayAsset {
     std::shared_ptr<const Bake> bake;
-    PlayPiece whole;
-    std::vector<PlayPiece> pieces;  // one per fragment of the bake
+    PlaySolid whole;
+    std::vector<PlaySolid> fragments;  // one per fragment of the bake
     std::vector<PlayFracture> fractures;
     std::vector<Diagnostic> diagnostics;  // SimplifiedShape; LostPiece of thresholds
 
     /// A fragment; kNone: the whole.
-    const PlayPiece& piece(std::uint32_t fragment) const { return fragment == kNone ? whole : pieces[fragment]; }
+    const PlaySolid& solid(std::uint32_t fragment) const { return fragment == kNone ? whole : fragments[fragment]; }
     /// The fragments that replace it; null if it does not break.
     const PlayFracture* fractureOf(std::uint32_t fragment) const;
 };

@@ -9,7 +9,7 @@ enum class PlayRole : std::uint8_t {
     Ground,
     Instance,    // whole, placed in the project
     Projectile,  // whole, thrown
-    Piece,       // a fragment of an instance or a projectile
+    Debris,      // a fragment of an instance or a projectile
 };
 
 /// A body of a session. Numbers are given in order of creation and never reused; the number is the body's tag in the
@@ -26,7 +26,7 @@ struct PlayBody {
     bool isUnbreakable = false;              // its instance never breaks
 
     /// Whether it is removed by the rules of Debris: fragments are, also those of a thrown asset; what is whole is not.
-    bool isDebris() const { return role == PlayRole::Piece; }
+    bool isDebris() const { return role == PlayRole::Debris; }
     /// The fragments that replace it; null if it does not break.
     const PlayFracture* fracture() const { return asset && !isUnbreakable ? asset->fractureOf(fragment) : nullptr; }
 };

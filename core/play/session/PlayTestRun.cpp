@@ -18,15 +18,15 @@ public:
             if (body.role == PlayRole::Instance)
                 m_starts.push_back({body.number, session.world().state(body.body).centre});
         }
-        m_pieces.assign(session.origins().size(), 1);
+        m_fragmentCounts.assign(session.origins().size(), 1);
         m_brokenAt.assign(session.origins().size(), 0);
     }
 
     void afterStep() {
-        m_pieces.resize(m_session.origins().size(), 1);
+        m_fragmentCounts.resize(m_session.origins().size(), 1);
         m_brokenAt.resize(m_session.origins().size(), 0);
         for (const PlayBreak& broken : m_session.events().breaks) {
-            m_pieces[broken.body.origin] += broken.pieces - 1;
+            m_fragmentCounts[broken.body.origin] += broken.fragmentCount - 1;
             if (m_brokenAt[broken.body.origin] == 0) m_brokenAt[broken.body.origin] = m_session.stepsDone();
         }
         for (const Start& start : m_starts) {
@@ -136,8 +136,8 @@ private:
 
     ExpectationOutcome breaksInto(const Expectation& expectation) const {
         std::uint32_t most = 0;
-        for (std::uint32_t origin = 0; origin < m_pieces.size(); ++origin) {
-            if (matches(origin, expectation.instance)) most = std::max(most, m_pieces[origin]);
+        for (std::uint32_t origin = 0; origin < m_fragmentCounts.size(); ++origin) {
+            if (matches(origin, expectation.instance)) most = std::max(most, m_fragmentCounts[origin]);
         }
         return {most >= expectation.value,
                 nameOf(expectation.instance, "something") + " breaks into at least " + messageText(expectation.value) +
@@ -186,8 +186,8 @@ private:
     const Session& m_session;
     std::vector<Start> m_starts;
     std::vector<Move> m_firstMoves;
-    std::vector<std::uint32_t> m_pieces;    // by origin
-    std::vector<std::uint64_t> m_brokenAt;  // by origin; 0: not broken
+    std::vector<std::uint32_t> m_fragmentCounts;  // by origin
+    std::vector<std::uint64_t> m_brokenAt;        // by origin; 0: not broken
 };
 
 }  // namespace

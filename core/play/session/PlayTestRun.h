@@ -35,9 +35,9 @@ Result<Session> sessionOf(std::shared_ptr<const PlayScene> scene, const PlayTest
 /// Plays a test of the scene's project and evaluates its expectations.
 ///
 /// StandsUntouched: within `value` seconds the instance, or any instance, neither moves more than 1 cm nor breaks.
-/// Breaks, DoesNotBreak: the instance, or any instance. BreaksIntoAtLeast: its pieces at the end, removed ones
+/// Breaks, DoesNotBreak: the instance, or any instance. BreaksIntoAtLeast: its fragments at the end, removed ones
 /// included; without an instance, those of the one with the most. NothingAbove, NothingFaster: at the end, of all
-/// bodies that are not fixed, or of the instance and its pieces.
+/// bodies that are not fixed, or of the instance and its fragments.
 ///
 /// Errors: those of sessionOf(); Cancelled.
 Result<PlayTestOutcome> runPlayTest(std::shared_ptr<const PlayScene> scene, const PlayTest& test,

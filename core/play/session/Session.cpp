@@ -5,7 +5,6 @@
 #include "core/base/Stopwatch.h"
 #include "core/play/breaking/DebrisRemoval.h"
 #include "core/play/breaking/Swap.h"
-#include "core/play/session/DebrisRemoval.h"
 #include "core/play/session/SessionInputs.h"
 #include "core/play/state/SessionBodies.h"
 

@@ -16,10 +16,10 @@ struct PlayBreak {
     double impact = 0.0;     // N·s: the damage done to it
     double threshold = 0.0;  // N·s
     Vec3 point{0.0, 0.0, 0.0};
-    Vec3 normal{0.0, 0.0, 0.0};    // from the impactor into the body
-    BodyId impactor;               // index 0 for hammers, explosions and BreakInput
-    std::uint32_t firstPiece = 0;  // number of its first fragment; the others follow, and those left out count
-    std::uint32_t pieces = 0;
+    Vec3 normal{0.0, 0.0, 0.0};       // from the impactor into the body
+    BodyId impactor;                  // index 0 for hammers, explosions and BreakInput
+    std::uint32_t firstFragment = 0;  // number of its first fragment; the others follow, and those left out count
+    std::uint32_t fragmentCount = 0;
     Pose pose;                               // of the whole's frame when it broke
     std::shared_ptr<const PlayAsset> asset;  // of its fragments: its own, or one cut at the point of impact
     double milliseconds = 0.0;  // wall-clock time of the swap: the only member that differs from run to run

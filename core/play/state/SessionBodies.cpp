@@ -70,8 +70,8 @@ const Material& materialOf(const SessionState& state, const PlayScene& scene, Id
 BodyMaterial bodyMaterial(const SessionParts& parts, const PlayAsset& asset, std::uint32_t fragment, PlayRole role) {
     const Material& material = materialOf(parts.state, parts.scene, asset.bake->asset);
     BodyMaterial made{material.density, material.friction, material.restitution};
-    if (parts.scene.project.damage.isThesis && role == PlayRole::Piece) {
-        made.density = kThesisMass / asset.piece(fragment).shape->mass.volume;
+    if (parts.scene.project.damage.isThesis && role == PlayRole::Debris) {
+        made.density = kThesisMass / asset.solid(fragment).shape->mass.volume;
     }
     return made;
 }
@@ -83,7 +83,7 @@ double thresholdOf(const SessionState& state, const PlayScene& scene, const Play
     const PlayOrigin& origin = state.origins[body.origin];
     const auto own = state.instanceThresholds.find(origin.instance);
     const double whole = own != state.instanceThresholds.end() ? own->second : state.assetThresholds.at(origin.asset);
-    return thresholdOf(body.asset->piece(body.fragment), whole);
+    return thresholdOf(body.asset->solid(body.fragment), whole);
 }
 
 PlayBody* findBody(SessionState& state, std::uint32_t number) {

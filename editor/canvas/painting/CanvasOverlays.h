@@ -4,7 +4,7 @@ namespace rubble {
 
 /// The quantity that cells are coloured by, as in the 3D view. Level: the number of further levels that fracture the
 /// piece.
-enum class CellColouring { None, Piece, Area, Neighbours, Aspect, Level, Volume, Mass, Threshold };
+enum class CellColouring { None, Fragment, Area, Neighbours, Aspect, Level, Volume, Mass, Threshold };
 
 /// The elements that a canvas shows besides the outline.
 struct CanvasOverlays {
@@ -16,7 +16,7 @@ struct CanvasOverlays {
     bool hasBonds = false;         // lines between neighbouring cells, as wide as the shared edge is long
     bool hasDeeperLevels = false;  // edges of the fragments of the fragments
     bool hasLegend = true;
-    CellColouring colouring = CellColouring::Piece;
+    CellColouring colouring = CellColouring::Fragment;
     bool operator==(const CanvasOverlays&) const = default;
 };
 

@@ -23,18 +23,18 @@ struct CanvasChangesTexts {
     Q_DECLARE_TR_FUNCTIONS(CanvasChanges)
 };
 
-QColor colourOf(PieceChange change, const CanvasColours& colours) {
+QColor colourOf(FragmentChange change, const CanvasColours& colours) {
     switch (change) {
-        case PieceChange::Gone: return colours.gone;
-        case PieceChange::Added: return colours.added;
-        case PieceChange::Moved: return colours.moved;
-        case PieceChange::Reshaped: break;
+        case FragmentChange::Gone: return colours.gone;
+        case FragmentChange::Added: return colours.added;
+        case FragmentChange::Moved: return colours.moved;
+        case FragmentChange::Reshaped: break;
     }
     return colours.reshaped;
 }
 
-Qt::BrushStyle hatchOf(PieceChange change) {
-    return change == PieceChange::Added ? Qt::BDiagPattern : Qt::Dense6Pattern;
+Qt::BrushStyle hatchOf(FragmentChange change) {
+    return change == FragmentChange::Added ? Qt::BDiagPattern : Qt::Dense6Pattern;
 }
 
 QPen ghostPen(const QColor& colour) {
@@ -84,20 +84,20 @@ public:
     ChangesPainter(QPainter& painter, const CanvasView& view, const ComparedAsset& compared,
                    const CanvasColours& colours)
         : m_painter(painter), m_view(view), m_compared(compared), m_colours(colours) {
-        for (const PieceDifference& piece : compared.pieces.pieces) m_changed.insert(piece.path);
+        for (const FragmentDifference& piece : compared.fragments.fragments) m_changed.insert(piece.path);
     }
 
     void paint() {
-        for (const PieceDifference& piece : m_compared.pieces.pieces) {
+        for (const FragmentDifference& piece : m_compared.fragments.fragments) {
             if (piece.level > 0 && m_changed.contains(parentOf(piece.path))) continue;
             paint(piece);
         }
     }
 
 private:
-    void paint(const PieceDifference& piece) {
+    void paint(const FragmentDifference& piece) {
         const QColor colour = colourOf(piece.change, m_colours);
-        const bool isShape = piece.change == PieceChange::Added || piece.change == PieceChange::Reshaped;
+        const bool isShape = piece.change == FragmentChange::Added || piece.change == FragmentChange::Reshaped;
         if (isShape) {
             const QPainterPath path = pathOf(*m_compared.after, piece.after, m_view);
             QColor fill = colour;
@@ -108,13 +108,13 @@ private:
             return;
         }
         const QPainterPath ghost = pathOf(*m_compared.before, piece.before, m_view);
-        if (piece.change == PieceChange::Gone) {
+        if (piece.change == FragmentChange::Gone) {
             QColor fill = colour;
             fill.setAlpha(kFillAlpha);
             m_painter.fillPath(ghost, fill);
         }
         drawGhost(m_painter, ghost, colour);
-        if (piece.change != PieceChange::Moved) return;
+        if (piece.change != FragmentChange::Moved) return;
         paintArrow(m_painter, centroidOf(*m_compared.before, piece.before, m_view),
                    centroidOf(*m_compared.after, piece.after, m_view), colour);
     }
@@ -136,27 +136,27 @@ void paintChanges(QPainter& painter, const CanvasView& view, const ComparedAsset
     painter.restore();
 }
 
-void paintChangeMarker(QPainter& painter, QPointF centre, PieceChange change, const CanvasColours& colours) {
+void paintChangeMarker(QPainter& painter, QPointF centre, FragmentChange change, const CanvasColours& colours) {
     const QRectF box(centre.x() - 8.0, centre.y() - 4.5, 16.0, 9.0);
     const QColor colour = colourOf(change, colours);
     QColor fill = colour;
     fill.setAlpha(kFillAlpha);
-    const bool isShape = change == PieceChange::Added || change == PieceChange::Reshaped;
-    if (change != PieceChange::Moved) painter.fillRect(box, fill);
+    const bool isShape = change == FragmentChange::Added || change == FragmentChange::Reshaped;
+    if (change != FragmentChange::Moved) painter.fillRect(box, fill);
     if (isShape) painter.fillRect(box, QBrush(colour, hatchOf(change)));
     painter.setBrush(Qt::NoBrush);
     painter.setPen(isShape ? QPen(colour, kOutlineWidth) : ghostPen(colour));
     painter.drawRect(box);
-    if (change == PieceChange::Moved)
+    if (change == FragmentChange::Moved)
         paintArrow(painter, centre - QPointF(4.0, 0.0), centre + QPointF(5.0, 0.0), colour);
 }
 
-QString changeText(PieceChange change, std::size_t count) {
+QString changeText(FragmentChange change, std::size_t count) {
     switch (change) {
-        case PieceChange::Gone: return CanvasChangesTexts::tr("removed: %L1").arg(count);
-        case PieceChange::Added: return CanvasChangesTexts::tr("added: %L1").arg(count);
-        case PieceChange::Moved: return CanvasChangesTexts::tr("moved: %L1").arg(count);
-        case PieceChange::Reshaped: break;
+        case FragmentChange::Gone: return CanvasChangesTexts::tr("removed: %L1").arg(count);
+        case FragmentChange::Added: return CanvasChangesTexts::tr("added: %L1").arg(count);
+        case FragmentChange::Moved: return CanvasChangesTexts::tr("moved: %L1").arg(count);
+        case FragmentChange::Reshaped: break;
     }
     return CanvasChangesTexts::tr("reshaped: %L1").arg(count);
 }

@@ -16,8 +16,8 @@ void paintChanges(QPainter& painter, const CanvasView& view, const ComparedAsset
                   const CanvasColours& colours);
 
 /// The legend's marker of a change, about 16 by 10 pixels around a point.
-void paintChangeMarker(QPainter& painter, QPointF centre, PieceChange change, const CanvasColours& colours);
+void paintChangeMarker(QPainter& painter, QPointF centre, FragmentChange change, const CanvasColours& colours);
 /// The name of a change and its number of fragments: "added: 3".
-QString changeText(PieceChange change, std::size_t count);
+QString changeText(FragmentChange change, std::size_t count);
 
 }  // namespace rubble

@@ -271,13 +271,13 @@ double DrawablePattern::value(std::uint32_t piece, CellColouring colouring) cons
         case CellColouring::Threshold: return 1.0;
         case CellColouring::Level:
         case CellColouring::None:
-        case CellColouring::Piece: break;
+        case CellColouring::Fragment: break;
     }
     return 0.0;
 }
 
 DrawablePattern::Range DrawablePattern::range(CellColouring colouring) const {
-    const bool isNumeric = colouring != CellColouring::None && colouring != CellColouring::Piece;
+    const bool isNumeric = colouring != CellColouring::None && colouring != CellColouring::Fragment;
     if (!isNumeric || colouring == CellColouring::Level || m_areas.empty()) return {};
     Range range{1e308, -1e308};
     for (std::uint32_t piece = 0; piece < partition().pieceCount(); ++piece) {
@@ -288,7 +288,7 @@ DrawablePattern::Range DrawablePattern::range(CellColouring colouring) const {
 }
 
 QColor DrawablePattern::colour(std::uint32_t piece, CellColouring colouring, Range range) const {
-    if (colouring == CellColouring::Piece) return toQColor(fragmentColour(fragmentId(piece)));
+    if (colouring == CellColouring::Fragment) return toQColor(fragmentColour(fragmentId(piece)));
     const double spread = range.most - range.least;
     const double fraction = spread > 0.0 ? (value(piece, colouring) - range.least) / spread : 0.5;
     return toQColor(rampColour(fraction));

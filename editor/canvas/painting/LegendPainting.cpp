@@ -48,7 +48,7 @@ QString scaleTitle(CellColouring colouring) {
         case CellColouring::Mass: return CanvasLegendTexts::tr("Mass");
         case CellColouring::Threshold: return CanvasLegendTexts::tr("Break threshold");
         case CellColouring::None:
-        case CellColouring::Piece: break;
+        case CellColouring::Fragment: break;
     }
     return {};
 }
@@ -128,14 +128,14 @@ private:
 
     bool hasScale() const {
         const CellColouring colouring = m_contents.colouring();
-        return m_contents.overlays.hasCells && colouring != CellColouring::None && colouring != CellColouring::Piece;
+        return m_contents.overlays.hasCells && colouring != CellColouring::None && colouring != CellColouring::Fragment;
     }
 
     void addChanges(const ComparedAsset& compared) {
         if (compared.isEmpty()) m_rows.push_back({[](QPainter&, QPointF) {}, CanvasLegendTexts::tr("no changes")});
-        for (int k = 0; k < kPieceChanges; ++k) {
-            const auto change = static_cast<PieceChange>(k);
-            const std::size_t count = compared.pieces.count(change);
+        for (int k = 0; k < kFragmentChanges; ++k) {
+            const auto change = static_cast<FragmentChange>(k);
+            const std::size_t count = compared.fragments.count(change);
             if (count == 0) continue;
             m_rows.push_back(
                 {[this, change](QPainter& painter, QPointF at) { paintChangeMarker(painter, at, change, m_colours); },

@@ -385,7 +385,7 @@ QString SeedTool::hint() const {
     if (!m_state.selection.seeds().empty()) return selectionHint();
     if (m_isPlacing) return tr("Click: place a seed · Drag a seed: move it · Alt+Q: select fragments");
     const Asset* asset = m_state.asset();
-    const bool hasFractured = asset && !(asset->levels.empty() && asset->leaves.empty());
+    const bool hasFractured = asset && !(asset->levels.empty() && asset->fragmentLevels.empty());
     return tr("Click: select a fragment · Ctrl+click: add · Alt+click: select a seed · Drag a seed: move it · "
               "Drag elsewhere: box select · Alt+drag: lasso select · Alt+N: place seeds") +
            (m_state.isInFragment() ? tr(" · Esc: exit the fragment")

@@ -162,7 +162,7 @@ bool CanvasContentsUpdater::isLocal() const {
 Box2 CanvasContentsUpdater::movedBox(const MovedPart* part) const {
     if (!part) return {};
     const CellColouring colouring = m_contents.overlays.colouring;
-    return colouring == CellColouring::None || colouring == CellColouring::Piece ? part->moved : part->changed;
+    return colouring == CellColouring::None || colouring == CellColouring::Fragment ? part->moved : part->changed;
 }
 
 }  // namespace rubble

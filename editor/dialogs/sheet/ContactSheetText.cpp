@@ -26,8 +26,8 @@ QString shotText(const SheetFigures& figures, const Units& units) {
 QString measureName(SheetMeasure measure) {
     switch (measure) {
         case SheetMeasure::Number: return ContactSheetTexts::tr("Number");
-        case SheetMeasure::Pieces: return ContactSheetTexts::tr("Fragments");
-        case SheetMeasure::SmallestPiece: return ContactSheetTexts::tr("Smallest fragment");
+        case SheetMeasure::Fragments: return ContactSheetTexts::tr("Fragments");
+        case SheetMeasure::SmallestFragment: return ContactSheetTexts::tr("Smallest fragment");
         case SheetMeasure::Aspect: return ContactSheetTexts::tr("Longest fragment");
         case SheetMeasure::BreakImpact: return ContactSheetTexts::tr("Breaking impact");
         case SheetMeasure::DebrisHeight: return ContactSheetTexts::tr("Debris height");
@@ -40,10 +40,10 @@ QString captionOf(const SheetEntry& entry, const Units& units) {
         entry.number == 0 ? ContactSheetTexts::tr("Current") : ContactSheetTexts::tr("No. %1").arg(entry.number);
     if (entry.fault) return name + '\n' + QString::fromStdString(*entry.fault);
     const SheetFigures& figures = entry.figures;
-    const int count = static_cast<int>(figures.pieces);
+    const int count = static_cast<int>(figures.fragments);
     QString text = name + " · " + ContactSheetTexts::tr("%Ln fragment(s)", nullptr, count) + '\n' +
                    ContactSheetTexts::tr("smallest %1, longest %2 : 1")
-                       .arg(localizedQuantity(QuantityKind::Volume, figures.smallestPiece, units),
+                       .arg(localizedQuantity(QuantityKind::Volume, figures.smallestFragment, units),
                             QLocale().toString(figures.aspect, 'f', 1));
     if (figures.isPlayed) text += '\n' + shotText(figures, units);
     return text;
@@ -51,7 +51,7 @@ QString captionOf(const SheetEntry& entry, const Units& units) {
 
 QString fragmentChanges(const Asset& asset) {
     QStringList lines;
-    const auto edits = static_cast<int>(asset.edits.size()), leaves = static_cast<int>(asset.leaves.size()),
+    const auto edits = static_cast<int>(asset.edits.size()), leaves = static_cast<int>(asset.fragmentLevels.size()),
                thresholds = static_cast<int>(asset.fragmentThresholds.size());
     if (edits > 0) lines += ContactSheetTexts::tr("%Ln merge(s) or split(s)", nullptr, edits);
     if (leaves > 0) lines += ContactSheetTexts::tr("%Ln pattern(s) of single fragments", nullptr, leaves);

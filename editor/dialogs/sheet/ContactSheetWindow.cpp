@@ -367,9 +367,9 @@ void ContactSheetWindow::lockSelected() {
 /// Asks what becomes of merges, splits and own settings of fragments, if the variant does not have them.
 ContactSheetWindow::FragmentSettings ContactSheetWindow::askForSettings(const Asset& variant) {
     const Asset& own = *asset();
-    const bool isSame = own.edits == variant.edits && own.leaves == variant.leaves &&
+    const bool isSame = own.edits == variant.edits && own.fragmentLevels == variant.fragmentLevels &&
                         own.fragmentThresholds == variant.fragmentThresholds;
-    const bool hasNone = own.edits.empty() && own.leaves.empty() && own.fragmentThresholds.empty();
+    const bool hasNone = own.edits.empty() && own.fragmentLevels.empty() && own.fragmentThresholds.empty();
     if (isSame || hasNone) return FragmentSettings::OfVariant;
     Question question{.text = tr("Keep what was changed in single fragments of \"%1\"?").arg(nameText(own.name)),
                       .informativeText = fragmentChanges(own),
@@ -391,7 +391,7 @@ void ContactSheetWindow::apply() {
     changed.pattern = variant.pattern;
     changed.levels = variant.levels;
     if (settings == FragmentSettings::OfVariant) {
-        changed.leaves = variant.leaves;
+        changed.fragmentLevels = variant.fragmentLevels;
         changed.edits = variant.edits;
         changed.fragmentThresholds = variant.fragmentThresholds;
     }

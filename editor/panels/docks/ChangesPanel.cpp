@@ -14,12 +14,12 @@ namespace rubble {
 
 namespace {
 
-QString iconOf(PieceChange change) {
+QString iconOf(FragmentChange change) {
     switch (change) {
-        case PieceChange::Gone: return QStringLiteral("change-gone");
-        case PieceChange::Added: return QStringLiteral("change-added");
-        case PieceChange::Moved: return QStringLiteral("change-moved");
-        case PieceChange::Reshaped: break;
+        case FragmentChange::Gone: return QStringLiteral("change-gone");
+        case FragmentChange::Added: return QStringLiteral("change-added");
+        case FragmentChange::Moved: return QStringLiteral("change-moved");
+        case FragmentChange::Reshaped: break;
     }
     return QStringLiteral("change-reshaped");
 }
@@ -51,9 +51,10 @@ ChangesPanel::ChangesPanel(const StateComparison& comparison, const Selection& s
     setFocusProxy(m_list);
     connect(&comparison, &StateComparison::changed, this, &ChangesPanel::refresh);
     connect(m_list, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
-        const int piece = item->data(Qt::UserRole).toInt();
+        const int fragment = item->data(Qt::UserRole).toInt();
         const auto& compared = m_comparison.asset();
-        if (compared && piece >= 0) emit jumpRequested(compared->pieces.pieces[static_cast<std::size_t>(piece)]);
+        if (compared && fragment >= 0)
+            emit jumpRequested(compared->fragments.fragments[static_cast<std::size_t>(fragment)]);
     });
     refresh();
 }
@@ -63,9 +64,9 @@ void ChangesPanel::keyPressEvent(QKeyEvent* event) {
     QWidget::keyPressEvent(event);
 }
 
-void ChangesPanel::add(const QString& icon, const QString& text, int piece) {
+void ChangesPanel::add(const QString& icon, const QString& text, int fragment) {
     auto* item = new QListWidgetItem(icon.isEmpty() ? QIcon() : iconNamed(icon), text, m_list);
-    item->setData(Qt::UserRole, piece);
+    item->setData(Qt::UserRole, fragment);
     item->setToolTip(toolTipText(text));
 }
 
@@ -85,16 +86,16 @@ void ChangesPanel::fill(const ComparedAsset& compared) {
     for (const RecipeChange& change : compared.recipe) {
         add("change-recipe", QString::fromStdString(sentenceOf(change)));
     }
-    const std::vector<LevelDifference>& levels = compared.pieces.levels;
+    const std::vector<LevelDifference>& levels = compared.fragments.levels;
     for (std::size_t k = 0; k < levels.size(); ++k) {
         const QString sentence = QString::fromStdString(sentenceOf(levels[k]));
         add("dock-fragments", levels.size() > 1 ? tr("Level %1: %2").arg(k).arg(sentence) : sentence);
     }
-    const std::vector<PieceDifference>& pieces = compared.pieces.pieces;
-    for (std::size_t k = 0; k < std::min(pieces.size(), kMaxListed); ++k) {
-        add(iconOf(pieces[k].change), QString::fromStdString(sentenceOf(pieces[k])), static_cast<int>(k));
+    const std::vector<FragmentDifference>& fragments = compared.fragments.fragments;
+    for (std::size_t k = 0; k < std::min(fragments.size(), kMaxListed); ++k) {
+        add(iconOf(fragments[k].change), QString::fromStdString(sentenceOf(fragments[k])), static_cast<int>(k));
     }
-    if (pieces.size() > kMaxListed) add({}, tr("… and %L1 more").arg(pieces.size() - kMaxListed));
+    if (fragments.size() > kMaxListed) add({}, tr("… and %L1 more").arg(fragments.size() - kMaxListed));
 }
 
 }  // namespace rubble

@@ -23,7 +23,7 @@ public:
     QListWidget& list() { return *m_list; }
 
 signals:
-    void jumpRequested(const rubble::PieceDifference& piece);
+    void jumpRequested(const rubble::FragmentDifference& fragment);
     /// The user pressed Escape.
     void dismissed();
 
@@ -33,7 +33,7 @@ protected:
 private:
     void refresh();
     void fill(const ComparedAsset& compared);
-    void add(const QString& icon, const QString& text, int piece = -1);
+    void add(const QString& icon, const QString& text, int fragment = -1);
 
     const StateComparison& m_comparison;
     const Selection& m_selection;

@@ -180,7 +180,7 @@ void PlayPanel::refreshSummary() {
     const std::optional<PlayFrame>& frame = m_controller.frame();
     const std::vector<ImpactRecord> breaks = m_controller.breaks(frame ? frame->step : 0);
     std::uint64_t fragments = 0;
-    for (const ImpactRecord& broken : breaks) fragments += broken.pieces;
+    for (const ImpactRecord& broken : breaks) fragments += broken.fragmentCount;
     m_summary->setText(breaks.empty() ? tr("Nothing has broken.")
                                       : tr("Breaks: %L1 · Fragments: %L2").arg(breaks.size()).arg(fragments));
 }

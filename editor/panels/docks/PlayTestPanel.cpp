@@ -326,7 +326,7 @@ void PlayTestPanel::fillForm() {
     m_expectationForm->setRowVisible(m_value, value != ValueKind::None);
     m_value->setFormat(formatOf(value, m_units));
     const ProjectNumber number = numberOf(one.kind);
-    m_value->setRange(number == ProjectNumber::ExpectedPieces ? wholeFieldRange(number) : fieldRange(number));
+    m_value->setRange(number == ProjectNumber::ExpectedFragments ? wholeFieldRange(number) : fieldRange(number));
     m_value->setValue(one.value);
 }
 

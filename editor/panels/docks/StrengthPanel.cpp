@@ -36,7 +36,7 @@ enum Column { kFirst, kSecond, kRest, kPlay, kDelete, kColumns };
 /// The first of the three grid rows of a requirement.
 int rowOf(std::size_t index) { return 3 * static_cast<int>(index); }
 
-const PieceSpeed& fastestOf(const SwapAudit& audit) {
+const FragmentSpeed& fastestOf(const SwapAudit& audit) {
     return audit.resting.speed > kCleanSpeed ? audit.resting : audit.lying;
 }
 
@@ -367,7 +367,8 @@ void StrengthPanel::refreshAudit() {
     for (const Diagnostic& one : audit->diagnostics) {
         if (one.severity != Severity::Note) lines << QString::fromStdString(one.message).toHtmlEscaped();
     }
-    lines << tr("%Ln fragment(s), touching pairs: %L1, deepest overlap: %2", nullptr, static_cast<int>(audit->pieces))
+    lines << tr("%Ln fragment(s), touching pairs: %L1, deepest overlap: %2", nullptr,
+                static_cast<int>(audit->fragments))
                  .arg(audit->contacts)
                  .arg(localizedQuantity(QuantityKind::Length, audit->deepestOverlap, m_units));
     lines << tr("Highest speed after %1 steps: floating %2, lying on the ground %3")

@@ -51,7 +51,7 @@ SeedCount converted(const SeedCount& count, CountBy by, double area) {
     switch (by) {
         case CountBy::Number: break;
         case CountBy::Density: return {by, number / area};
-        case CountBy::PieceSize: return {by, std::sqrt(area / number)};
+        case CountBy::FragmentSize: return {by, std::sqrt(area / number)};
     }
     return {by, number};
 }
@@ -115,7 +115,7 @@ void LayerSection::addCount(const LayerParameter& parameter, const QString& step
                       tr("Whether to enter the number of seeds, their density or the size of fragments"));
     by->addItem(tr("Number"), static_cast<Id>(CountBy::Number));
     by->addItem(tr("Seeds per m²"), static_cast<Id>(CountBy::Density));
-    by->addItem(tr("Fragment Size"), static_cast<Id>(CountBy::PieceSize));
+    by->addItem(tr("Fragment Size"), static_cast<Id>(CountBy::FragmentSize));
     m_form.bind(
         by, step, [&parameter](const PatternLayer& layer) { return static_cast<Id>(countOf(parameter, layer).by); },
         [this, &parameter](PatternLayer& layer, Id entered) {
@@ -148,7 +148,7 @@ void LayerSection::addCount(const LayerParameter& parameter, const QString& step
     bound(CountBy::Density, Quantity::Number,
           addRow(tr("Seeds per m²"), new SliderField(FieldRange::aboveZero(), 0.1, 10'000.0, SliderScale::Logarithmic),
                  tr("Number of seeds per square metre of the outline")));
-    bound(CountBy::PieceSize, Quantity::Length,
+    bound(CountBy::FragmentSize, Quantity::Length,
           addRow(tr("Fragment size"), new SliderField(FieldRange::aboveZero(), 0.005, 2.0, SliderScale::Logarithmic),
                  tr("Side length of a square with the area of the average fragment")));
 }

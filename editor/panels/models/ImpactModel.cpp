@@ -47,7 +47,7 @@ QVariant ImpactModel::text(const ImpactRecord& record, int column) const {
         case kRatio: return tr("%1×").arg(roundedText(record.ratio(), {}, locale));
         case kImpact: return roundedText(record.impact, {}, locale);
         case kThreshold: return roundedText(record.threshold, {}, locale);
-        case kPieces: return record.isBreak() ? locale.toString(record.pieces) : tr("intact");
+        case kFragments: return record.isBreak() ? locale.toString(record.fragmentCount) : tr("intact");
         case kCost: return record.isBreak() ? roundedText(record.milliseconds, {}, locale) : QString();
         default: return {};
     }

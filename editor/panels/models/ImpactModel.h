@@ -10,7 +10,7 @@ namespace rubble {
 class ImpactModel : public QAbstractTableModel {
     Q_OBJECT
 public:
-    enum Column { kTime, kName, kRatio, kImpact, kThreshold, kPieces, kCost, kColumns };
+    enum Column { kTime, kName, kRatio, kImpact, kThreshold, kFragments, kCost, kColumns };
 
     using QAbstractTableModel::QAbstractTableModel;
 

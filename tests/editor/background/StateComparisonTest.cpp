@@ -83,7 +83,7 @@ private slots:
         fixture.bakeAll();
         QTRY_VERIFY_WITH_TIMEOUT(!fixture.compared()->isEmpty(), kPatience);
         QCOMPARE(fixture.compared()->recipe.size(), std::size_t{1});
-        QVERIFY(!fixture.compared()->pieces.pieces.empty());
+        QVERIFY(!fixture.compared()->fragments.fragments.empty());
         QVERIFY(fixture.compared()->before == before);  // the earlier state is baked once
         fixture.document.undoStack().undo();
         fixture.bakeAll();
@@ -95,8 +95,8 @@ private slots:
         earlier.assets[0].pattern.layers[0].parameters = UniformScatter{9};
         fixture.begin(std::move(earlier));
         QTRY_VERIFY_WITH_TIMEOUT(fixture.compared(), kPatience);
-        const auto& pieces = fixture.compared()->pieces.pieces;
-        QCOMPARE(std::ranges::count(pieces, kNone, &PieceDifference::after), std::ptrdiff_t{1});
+        const auto& pieces = fixture.compared()->fragments.fragments;
+        QCOMPARE(std::ranges::count(pieces, kNone, &FragmentDifference::after), std::ptrdiff_t{1});
         QCOMPARE(fixture.compared()->before->fragmentCount(), 9u);
         QCOMPARE(fixture.compared()->after->fragmentCount(), 8u);
     }
@@ -119,7 +119,7 @@ private slots:
         fixture.begin(std::move(earlier));
         QTRY_VERIFY_WITH_TIMEOUT(fixture.compared(), kPatience);
         QVERIFY(!fixture.compared()->wasThere && !fixture.compared()->before && !fixture.compared()->isEmpty());
-        QVERIFY(fixture.compared()->recipe.empty() && fixture.compared()->pieces.pieces.empty());
+        QVERIFY(fixture.compared()->recipe.empty() && fixture.compared()->fragments.fragments.empty());
     }
     void matchesRenamedAssetsById() {
         Fixture fixture;
@@ -127,7 +127,7 @@ private slots:
         earlier.assets[0].name = "wall of old";
         fixture.begin(std::move(earlier));
         QTRY_VERIFY_WITH_TIMEOUT(fixture.compared(), kPatience);
-        QVERIFY(fixture.compared()->wasThere && fixture.compared()->pieces.isEmpty());
+        QVERIFY(fixture.compared()->wasThere && fixture.compared()->fragments.isEmpty());
     }
     void reportsWhenTheEarlierStateCannotBeBaked() {
         Fixture fixture;

@@ -12,8 +12,8 @@ namespace {
 Asset wallWithLeaves() {
     Asset asset = boxAsset(2, 3, UniformScatter{.count = 4});
     asset.levels = {{.pattern = {{{.id = 5, .parameters = UniformScatter{.count = 2}}}}}};
-    asset.leaves = {{"3.1", Level{.pattern = {{{.id = 6, .parameters = UniformScatter{.count = 9}}}}}},
-                    {"3.2", std::nullopt}};
+    asset.fragmentLevels = {{"3.1", Level{.pattern = {{{.id = 6, .parameters = UniformScatter{.count = 9}}}}}},
+                            {"3.2", std::nullopt}};
     return asset;
 }
 
@@ -27,7 +27,7 @@ private slots:
         const Asset asset = wallWithLeaves();
         QCOMPARE(patternAt(asset, 0), &asset.pattern);
         QCOMPARE(patternAt(asset, 1), &asset.levels[0].pattern);
-        QCOMPARE(patternAt(asset, 2), &asset.leaves[0].level->pattern);
+        QCOMPARE(patternAt(asset, 2), &asset.fragmentLevels[0].level->pattern);
         QVERIFY(!patternAt(asset, 3) && !levelAt(asset, 0));
     }
     void fragmentHasItsOwnPatternOrThatOfItsLevel() {
@@ -43,8 +43,8 @@ private slots:
         setMinimumVolume(asset, 2, 0.25);
         setMinimumVolume(asset, 3, 0.125);  // kept intact: no level
         QCOMPARE(asset.levels[0].minimumVolume, 0.5);
-        QCOMPARE(asset.leaves[0].level->minimumVolume, 0.25);
-        QVERIFY(!asset.leaves[1].level);
+        QCOMPARE(asset.fragmentLevels[0].level->minimumVolume, 0.25);
+        QVERIFY(!asset.fragmentLevels[1].level);
     }
     void thresholdIsSetPerLevel() {
         Asset asset = wallWithLeaves();
@@ -52,14 +52,14 @@ private slots:
         setLevelThreshold(asset, 2, 2.5);
         setLevelThreshold(asset, 3, 1.25);  // kept intact: no level
         QCOMPARE(asset.levels[0].threshold, std::optional(5.0));
-        QCOMPARE(asset.leaves[0].level->threshold, std::optional(2.5));
+        QCOMPARE(asset.fragmentLevels[0].level->threshold, std::optional(2.5));
         setLevelThreshold(asset, 1, std::nullopt);
         QVERIFY(!asset.levels[0].threshold);
     }
     void removesLevelsAndOwnPatterns() {
         Asset asset = wallWithLeaves();
         removeLevelAt(asset, 2);
-        QCOMPARE(asset.leaves.size(), std::size_t{1});
+        QCOMPARE(asset.fragmentLevels.size(), std::size_t{1});
         removeLevelAt(asset, 1);
         QVERIFY(asset.levels.empty());
         removeLevelAt(asset, 0);  // the whole asset stays

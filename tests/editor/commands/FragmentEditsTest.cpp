@@ -36,20 +36,20 @@ constexpr Id kWall = 2;
 constexpr Id kLayer = 3;
 
 /// The current pieces of some seeds.
-std::vector<SelectedPiece> selectedOf(const Project& project, const std::set<SeedId>& seeds) {
+std::vector<SelectedFragment> selectedOf(const Project& project, const std::set<SeedId>& seeds) {
     const Asset& asset = *findAsset(project, kWall);
     const PlanarFracture cut = *planarFracture(recipeOf(asset), asset.prism, {});
-    return selectedPieces(kWall, cut.partition, cut.seeds, {.seeds = seeds});
+    return selectedFragments(kWall, cut.partition, cut.seeds, {.seeds = seeds});
 }
 
 /// The same in a fragment's pattern.
-std::vector<SelectedPiece> selectedInside(const Project& project, const FragmentPath& fragment,
-                                          const std::set<SeedId>& seeds) {
+std::vector<SelectedFragment> selectedInside(const Project& project, const FragmentPath& fragment,
+                                             const std::set<SeedId>& seeds) {
     const Bake baked = *bake(*findAsset(project, kWall));
     const std::uint32_t number = *fragmentAt(baked, fragment);
     const BakedFracture& fracture = *baked.fractureOf(number);
-    return selectedPieces(kWall, fracture.fragments.partition, fracture.seeds, {.seeds = seeds, .parent = fragment},
-                          fragment, Vec2{baked.fragment(number).solid.offset()});
+    return selectedFragments(kWall, fracture.fragments.partition, fracture.seeds, {.seeds = seeds, .parent = fragment},
+                             fragment, Vec2{baked.fragment(number).solid.offset()});
 }
 
 /// The ids of all fragments, and their outlines.
@@ -72,12 +72,12 @@ class FragmentEditsTest : public QObject {
     Document m_document{columns()};
     const std::string m_before = projectText(columns());
     const Asset& wall() const { return *findAsset(m_document.project(), kWall); }
-    std::vector<SelectedPiece> pieces(const std::set<SeedId>& seeds) const {
+    std::vector<SelectedFragment> pieces(const std::set<SeedId>& seeds) const {
         return selectedOf(m_document.project(), seeds);
     }
     std::vector<FragmentPath> paths() const {
         std::vector<FragmentPath> paths;
-        for (const SelectedPiece& piece : pieces({seed(0), seed(1), seed(2), seed(3)})) paths.push_back(piece.path);
+        for (const SelectedFragment& piece : pieces({seed(0), seed(1), seed(2), seed(3)})) paths.push_back(piece.path);
         std::ranges::sort(paths);
         return paths;
     }
@@ -89,7 +89,7 @@ private slots:
         QCOMPARE(projectText(m_document.project()), m_before);
     }
     void selectedPiecesHaveAreaAndSplitLine() {
-        const std::vector<SelectedPiece> last = pieces({seed(3)});
+        const std::vector<SelectedFragment> last = pieces({seed(3)});
         QCOMPARE(last.size(), std::size_t{1});
         QCOMPARE(last[0].path, FragmentPath("3.3"));
         QVERIFY(std::abs(last[0].area - 0.4) < 1e-12);
@@ -103,16 +103,16 @@ private slots:
     void splitGivesTwoFragments() {
         m_document.push(splitFragments(m_document.project(), kWall, pieces({seed(1)})));
         QCOMPARE(paths(), (std::vector<FragmentPath>{"3.0", "3.1.0", "3.1.1", "3.2", "3.3"}));
-        const std::vector<SelectedPiece> halves = pieces({seed(1)});
+        const std::vector<SelectedFragment> halves = pieces({seed(1)});
         QVERIFY(std::abs(halves[0].area - halves[1].area) < 1e-9);
     }
     void fractureAndKeepWhole() {
         m_document.push(fractureFragments(m_document.project(), kWall, pieces({seed(1), seed(2)})));
-        QCOMPARE(wall().leaves.size(), std::size_t{2});
-        QVERIFY(wall().leaves[0].level && wall().leaves[0].level->pattern.layers.size() == 1);
-        const Pattern first = wall().leaves[0].level->pattern;
+        QCOMPARE(wall().fragmentLevels.size(), std::size_t{2});
+        QVERIFY(wall().fragmentLevels[0].level && wall().fragmentLevels[0].level->pattern.layers.size() == 1);
+        const Pattern first = wall().fragmentLevels[0].level->pattern;
         m_document.push(fractureFragments(m_document.project(), kWall, pieces({seed(1)})));
-        QVERIFY(wall().leaves[0].level->pattern == first);  // it had one already
+        QVERIFY(wall().fragmentLevels[0].level->pattern == first);  // it had one already
         QCOMPARE(patternCount(wall()), std::size_t{3});
         QCOMPARE(patternName(wall(), 2), QString("Fragment 3.2"));
         QCOMPARE(depthAt(wall(), 2), std::size_t{1});
@@ -120,7 +120,7 @@ private slots:
         QCOMPARE(patternAt(wall(), 2)->layers.size(), std::size_t{2});
 
         m_document.push(keepFragmentsWhole(m_document.project(), kWall, pieces({seed(1)})));
-        QVERIFY(!wall().leaves[0].level);
+        QVERIFY(!wall().fragmentLevels[0].level);
         QVERIFY(patternAt(wall(), 1) == nullptr);
         QCOMPARE(patternName(wall(), 1), QString("Fragment 3.1, kept intact"));
     }
@@ -131,7 +131,7 @@ private slots:
         QVERIFY(canRestoreFragments(wall(), {seed(2)}));
         m_document.push(restoreFragments(m_document.project(), kWall, {seed(3), seed(1)}));
         QCOMPARE(wall().edits.size(), std::size_t{1});
-        QVERIFY(wall().leaves.empty());
+        QVERIFY(wall().fragmentLevels.empty());
         QVERIFY(!canRestoreFragments(wall(), {seed(3)}));
         QVERIFY(canRestoreFragments(wall(), {seed(0)}));
     }
@@ -159,7 +159,7 @@ private slots:
         QVERIFY(hasOwnPattern(asset, "3.1"));
         QCOMPARE(patternIndexFor(asset, "3.1"), std::size_t{3});
         QVERIFY(own == asset.levels[0].pattern);
-        QCOMPARE(asset.leaves[0].level->minimumVolume, 0.001);
+        QCOMPARE(asset.fragmentLevels[0].level->minimumVolume, 0.001);
         QVERIFY(&ownPattern(asset, "3.1") == &own);  // it has one already
         QVERIFY(outlinesOf(asset) == before);        // also those of deeper levels
 
@@ -178,14 +178,14 @@ private slots:
         ownPattern(asset, "3.1/9.0");
         ownPattern(asset, "3.0");
         ownPattern(asset, "3.1");
-        QVERIFY(std::ranges::is_sorted(asset.leaves, {}, &FragmentLevel::fragment));
+        QVERIFY(std::ranges::is_sorted(asset.fragmentLevels, {}, &FragmentLevel::fragment));
         QVERIFY(ownPattern(asset, "3.1/9.0").layers.empty());  // there is no second level
         QCOMPARE(patternIndexFor(asset, "3.3/9.0"), std::size_t{0});
     }
     void piecesInAFragmentHavePathAndOffset() {
         m_document.push(addLevel(m_document.project(), kWall));
         const SeedId inner{wall().levels[0].pattern.layers[0].id, 0};
-        const std::vector<SelectedPiece> one = selectedInside(m_document.project(), "3.3", {inner});
+        const std::vector<SelectedFragment> one = selectedInside(m_document.project(), "3.3", {inner});
         QCOMPARE(one.size(), std::size_t{1});
         QCOMPARE(one[0].path, FragmentPath("3.3/" + inner.text()));
         const Bake before = *bake(wall());
@@ -211,7 +211,7 @@ private slots:
         m_document.push(std::move(copy.edit));
         const Asset& copied = *findAsset(m_document.project(), id);
         QVERIFY(copied.levels[0].pattern.layers[0].id != wall().levels[0].pattern.layers[0].id);
-        QCOMPARE(copied.leaves[0].level->pattern.layers[0].id, copied.levels[0].pattern.layers[0].id);
+        QCOMPARE(copied.fragmentLevels[0].level->pattern.layers[0].id, copied.levels[0].pattern.layers[0].id);
     }
     void duplicateRenamesItsFragments() {
         m_document.push(fractureFragments(m_document.project(), kWall, pieces({seed(1)})));
@@ -226,7 +226,7 @@ private slots:
         const std::string layer = std::to_string(copied.pattern.layers[0].id);
         QVERIFY(layer != "3");
         QCOMPARE(copied.fragmentThresholds, (std::vector<FragmentThreshold>{{layer + ".1", 2.5}}));
-        QCOMPARE(copied.leaves[0].fragment, layer + ".1");
+        QCOMPARE(copied.fragmentLevels[0].fragment, layer + ".1");
         QCOMPARE(std::get<FragmentMerge>(copied.edits[0]).into, layer + ".3");
         QCOMPARE(bake(copied)->fragmentCount(), bake(wall())->fragmentCount());
     }

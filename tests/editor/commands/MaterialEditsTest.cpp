@@ -73,14 +73,14 @@ private slots:
         Asset& wall = before.assets[0];
         const std::string layer = std::to_string(wall.pattern.layers[0].id);
         wall.edits = {FragmentMerge{.into = layer + ".1", .merged = {layer + ".2"}}};
-        wall.leaves = {{.fragment = layer + ".3", .level = {}}};
+        wall.fragmentLevels = {{.fragment = layer + ".3", .level = {}}};
         wall.fragmentThresholds = {{layer + ".4", 2.5}};
         const Project project =
             test::editedProject(before, applyPreset(before, wall.id, preset("stone"), {.appliesPattern = true}));
-        QVERIFY(project.assets[0].edits.empty() && project.assets[0].leaves.empty());
+        QVERIFY(project.assets[0].edits.empty() && project.assets[0].fragmentLevels.empty());
         QVERIFY(project.assets[0].fragmentThresholds.empty());
         const Project kept = test::editedProject(before, applyPreset(before, wall.id, preset("stone"), {}));
-        QVERIFY(!kept.assets[0].edits.empty() && !kept.assets[0].leaves.empty());
+        QVERIFY(!kept.assets[0].edits.empty() && !kept.assets[0].fragmentLevels.empty());
     }
     void presetHasThePatternOfAnAsset() {
         const Project before = starterProject();

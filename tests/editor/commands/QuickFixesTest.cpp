@@ -188,8 +188,8 @@ private slots:
         QCOMPARE(idsIn(project), before);
         const Asset& asset = project.assets[0];
         QVERIFY(asset.levels[0].pattern.layers[0].parameters == LayerParameters(crowded));
-        QCOMPARE(asset.leaves.size(), std::size_t{1});
-        QCOMPARE(std::get<BlueNoise>(asset.leaves[0].level->pattern.layers[0].parameters).count,
+        QCOMPARE(asset.fragmentLevels.size(), std::size_t{1});
+        QCOMPARE(std::get<BlueNoise>(asset.fragmentLevels[0].level->pattern.layers[0].parameters).count,
                  SeedCount(static_cast<std::uint32_t>(problems[0].value)));
     }
     void deletesClusterSeedsWithoutRoom() {

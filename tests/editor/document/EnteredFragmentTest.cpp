@@ -93,9 +93,9 @@ private slots:
         QCOMPARE(nearest(inner.c_str()), inner);
         QCOMPARE(nearest((inner + "/7.0").c_str()), inner);  // there is no third level
         QCOMPARE(nearest("5.7/6.0"), FragmentPath());
-        desk.asset().leaves = {{"5.1", std::nullopt}};  // kept whole
+        desk.asset().fragmentLevels = {{"5.1", std::nullopt}};  // kept whole
         QCOMPARE(nearest("5.1"), FragmentPath());
-        desk.asset().leaves.clear();
+        desk.asset().fragmentLevels.clear();
         desk.asset().levels[0].minimumVolume = 0.3;
         QCOMPARE(nearest("5.1"), FragmentPath());
     }

@@ -84,7 +84,7 @@ private slots:
         const ImpactRecord broken = stage.controller.breaks().front();
         QCOMPARE(broken.name, "block");
         QCOMPARE(broken.threshold, 100.0);
-        QVERIFY(broken.ratio() > 1.0 && broken.pieces == 5);
+        QVERIFY(broken.ratio() > 1.0 && broken.fragmentCount == 5);
         QCOMPARE(stage.controller.costs().size(), 20u);
     }
     void nothingBreaksWithDestructionOff() {

@@ -23,7 +23,7 @@ private slots:
         QCOMPARE(textOfLayer(UniformScatter{.count = 7}), "Uniform, 7 seeds");
         QCOMPARE(textOfLayer(UniformScatter{.count = 1}), "Uniform, 1 seed");
         QCOMPARE(textOfLayer(UniformScatter{.count = SeedCount(CountBy::Density, 12.5)}), "Uniform, 12.5 per m²");
-        QCOMPARE(textOfLayer(UniformScatter{.count = SeedCount(CountBy::PieceSize, 0.25)}),
+        QCOMPARE(textOfLayer(UniformScatter{.count = SeedCount(CountBy::FragmentSize, 0.25)}),
                  "Uniform, fragments of 0.25 m");
     }
     void lengthsAreInThePreferredUnit() {

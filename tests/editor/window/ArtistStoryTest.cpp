@@ -107,7 +107,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!selection().seeds().empty(), kPatience);
         QVERIFY(selection().seeds().size() < m_fragments / 2);
         QTest::keyClick(&window(), Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
-        QTRY_VERIFY_WITH_TIMEOUT(!wall().leaves.empty(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(!wall().fragmentLevels.empty(), kPatience);
         QTRY_VERIFY_WITH_TIMEOUT(isBaked() && bake().fractures.size() > 1, kPatience);
         QCOMPARE(bake().fractures.back().level, 1u);
     }
@@ -137,7 +137,7 @@ private slots:
         });
         QTest::keyClick(&list, Qt::Key_Return);
         QVERIFY(wall().pattern != before);
-        QVERIFY(!wall().leaves.empty());
+        QVERIFY(!wall().fragmentLevels.empty());
         if (shownSheet()) QTest::keyClick(sheet, Qt::Key_Escape);
     }
     void everythingIsUndone() {

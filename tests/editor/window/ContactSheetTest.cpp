@@ -256,7 +256,7 @@ private slots:
         list.setCurrentRow(list.count() - 1);
         list.setFocus();
         QTest::keyClick(&list, Qt::Key_Return);
-        const PieceDifference& last = compare.comparison().asset()->pieces.pieces.back();
+        const FragmentDifference& last = compare.comparison().asset()->fragments.fragments.back();
         if (last.after != kNone) QCOMPARE(m_window->workspace().selection().seeds().size(), std::size_t{1});
     }
     void escapeEndsComparison() {

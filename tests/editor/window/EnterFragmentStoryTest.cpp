@@ -55,8 +55,8 @@ private slots:
         QTest::mouseClick(&canvas(), Qt::LeftButton, {}, pixels({0.0, 0.0}));
         QTRY_VERIFY_WITH_TIMEOUT(isBaked(2, 21), kPatience);
         QCOMPARE(stack().count(), 1);
-        QCOMPARE(asset().leaves.size(), std::size_t{1});
-        QCOMPARE(asset().leaves[0].fragment, FragmentPath("3.2"));
+        QCOMPARE(asset().fragmentLevels.size(), std::size_t{1});
+        QCOMPARE(asset().fragmentLevels[0].fragment, FragmentPath("3.2"));
         QVERIFY(window().statusBar()->currentMessage().startsWith("Fragment 3.2 now has its own pattern."));
         QCOMPARE(levels().currentText(), QString("Fragment 3.2"));
         canvas().setTool(CanvasToolKind::Seeds);
@@ -144,7 +144,7 @@ private slots:
         QCOMPARE(text(), m_before);
 
         QTest::keyClick(&window(), Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
-        QCOMPARE(asset().leaves[0].fragment, FragmentPath("3.2/4.2"));
+        QCOMPARE(asset().fragmentLevels[0].fragment, FragmentPath("3.2/4.2"));
         QTRY_VERIFY_WITH_TIMEOUT(isBaked(2, 25), kPatience);
         QTest::keyClick(&canvas(), Qt::Key_Down, Qt::ControlModifier);
         QTRY_VERIFY_WITH_TIMEOUT(isEntered("3.2/4.2"), kPatience);
@@ -201,8 +201,8 @@ private slots:
         const QImage before = canvas().grab().toImage();
         const std::uint32_t fragments = bake().fragmentCount();
         action("fragment-fracture")->trigger();
-        QCOMPARE(asset().leaves.back().fragment, FragmentPath("3.2/4.2"));
-        QCOMPARE(asset().leaves.front().fragment, FragmentPath("3.0/4.1"));
+        QCOMPARE(asset().fragmentLevels.back().fragment, FragmentPath("3.2/4.2"));
+        QCOMPARE(asset().fragmentLevels.front().fragment, FragmentPath("3.0/4.1"));
         QTRY_VERIFY_WITH_TIMEOUT(isBaked(2, fragments + 5), kPatience);
         QVERIFY(canvas().overlays().hasDeeperLevels);
         QTRY_VERIFY(canvas().grab().toImage() != before);

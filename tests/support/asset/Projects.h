@@ -57,7 +57,7 @@ inline Project fullProject() {
                    {}};
     wall.levels[1].pattern.layers = {
         {.id = 13, .parameters = UniformScatter{.count = {CountBy::Density, 8.0}}},
-        {.id = 14, .parameters = BlueNoise{.count = {CountBy::PieceSize, 0.35}}},
+        {.id = 14, .parameters = BlueNoise{.count = {CountBy::FragmentSize, 0.35}}},
         {.id = 15, .parameters = JitteredGrid{GridCells::Size, 4, 3, 0.5, 0.3, 0.25, ScatterDomain::BoundingBox}},
         {.id = 16, .parameters = Clusters{3, 5, 0.2}},
         {.id = 17, .parameters = RadialPattern{{0.05, -0.1}, 0.9, 3, 5, 1.25, -0.5, 0.75}},
@@ -72,7 +72,7 @@ inline Project fullProject() {
     wall.shaping = {.smallPieces = {SmallPieceRule::Merge, PieceMeasure::FractionOfWhole, 0.01},
                     .gap = 1.0 / 512.0,
                     .roughness = {.amplitude = 0.003, .frequency = 12.5, .octaves = 4, .randomSeed = 77}};
-    wall.leaves = {
+    wall.fragmentLevels = {
         {.fragment = "4.3.1", .level = {}},
         {.fragment = "6.0",
          .level = Level{.pattern = {{{.id = 22, .parameters = UniformScatter{.count = 3}}}}, .minimumVolume = 1e-4}}};
@@ -83,7 +83,7 @@ inline Project fullProject() {
     wall.threshold = 55.5;
     wall.contactTime = 0.00125;
     wall.insideUvScale = 2.0;
-    wall.cutAtImpact = {.pieces = 17, .falloffRadius = 0.45};
+    wall.cutAtImpact = {.fragments = 17, .falloffRadius = 0.45};
     wall.requirements = {
         {.outcome = RequirementOutcome::Breaks, .event = HitRequirement{.mass = 2.5, .speed = 1.0 / 3.0}},
         {.outcome = RequirementOutcome::Survives, .event = DropRequirement{.height = 1.75}},
@@ -112,7 +112,7 @@ inline Project fullProject() {
     project.ground = {.isOn = false, .height = -0.5, .friction = 0.7, .restitution = 0.2};
     project.gravity = {0.1, -1.62, std::numeric_limits<double>::denorm_min()};
     project.damage = {.rule = DamageRule::Momentum, .isThesis = true, .thesisThreshold = 1500.0};
-    project.debris = {.lifetime = 12.5, .fade = 0.75, .maxPieces = 300};
+    project.debris = {.lifetime = 12.5, .fade = 0.75, .maxFragments = 300};
     project.shots = {
         {.id = 30, .name = "box", .time = 0.5, .action = Throw{.size = {1.0, 2.0, 3.0}, .mass = 5.0, .speed = 12.0}},
         {.id = 31, .name = "pane", .action = Throw{.kind = ProjectileKind::Asset, .asset = 11}},

@@ -41,7 +41,8 @@ inline Edit randomEdit(const Project& project, Random& random, quint64 mergeKey)
         case 10:
         case 11: {
             const std::string id = std::to_string(asset.pattern.layers[0].id) + ".";
-            const std::vector<SelectedPiece> pieces{{.path = id + "0", .area = 2.0}, {.path = id + "1", .area = 1.0}};
+            const std::vector<SelectedFragment> pieces{{.path = id + "0", .area = 2.0},
+                                                       {.path = id + "1", .area = 1.0}};
             return kind == 10 ? mergeFragments(project, asset.id, pieces) : splitFragments(project, asset.id, pieces);
         }
         case 12: {

@@ -20,7 +20,7 @@ inline std::vector<LayerParameters> patternSamples() {
         UniformScatter{.count = 12},
         UniformScatter{.count = {CountBy::Density, 8.0}, .domain = ScatterDomain::BoundingBox},
         BlueNoise{.minimumDistance = 0.3},
-        BlueNoise{.minimumDistance = 0.2, .count = {CountBy::PieceSize, 0.35}},
+        BlueNoise{.minimumDistance = 0.2, .count = {CountBy::FragmentSize, 0.35}},
         PlacedSeeds{{{0, {0.1, 0.2}}, {3, {-0.4, 0.3}}, {4, {0.0, -0.5}}}},
         LloydRelaxation{.rounds = 1},
         JitteredGrid{.columns = 4, .rows = 3},

@@ -57,7 +57,7 @@ private slots:
         const Id wall = findAsset(house, "wall")->id;
         QTest::newRow("house") << SceneOptions{} << RenderSettings{.msaa = 4} << 0;
         QTest::newRow("house-soft") << SceneOptions{} << RenderSettings{.msaa = 4} << 16;
-        QTest::newRow("house-apart-dark") << SceneOptions{.colouring = SceneColouring::Piece, .explodeFactor = 0.5}
+        QTest::newRow("house-apart-dark") << SceneOptions{.colouring = SceneColouring::Fragment, .explodeFactor = 0.5}
                                           << RenderSettings{.theme = Theme::Dark, .msaa = 4} << 0;
         QTest::newRow("wires") << SceneOptions{} << RenderSettings{.shading = Shading::Wireframe, .msaa = 4} << 0;
         QTest::newRow("wall-selected") << SceneOptions{.asset = wall,

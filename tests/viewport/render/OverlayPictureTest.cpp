@@ -1,7 +1,6 @@
 // Tests the overlays of viewport/render/RenderPasses.cpp: lines, boxes, dust, scale bar.
 #include "core/asset/library/StarterProject.h"
 #include "core/asset/project/FragmentColours.h"
-#include "core/asset/project/StarterProject.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Pictures.h"
 #include "viewport/render/OffscreenRenderer.h"

@@ -76,11 +76,11 @@ private slots:
         QCOMPARE(session.bodies().size(), std::size_t{41});
         const RenderCounts swap = drawn(builder.sceneOf(session));
         session.step();
-        const RenderCounts pieces = drawn(builder.sceneOf(session));
+        const RenderCounts solids = drawn(builder.sceneOf(session));
         QCOMPARE(whole.geometryBytes, std::uint64_t{0});
-        QVERIFY(swap.geometryBytes == 0 && pieces.geometryBytes == 0);
-        for (const RenderCounts& image : {whole, swap, pieces}) QCOMPARE(image.drawCalls, kDrawCalls);
-        QVERIFY(whole.bodyBytes > 0 && swap.bodyBytes == whole.bodyBytes && pieces.bodyBytes == whole.bodyBytes);
+        QVERIFY(swap.geometryBytes == 0 && solids.geometryBytes == 0);
+        for (const RenderCounts& image : {whole, swap, solids}) QCOMPARE(image.drawCalls, kDrawCalls);
+        QVERIFY(whole.bodyBytes > 0 && swap.bodyBytes == whole.bodyBytes && solids.bodyBytes == whole.bodyBytes);
     }
     void secondImageOfAStepUploadsNothing() {
         RenderScene moved = *test::starterScene();

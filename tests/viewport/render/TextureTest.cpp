@@ -139,7 +139,8 @@ private slots:
     }
     void otherColouringsIgnoreTheImage() {
         Project project = textured();
-        for (const SceneColouring colouring : {SceneColouring::Piece, SceneColouring::Level, SceneColouring::Volume}) {
+        for (const SceneColouring colouring :
+             {SceneColouring::Fragment, SceneColouring::Level, SceneColouring::Volume}) {
             const QImage with = texturedPicture(sceneWith(project, {.colouring = colouring}));
             Project plain = project;
             plain.assets[0].texture.reset();

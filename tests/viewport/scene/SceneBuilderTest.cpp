@@ -1,6 +1,5 @@
 #include "core/asset/library/StarterProject.h"
 #include "core/asset/project/FragmentColours.h"
-#include "core/asset/project/StarterProject.h"
 #include "core/geometry/hull/AspectRatio.h"
 #include "tests/support/Closeness.h"
 #include "tests/support/TestProgram.h"
@@ -49,7 +48,7 @@ private slots:
         const RenderScene scene = sceneOf(project, allBakes(project));
         QCOMPARE(scene.batches.size(), std::size_t{1});
         QCOMPARE(scene.batches[0].firstBodies, (std::vector<std::uint32_t>{0, 20}));
-        QCOMPARE(scene.batches[0].geometry->pieceCount(), 20u);
+        QCOMPARE(scene.batches[0].geometry->solidCount(), 20u);
         QCOMPARE(scene.poses.size(), std::size_t{40});
         QVERIFY((scene.picks[25] == PickId{project.assets[0].id, project.instances[1].id, 5}));
     }
@@ -140,9 +139,9 @@ private slots:
                         1);  // rounding
             }
         }
-        QVERIFY(!sceneOf(project, bakes, {.colouring = SceneColouring::Piece}).colourRange);
+        QVERIFY(!sceneOf(project, bakes, {.colouring = SceneColouring::Fragment}).colourRange);
     }
-    /// Pieces have the threshold of what breaks into them.
+    /// Fragments have the threshold of what breaks into them.
     void thresholdColoursShowThresholdsThatAreSet() {
         Project project = starterProject();
         Asset& wall = project.assets[0];
@@ -195,9 +194,9 @@ private slots:
     }
     void fragmentColoursAreStable() {
         Project project = starterProject();
-        const RenderScene few = sceneOf(project, allBakes(project), {.colouring = SceneColouring::Piece});
+        const RenderScene few = sceneOf(project, allBakes(project), {.colouring = SceneColouring::Fragment});
         std::get<UniformScatter>(project.assets[0].pattern.layers[0].parameters).count = 30;
-        const RenderScene more = sceneOf(project, allBakes(project), {.colouring = SceneColouring::Piece});
+        const RenderScene more = sceneOf(project, allBakes(project), {.colouring = SceneColouring::Fragment});
         QCOMPARE(few.appearances[7].outside, more.appearances[7].outside);
         QVERIFY(few.appearances[7].outside != few.appearances[8].outside);
         QVERIFY(few.appearances[7].outside != few.appearances[7].inside);
@@ -242,8 +241,8 @@ private slots:
         };
         QVERIFY(countOf(textured, VertexSide::Textured) > 0 && countOf(textured, VertexSide::Inside) > 0);
         QCOMPARE(countOf(textured, VertexSide::Outside), 0);
-        const RenderScene byPiece = builder.sceneOf(project, bakes, {.colouring = SceneColouring::Piece});
-        QVERIFY(!byPiece.batches[0].texture && byPiece.batches[0].geometry == textured.batches[0].geometry);
+        const RenderScene byFragment = builder.sceneOf(project, bakes, {.colouring = SceneColouring::Fragment});
+        QVERIFY(!byFragment.batches[0].texture && byFragment.batches[0].geometry == textured.batches[0].geometry);
         project.assets[0].texture.reset();
         const RenderScene plain = builder.sceneOf(project, bakes, {});
         QVERIFY(!plain.batches[0].texture);
@@ -262,10 +261,10 @@ private slots:
         QVERIFY(leaves > 20);
         QCOMPARE(sceneOf(project, bakes).poses.size(), leaves);
     }
-    void hullsHaveTheSamePieces() {
+    void hullsHaveTheSameSolids() {
         const Project project = starterProject();
         const RenderScene scene = sceneOf(project, allBakes(project), {.hasHulls = true});
-        QCOMPARE(scene.batches[0].hulls->pieceCount(), scene.batches[0].geometry->pieceCount());
+        QCOMPARE(scene.batches[0].hulls->solidCount(), scene.batches[0].geometry->solidCount());
         QVERIFY(!sceneOf(project, allBakes(project)).batches[0].hulls);
     }
 };

@@ -27,7 +27,7 @@ private slots:
         QCOMPARE(test::countOf(playback.session(), PlayRole::Projectile), 1u);
         QVERIFY(playback.sceneAtStep(200).hasValue());
         QCOMPARE(playback.session().stepsDone(), 200u);
-        QVERIFY(test::countOf(playback.session(), PlayRole::Piece) > 1);
+        QVERIFY(test::countOf(playback.session(), PlayRole::Debris) > 1);
     }
     void inputsApplyAtTheirSteps() {
         SessionPlayback playback = playbackOf({{0, kThrow}, {7, GravityInput{{0.0, -9.0, 0.0}}}});

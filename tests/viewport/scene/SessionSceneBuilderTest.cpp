@@ -104,8 +104,8 @@ private slots:
         QCOMPARE(geometriesOf(*after), geometriesOf(*before));
         QCOMPARE(after->batches[0].firstBodies, before->batches[0].firstBodies);
         QCOMPARE(faultOf(*after, drawn.session), QString());
-        const Box3 pieces = boundsOf(*after), whole = boundsOf(*before);
-        QVERIFY(glm::distance(pieces.min, whole.min) < 1e-5 && glm::distance(pieces.max, whole.max) < 1e-5);
+        const Box3 solids = boundsOf(*after), whole = boundsOf(*before);
+        QVERIFY(glm::distance(solids.min, whole.min) < 1e-5 && glm::distance(solids.max, whole.max) < 1e-5);
     }
     void deeperLevelsHaveTheirPoses() {
         Project project = floatingBlock(4);
@@ -142,7 +142,7 @@ private slots:
     }
     void cutAtImpactIsAddedOnce() {
         Project project = floatingBlock(5);
-        project.assets[0].cutAtImpact = CutAtImpact{.pieces = 12};
+        project.assets[0].cutAtImpact = CutAtImpact{.fragments = 12};
         Drawn drawn(project);
         const auto before = drawn.scene();
         const auto after = drawn.sceneAfterBreaking(kBlock);
@@ -204,7 +204,7 @@ private slots:
                 ++bodies;
             }
         }
-        QCOMPARE(bodies, std::size_t{6});  // the box and five pieces
+        QCOMPARE(bodies, std::size_t{6});  // the box and five solids
     }
     void motionContinuesWhenTheLayoutChanges() {
         Drawn drawn(floatingBlock(5));
@@ -262,7 +262,7 @@ private slots:
         addInput(drawn.session, ShotInput{"box", test::throwAtBlock(20.0, 12.0)});
         const auto start = drawn.session.snapshot();
         const std::size_t bodies = drawn.sceneAtStep(20)->poses.size();
-        QVERIFY(test::countOf(drawn.session, PlayRole::Piece) == 5);
+        QVERIFY(test::countOf(drawn.session, PlayRole::Debris) == 5);
         drawn.session.restore(*start);
         QCOMPARE(faultOf(*drawn.scene(), drawn.session), QString());
         QCOMPARE(shownBodies(*drawn.scene()), std::vector<std::uint32_t>{0});
@@ -277,8 +277,8 @@ private slots:
         const auto moment = Drawn(project).scene();
         QCOMPARE(moment->appearances[0].outside, 0xff0000u);
         QCOMPARE(moment->appearances[2].inside, 0x0000ffu);
-        const auto byPiece = Drawn(project, {.colouring = SceneColouring::Piece}).scene();
-        QVERIFY(byPiece->appearances[1].outside != byPiece->appearances[2].outside);
+        const auto byFragment = Drawn(project, {.colouring = SceneColouring::Fragment}).scene();
+        QVERIFY(byFragment->appearances[1].outside != byFragment->appearances[2].outside);
     }
     void groundIsThatOfTheProject() {
         Project project = floatingBlock(2);

@@ -58,7 +58,7 @@ private slots:
     void kindsOfLayersAreEstimatedWithinAHalf_data() {
         QTest::addColumn<LayerParameters>("layer");
         QTest::newRow("density") << LayerParameters(UniformScatter{.count = {CountBy::Density, 300.0}});
-        QTest::newRow("size") << LayerParameters(UniformScatter{.count = {CountBy::PieceSize, 0.1}});
+        QTest::newRow("size") << LayerParameters(UniformScatter{.count = {CountBy::FragmentSize, 0.1}});
         QTest::newRow("blue noise") << LayerParameters(BlueNoise{.minimumDistance = 0.05});
         QTest::newRow("grid") << LayerParameters(JitteredGrid{.columns = 9, .rows = 7});
         QTest::newRow("grid of a size") << LayerParameters(
@@ -143,7 +143,7 @@ private slots:
     void settingsOfFragmentsCountFromLevelToLevel() {
         Asset asset = layered(2, 1);
         const PatternLayer layer{.id = 20, .parameters = UniformScatter{.count = 9'000'000}};
-        asset.leaves = {{"3.0", Level{.pattern = {{layer}}}}};
+        asset.fragmentLevels = {{"3.0", Level{.pattern = {{layer}}}}};
         QVERIFY(!sizeFault(estimateOf(asset)));
         QCOMPARE(bake(asset).error().code, ErrorCode::Limit);
     }

@@ -75,7 +75,7 @@ private slots:
             return bakeInputHash(asset);
         };
         QVERIFY(hashOf({CountBy::Density, 5.0}) != hashOf(5));
-        QVERIFY(hashOf({CountBy::Density, 5.0}) != hashOf({CountBy::PieceSize, 5.0}));
+        QVERIFY(hashOf({CountBy::Density, 5.0}) != hashOf({CountBy::FragmentSize, 5.0}));
     }
     void hashCoversTheDensityImage() {
         const auto hashOf = [](const GreyImage& image) {
@@ -128,12 +128,12 @@ private slots:
         row("limit", [](Asset& a) { a.shaping.smallPieces.limit = 0.02; });
         row("gap", [](Asset& a) { a.shaping.gap = 0.002; });
         row("no gap", [](Asset& a) { a.shaping.gap = 0.0; });
-        row("leaf", [](Asset& a) { a.leaves[0].fragment = "5.2"; });
-        row("leaf kept whole", [](Asset& a) { a.leaves[0].level.reset(); });
-        row("leaf broken", [](Asset& a) { a.leaves[1].level.emplace(); });
-        row("leaf's volume", [](Asset& a) { a.leaves[0].level->minimumVolume = 0.2; });
-        row("leaf's pattern", [](Asset& a) { a.leaves[0].level->pattern.layers[0].randomSeed = 9; });
-        row("one leaf less", [](Asset& a) { a.leaves.pop_back(); });
+        row("leaf", [](Asset& a) { a.fragmentLevels[0].fragment = "5.2"; });
+        row("leaf kept whole", [](Asset& a) { a.fragmentLevels[0].level.reset(); });
+        row("leaf broken", [](Asset& a) { a.fragmentLevels[1].level.emplace(); });
+        row("leaf's volume", [](Asset& a) { a.fragmentLevels[0].level->minimumVolume = 0.2; });
+        row("leaf's pattern", [](Asset& a) { a.fragmentLevels[0].level->pattern.layers[0].randomSeed = 9; });
+        row("one leaf less", [](Asset& a) { a.fragmentLevels.pop_back(); });
         row("merge into", [merge](Asset& a) { merge(a).into = "5.1"; });
         row("merged", [merge](Asset& a) { merge(a).merged = {"5.4"}; });
         row("one more merged", [merge](Asset& a) { merge(a).merged.push_back("5.4"); });
@@ -144,7 +144,7 @@ private slots:
         row("one edit less", [](Asset& a) { a.edits.pop_back(); });
         row("nothing is done", [](Asset& a) {
             a.shaping = {};
-            a.leaves.clear();
+            a.fragmentLevels.clear();
             a.edits.clear();
         });
     }
@@ -152,9 +152,10 @@ private slots:
         QFETCH(AssetChange, change);
         Asset asset = hashedBox();
         asset.shaping = {.smallPieces = {SmallPieceRule::Merge, PieceMeasure::Area, 0.01}, .gap = 0.001};
-        asset.leaves = {{"5.0", Level{.pattern = {{{.id = 40, .randomSeed = 3, .parameters = UniformScatter{3}}}},
-                                      .minimumVolume = 0.1}},
-                        {"5.1", {}}};
+        asset.fragmentLevels = {
+            {"5.0",
+             Level{.pattern = {{{.id = 40, .randomSeed = 3, .parameters = UniformScatter{3}}}}, .minimumVolume = 0.1}},
+            {"5.1", {}}};
         asset.edits = {FragmentMerge{"5.2", {"5.3"}}, FragmentSplit{"5.0", {{0.1, 0.2}, {1.0, 0.0}}}};
         const ContentHash before = bakeInputHash(asset);
         change(asset);

@@ -167,7 +167,7 @@ private slots:
             return Level{
                 .pattern = {{{.id = layer, .parameters = PlacedSeeds{{{0, {0.0, y - 0.1}}, {1, {0.0, y + 0.1}}}}}}}};
         };
-        asset.leaves = {{"5.0", halves(6, 0.4)}, {"5.1", halves(7, 0.7)}};
+        asset.fragmentLevels = {{"5.0", halves(6, 0.4)}, {"5.1", halves(7, 0.7)}};
         for (const double gap : {0.0, 0.02}) {
             asset.shaping.gap = gap;
             const Bake baked = *bake(asset);

@@ -59,7 +59,7 @@ private slots:
     void patternsOfFragmentsCanShareLayers() {
         Project project = smallProject();
         Asset& wall = project.assets[0];
-        wall.leaves = {{"3.0", wall.levels[0]}, {"3.1", wall.levels[0]}};
+        wall.fragmentLevels = {{"3.0", wall.levels[0]}, {"3.1", wall.levels[0]}};
         QCOMPARE(verifyProject(project).value_or("no fault"), std::string("no fault"));
         wall.levels.clear();
         QCOMPARE(verifyProject(project).value_or("no fault"), std::string("no fault"));
@@ -67,9 +67,9 @@ private slots:
 
     void endsOfRangesAreAccepted() {
         Project project = smallProject();
-        project.debris = {.lifetime = 1e-9, .fade = 0.0, .maxPieces = 1};
+        project.debris = {.lifetime = 1e-9, .fade = 0.0, .maxFragments = 1};
         for (const std::uint32_t pieces : {2u, 1000u}) {
-            project.assets[0].cutAtImpact = {.pieces = pieces, .falloffRadius = 1e-9};
+            project.assets[0].cutAtImpact = {.fragments = pieces, .falloffRadius = 1e-9};
             QCOMPARE(verifyProject(project).value_or("no fault"), std::string("no fault"));
         }
     }
@@ -89,7 +89,7 @@ private slots:
             layers.push_back(layers.front());
         });
         row("Layer 4 of asset 2 \"wall\" and Instance 4 \"left\" have the same id.", [](Project& p) {
-            p.assets[0].leaves = {{"3.0", p.assets[0].levels[0]}};
+            p.assets[0].fragmentLevels = {{"3.0", p.assets[0].levels[0]}};
             p.instances[0].id = 4;
         });
         row("Instance 5 \"left\" comes after the one with id 6; ids must ascend.",
@@ -151,10 +151,10 @@ private slots:
         });
         row("Asset 2 \"wall\": the number of fragments of the fracture at the impact is 1, but it must be from 2 to "
             "1000.",
-            [](Project& p) { p.assets[0].cutAtImpact = {.pieces = 1}; });
+            [](Project& p) { p.assets[0].cutAtImpact = {.fragments = 1}; });
         row("Asset 2 \"wall\": the number of fragments of the fracture at the impact is 1001, but it must be from 2 to "
             "1000.",
-            [](Project& p) { p.assets[0].cutAtImpact = {.pieces = 1001}; });
+            [](Project& p) { p.assets[0].cutAtImpact = {.fragments = 1001}; });
         row("Asset 2 \"wall\": the falloff radius of the fracture at the impact is 0, but it must be from 1e-09 to "
             "100000.",
             [](Project& p) { p.assets[0].cutAtImpact = {.falloffRadius = 0.0}; });
@@ -187,7 +187,7 @@ private slots:
         row("The debris: the fade is -1, but it must be from 0 to 1000000000.",
             [](Project& p) { p.debris.fade = -1.0; });
         row("The debris: the maximum number of fragments is 0, but it must be at least 1.",
-            [](Project& p) { p.debris.maxPieces = 0; });
+            [](Project& p) { p.debris.maxFragments = 0; });
         row("Saved throw 7 \"box\": the time is -1, but it must be from 0 to 100000.",
             [](Project& p) { p.shots[0].time = -1.0; });
         row("Saved throw 7 \"box\": the size in y is 0, but it must be from 0.001 to 1000.", [](Project& p) {

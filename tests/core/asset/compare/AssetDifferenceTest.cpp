@@ -78,7 +78,7 @@ private slots:
         QVERIFY(isReported([](Asset& a) { a.shaping.gap = 0.0; }, "gap"));
         QVERIFY(isReported([](Asset& a) { a.shaping.smallPieces.limit = 0.5; }, "small fragments"));
         QVERIFY(isReported([](Asset& a) { a.shaping.roughness.octaves = 1; }, "roughness"));
-        QVERIFY(isReported([](Asset& a) { a.leaves[0].fragment = "4.4"; }, "fragments with their own pattern"));
+        QVERIFY(isReported([](Asset& a) { a.fragmentLevels[0].fragment = "4.4"; }, "fragments with their own pattern"));
         QVERIFY(isReported([](Asset& a) { a.edits.pop_back(); }, "fragments merged or split"));
         QVERIFY(isReported([](Asset& a) { a.requirements.clear(); }, "strength requirements"));
         QVERIFY(isReported([](Asset& a) { a.levels[0].minimumVolume = 1.0; },
@@ -134,16 +134,17 @@ private slots:
             differenceOf(before, after, assetPairs(before, after)[0], {.threads = 2}).value();
         QVERIFY(!difference.isEmpty());
         QCOMPARE(difference.recipe, (std::vector<RecipeChange>{{"layer 53 (uniform), count", "6", "8"}}));
-        QCOMPARE(difference.pieces.count(PieceChange::Added), std::size_t{2});
-        QVERIFY(QString::fromStdString(sentenceOf(difference.pieces.sum())).startsWith("8 fragments, were 6: 2 added"));
+        QCOMPARE(difference.fragments.count(FragmentChange::Added), std::size_t{2});
+        QVERIFY(
+            QString::fromStdString(sentenceOf(difference.fragments.sum())).startsWith("8 fragments, were 6: 2 added"));
         QVERIFY(differenceOf(before, before, assetPairs(before, before)[0])->isEmpty());
     }
     void fragmentsOfANewOrRemovedAssetAreAddedOrGone() {
         const Project with = projectOf({called("wall", 3)}), without = projectOf({});
         const AssetDifference added = differenceOf(without, with, assetPairs(without, with)[0]).value();
-        QCOMPARE(added.pieces.count(PieceChange::Added), std::size_t{6});
+        QCOMPARE(added.fragments.count(FragmentChange::Added), std::size_t{6});
         QVERIFY(added.recipe.empty() && !added.isEmpty());
-        QCOMPARE(differenceOf(with, without, assetPairs(with, without)[0])->pieces.count(PieceChange::Gone),
+        QCOMPARE(differenceOf(with, without, assetPairs(with, without)[0])->fragments.count(FragmentChange::Gone),
                  std::size_t{6});
     }
     void bakeErrorsAndCancellationAreReturned() {
@@ -156,13 +157,13 @@ private slots:
         QVERIFY(differenceOf(before, before, assetPairs(before, before)[0], task).error().code == ErrorCode::Cancelled);
     }
     void sentenceDescribesOneFragment() {
-        PieceDifference piece{.path = "5.17", .shift = 0.0125, .volumeBefore = 0.25, .volumeAfter = 0.5};
+        FragmentDifference piece{.path = "5.17", .shift = 0.0125, .volumeBefore = 0.25, .volumeAfter = 0.5};
         QCOMPARE(sentenceOf(piece), std::string("5.17 moved by 12.5 mm, now 0.5 m³, was 0.25 m³"));
-        piece.change = PieceChange::Reshaped;
+        piece.change = FragmentChange::Reshaped;
         QCOMPARE(sentenceOf(piece), std::string("5.17 changed shape, now 0.5 m³, was 0.25 m³"));
-        piece.change = PieceChange::Gone;
+        piece.change = FragmentChange::Gone;
         QCOMPARE(sentenceOf(piece), std::string("5.17 removed, was 0.25 m³"));
-        piece.change = PieceChange::Added;
+        piece.change = FragmentChange::Added;
         QCOMPARE(sentenceOf(piece), std::string("5.17 added, 0.5 m³"));
         QCOMPARE(sentenceOf(LevelDifference{.before = 1, .after = 1, .unchanged = 1}),
                  std::string("1 fragment, unchanged"));

@@ -44,12 +44,12 @@ private slots:
         Asset after = quarters();
         seedsOf(after).push_back({4, {0.5, 0.5}});
         const BakeDifference difference = between(quarters(), after);
-        QCOMPARE(difference.pieces.size(), std::size_t{5});
-        QCOMPARE(difference.pieces[0].path, FragmentPath("5.4"));
-        QVERIFY(difference.pieces[0].change == PieceChange::Added && difference.pieces[0].before == kNone);
-        QCOMPARE(difference.pieces[0].after, 4u);
-        QCOMPARE(difference.pieces[0].volumeAfter, 0.0625);  // a diamond of 1/8 m^2, half a metre deep
-        QCOMPARE(difference.count(PieceChange::Moved), std::size_t{4});
+        QCOMPARE(difference.fragments.size(), std::size_t{5});
+        QCOMPARE(difference.fragments[0].path, FragmentPath("5.4"));
+        QVERIFY(difference.fragments[0].change == FragmentChange::Added && difference.fragments[0].before == kNone);
+        QCOMPARE(difference.fragments[0].after, 4u);
+        QCOMPARE(difference.fragments[0].volumeAfter, 0.0625);  // a diamond of 1/8 m^2, half a metre deep
+        QCOMPARE(difference.count(FragmentChange::Moved), std::size_t{4});
         QCOMPARE(difference.levels.size(), std::size_t{1});
         QCOMPARE(difference.levels[0].before, std::size_t{4});
         QCOMPARE(difference.levels[0].after, std::size_t{5});
@@ -58,9 +58,9 @@ private slots:
         Asset after = quarters();
         seedsOf(after).erase(seedsOf(after).begin() + 1);
         const BakeDifference difference = between(quarters(), after);
-        QVERIFY(difference.pieces[0].change == PieceChange::Gone && difference.pieces[0].after == kNone);
-        QCOMPARE(difference.pieces[0].path, FragmentPath("5.1"));
-        QCOMPARE(difference.pieces[0].volumeBefore, 0.125);
+        QVERIFY(difference.fragments[0].change == FragmentChange::Gone && difference.fragments[0].after == kNone);
+        QCOMPARE(difference.fragments[0].path, FragmentPath("5.1"));
+        QCOMPARE(difference.fragments[0].volumeBefore, 0.125);
     }
     void shiftIsMeasured() {
         Asset after = quarters();
@@ -68,19 +68,19 @@ private slots:
         QVERIFY(between(quarters(), after).isEmpty());  // the cells are what they were
         for (PlacedSeeds::Seed& seed : seedsOf(after)) seed.position.x += 0.1;
         const BakeDifference difference = between(quarters(), after);  // cut at x = 0.6
-        QCOMPARE(difference.pieces.size(), std::size_t{4});
-        for (const PieceDifference& piece : difference.pieces) {
-            QVERIFY(piece.change == PieceChange::Moved);
-            QVERIFY(std::abs(piece.shift - 0.05) < 1e-12);
+        QCOMPARE(difference.fragments.size(), std::size_t{4});
+        for (const FragmentDifference& fragment : difference.fragments) {
+            QVERIFY(fragment.change == FragmentChange::Moved);
+            QVERIFY(std::abs(fragment.shift - 0.05) < 1e-12);
         }
     }
     void fragmentInPlaceCanBeReshaped() {
         Asset after = quarters();
         after.prism.depth = 1.0;
         const BakeDifference difference = between(quarters(), after);
-        QCOMPARE(difference.count(PieceChange::Reshaped), std::size_t{4});
-        QCOMPARE(difference.pieces[0].shift, 0.0);
-        QCOMPARE(difference.pieces[0].volumeAfter, 2.0 * difference.pieces[0].volumeBefore);
+        QCOMPARE(difference.count(FragmentChange::Reshaped), std::size_t{4});
+        QCOMPARE(difference.fragments[0].shift, 0.0);
+        QCOMPARE(difference.fragments[0].volumeAfter, 2.0 * difference.fragments[0].volumeBefore);
     }
     void levelsAreCountedSeparately() {
         Asset after = ringAsset();
@@ -88,13 +88,13 @@ private slots:
         const BakeDifference difference = between(ringAsset(), after);
         QCOMPARE(difference.levels.size(), std::size_t{2});
         QCOMPARE(difference.levels[0].unchanged, difference.levels[0].before);
-        QCOMPARE(difference.levels[1].changed[static_cast<int>(PieceChange::Gone)], difference.levels[1].before);
+        QCOMPARE(difference.levels[1].changed[static_cast<int>(FragmentChange::Gone)], difference.levels[1].before);
         QVERIFY(difference.levels[1].before > 0 && difference.levels[1].after == 0);
     }
     void emptyBakesAreEqual() {
         const Bake whole = *bake(quarters());
-        QCOMPARE(differenceOf({}, whole).count(PieceChange::Added), std::size_t{4});
-        QCOMPARE(differenceOf(whole, {}).count(PieceChange::Gone), std::size_t{4});
+        QCOMPARE(differenceOf({}, whole).count(FragmentChange::Added), std::size_t{4});
+        QCOMPARE(differenceOf(whole, {}).count(FragmentChange::Gone), std::size_t{4});
         QVERIFY(differenceOf({}, {}).isEmpty());
     }
     void differenceIsSymmetric() {
@@ -105,16 +105,16 @@ private slots:
             after.pattern.layers[0].parameters = UniformScatter{static_cast<std::uint32_t>(2 + random.below(30))};
             after.pattern.layers[0].overrides = {{.index = 0, .position = {random.unit(), random.unit()}}};
             const BakeDifference there = between(before, after), back = between(after, before);
-            const auto isMirrored = [&](PieceChange one, PieceChange other) {
+            const auto isMirrored = [&](FragmentChange one, FragmentChange other) {
                 return there.count(one) == back.count(other);
             };
-            QVERIFY2(isMirrored(PieceChange::Gone, PieceChange::Added) &&
-                         isMirrored(PieceChange::Moved, PieceChange::Moved) &&
-                         isMirrored(PieceChange::Reshaped, PieceChange::Reshaped),
+            QVERIFY2(isMirrored(FragmentChange::Gone, FragmentChange::Added) &&
+                         isMirrored(FragmentChange::Moved, FragmentChange::Moved) &&
+                         isMirrored(FragmentChange::Reshaped, FragmentChange::Reshaped),
                      qPrintable(QString("random seed %1").arg(randomSeed)));
             std::set<FragmentPath> named;
-            for (const PieceDifference& piece : there.pieces) named.insert(piece.path);
-            QCOMPARE(named.size(), there.pieces.size());
+            for (const FragmentDifference& fragment : there.fragments) named.insert(fragment.path);
+            QCOMPARE(named.size(), there.fragments.size());
             QCOMPARE(there.sum().unchanged, back.sum().unchanged);
         }
     }

@@ -21,7 +21,8 @@ namespace {
 /// Halves of a box, the left one cut again across: its cut ends on the first.
 Asset halvesAndQuarters(double amplitude) {
     Asset asset = boxAsset(3, 5, PlacedSeeds{{{0, {0.25, 0.5}}, {1, {0.75, 0.5}}}});
-    asset.leaves = {{"5.0", Level{{{{.id = 8, .parameters = PlacedSeeds{{{0, {0.0, -0.3}}, {1, {0.0, 0.1}}}}}}}, 0.0}}};
+    asset.fragmentLevels = {
+        {"5.0", Level{{{{.id = 8, .parameters = PlacedSeeds{{{0, {0.0, -0.3}}, {1, {0.0, 0.1}}}}}}}, 0.0}}};
     asset.shaping.roughness = {.amplitude = amplitude, .frequency = 8.0, .octaves = 2, .randomSeed = 5};
     return asset;
 }
@@ -34,7 +35,7 @@ Asset randomLevels(std::uint64_t seed) {
     asset.pattern.layers[0].randomSeed = seed;
     asset.levels = {scatteredLevel(91, 2 + static_cast<std::uint32_t>(random.below(6)), random.between(0.0, 0.02)),
                     scatteredLevel(92, 3, random.between(0.0, 0.01))};
-    if (seed % 5 == 0) asset.leaves = {{"90.0", {}}, {"90.1", scatteredLevel(93, 12)}};
+    if (seed % 5 == 0) asset.fragmentLevels = {{"90.0", {}}, {"90.1", scatteredLevel(93, 12)}};
     if (seed % 7 == 0) asset.edits = {FragmentMerge{"90.0", {"90.1"}}, FragmentMerge{"90.2/91.0", {"90.2/91.1"}}};
     asset.shaping.roughness = {.amplitude = random.between(0.001, 0.3),
                                .frequency = random.between(1.0, 60.0),
@@ -122,7 +123,7 @@ private slots:
         const Bake baked = *bake(asset);
         QVERIFY(isAmong(nearTheCut(drawnOutlines(baked, asset)[1]), {0.5, 0.4}));
         Asset halves = asset;
-        halves.leaves.clear();
+        halves.fragmentLevels.clear();
         QVERIFY(!isAmong(nearTheCut(drawnOutlines(*bake(halves), halves)[1]), {0.5, 0.4}));
     }
     void roughnessDoesNotChangeHullsIdsAndMasses() {

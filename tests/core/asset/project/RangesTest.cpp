@@ -41,7 +41,7 @@ private slots:
         QCOMPARE(defaultOf(ProjectNumber::RoughnessFrequency), asset.shaping.roughness.frequency);
         QCOMPARE(defaultOf(ProjectNumber::RoughnessOctaves), static_cast<double>(asset.shaping.roughness.octaves));
         QCOMPARE(defaultOf(ProjectNumber::MinimumVolume), Level().minimumVolume);
-        QCOMPARE(defaultOf(ProjectNumber::ImpactPieces), static_cast<double>(CutAtImpact().pieces));
+        QCOMPARE(defaultOf(ProjectNumber::ImpactFragments), static_cast<double>(CutAtImpact().fragments));
         QCOMPARE(defaultOf(ProjectNumber::ImpactFalloffRadius), CutAtImpact().falloffRadius);
         QCOMPARE(defaultOf(ProjectNumber::DropHeight), DropRequirement().height);
         QCOMPARE(defaultOf(ProjectNumber::HitSpeed), HitRequirement().speed);

@@ -100,7 +100,7 @@ private slots:
     }
     void editsOfDeeperLevelsUseThePrismsFrame() {
         Asset asset = columns();
-        asset.leaves = {
+        asset.fragmentLevels = {
             {"5.1", Level{{{{.id = 8, .parameters = PlacedSeeds{{{0, {0.0, -0.25}}, {1, {0.0, 0.25}}}}}}}, 0.0}}};
         asset.edits = {FragmentSplit{"5.1/8.1", {{0.375, 0.0}, {0.0, 1.0}}}};
         const Bake split = *bake(asset);
@@ -121,7 +121,7 @@ private slots:
     void fragmentCanOverrideItsLevel() {
         Asset asset = columns();
         asset.levels = {scatteredLevel(6, 4)};
-        asset.leaves = {{"5.1", {}}, {"5.2", scatteredLevel(7, 6)}, {"5.9", {}}};
+        asset.fragmentLevels = {{"5.1", {}}, {"5.2", scatteredLevel(7, 6)}, {"5.9", {}}};
         const Bake leaves = *bake(asset);
         QCOMPARE(leaves.fragment(0).childCount, 4u);
         QCOMPARE(leaves.fragment(1).childCount, 0u);
@@ -134,7 +134,7 @@ private slots:
         Asset asset = columns();
         FragmentPath path = "5.0";
         for (Id layer = 10; layer < 20; ++layer) {
-            asset.leaves.push_back({path, scatteredLevel(layer, 3, 0.002)});
+            asset.fragmentLevels.push_back({path, scatteredLevel(layer, 3, 0.002)});
             path += "/" + std::to_string(layer) + ".0";
         }
         const Bake deep = *bake(asset);
@@ -147,10 +147,10 @@ private slots:
     void overridingOneFragmentKeepsAllOthers() {
         Asset asset = columns();
         asset.levels = {scatteredLevel(6, 5), scatteredLevel(8, 3)};
-        asset.leaves = {{"5.2/6.1", scatteredLevel(7, 4)}};
+        asset.fragmentLevels = {{"5.2/6.1", scatteredLevel(7, 4)}};
         asset.shaping.gap = 0.004;
         const auto before = hashesOf(*bake(asset));
-        asset.leaves[0].level = scatteredLevel(7, 9);
+        asset.fragmentLevels[0].level = scatteredLevel(7, 9);
         const auto after = hashesOf(*bake(asset));
         std::size_t same = 0, gone = 0;
         for (const auto& [id, hash] : before) {
@@ -166,11 +166,11 @@ private slots:
     }
     void variantsDropEditsByHand() {
         Asset asset = columns();
-        asset.leaves = {{"5.1", {}}};
+        asset.fragmentLevels = {{"5.1", {}}};
         asset.edits = {FragmentMerge{"5.0", {"5.1"}}};
         asset.shaping.gap = 0.01;
         const Asset variant = variantOf(asset, 3);
-        QVERIFY(variant.leaves.empty() && variant.edits.empty());
+        QVERIFY(variant.fragmentLevels.empty() && variant.edits.empty());
         QCOMPARE(variant.shaping.gap, 0.01);
     }
     void pathsAreParsed() {
@@ -210,7 +210,7 @@ private slots:
             asset.shaping.smallPieces = {static_cast<SmallPieceRule>(random.below(3)),
                                          static_cast<PieceMeasure>(random.below(4)), random.between(0.001, 0.3)};
             if (seed % 2 == 0) asset.shaping.gap = random.between(0.001, 0.05);
-            if (seed % 5 == 0) asset.leaves = {{"90.1", scatteredLevel(92, 4)}, {"90.3", {}}};
+            if (seed % 5 == 0) asset.fragmentLevels = {{"90.1", scatteredLevel(92, 4)}, {"90.3", {}}};
             if (seed % 3 == 0) {
                 asset.edits = {FragmentSplit{"90.2", {{0.0, 0.0}, {1.0, 0.5}}}, FragmentMerge{"90.0", {"90.1", "90.4"}},
                                FragmentMerge{"90.5/91.0", {"90.5/91.1"}}};

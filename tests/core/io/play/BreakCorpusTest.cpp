@@ -50,7 +50,7 @@ void addStep(const Session& session, std::optional<double>& initial, BreakOutcom
         outcome.fastest = std::max(outcome.fastest, glm::length(session.world().state(body.body).velocity));
     }
     if (!session.events().breaks.empty()) {
-        outcome.fragments += session.events().breaks[0].pieces;
+        outcome.fragments += session.events().breaks[0].fragmentCount;
         outcome.momentum = -session.world().momenta().linear.z;
         initial = mechanicalEnergy(session.world());
     }

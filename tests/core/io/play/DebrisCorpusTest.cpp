@@ -19,7 +19,7 @@ nlohmann::json bodiesOf(const Session& session) {
     nlohmann::json bodies{{"whole", nlohmann::json::array()}, {"fragments", nlohmann::json::object()}};
     for (const PlayBody& body : session.bodies()) {
         const std::string& name = session.origins()[body.origin].name;
-        if (body.role == PlayRole::Piece) bodies["fragments"][name] = bodies["fragments"].value(name, 0) + 1;
+        if (body.role == PlayRole::Debris) bodies["fragments"][name] = bodies["fragments"].value(name, 0) + 1;
         if (body.role == PlayRole::Instance || body.role == PlayRole::Projectile) bodies["whole"].push_back(name);
     }
     return bodies;

@@ -424,7 +424,7 @@ private slots:
         const Result<Project> project = readProjectText(version3Json().dump());
         QVERIFY2(project, project ? "" : project.error().message.c_str());
         for (const Asset& asset : project->assets) {
-            QVERIFY(asset.shaping == Shaping{} && asset.leaves.empty() && asset.edits.empty());
+            QVERIFY(asset.shaping == Shaping{} && asset.fragmentLevels.empty() && asset.edits.empty());
             QCOMPARE(asset.insideMaterial, Id{0});
         }
     }

@@ -7,7 +7,7 @@
 namespace rubble::test {
 namespace {
 
-/// A floating block in five pieces, at which a box of 5 kg is thrown.
+/// A floating block in five fragments, at which a box of 5 kg is thrown.
 Project stage(double speed = 40.0) {
     Project project = floatingBlock();
     addShot(project, "box", 0.0, throwAtBlock(5.0, speed));
@@ -40,12 +40,12 @@ private slots:
         const std::vector<SheetEntry> entries = entriesOf(orderOf(stage(), 4, false));
         for (const SheetEntry& entry : entries) {
             QVERIFY(!entry.fault && entry.bake && !entry.session);
-            QCOMPARE(entry.figures.pieces, entry.bake->fragmentCount());
+            QCOMPARE(entry.figures.fragments, entry.bake->fragmentCount());
             double smallest = 1e9;
             for (std::uint32_t k = 0; k < entry.bake->fragmentCount(); ++k) {
                 smallest = std::min(smallest, entry.bake->fragment(k).solid.volume());
             }
-            QCOMPARE(entry.figures.smallestPiece, smallest);
+            QCOMPARE(entry.figures.smallestFragment, smallest);
             QVERIFY(entry.figures.aspect >= 1.0 && !entry.figures.breakImpact && !entry.figures.debrisHeight);
         }
         QVERIFY(entries[1].figures != entries[2].figures);
@@ -91,18 +91,18 @@ private slots:
         QVERIFY(entries[1].fault && !entries[1].bake && !entries[1].session);
         QVERIFY(QString::fromStdString(*entries[1].fault).contains("depth"));
         QVERIFY(!entries[0].fault && !entries[2].fault);
-        QCOMPARE(sortedBy(SheetMeasure::Pieces, entries).back(), 1u);
+        QCOMPARE(sortedBy(SheetMeasure::Fragments, entries).back(), 1u);
     }
     void sortPutsMissingValuesLast() {
         std::vector<SheetEntry> entries(4);
         const double volumes[] = {0.3, 0.1, 0.2, 0.1};
         for (std::uint32_t k = 0; k < 4; ++k) {
             entries[k].number = k;
-            entries[k].figures = {.pieces = 9 - k, .smallestPiece = volumes[k]};
+            entries[k].figures = {.fragments = 9 - k, .smallestFragment = volumes[k]};
         }
         entries[2].figures.breakImpact = 120.0;
-        QCOMPARE(sortedBy(SheetMeasure::SmallestPiece, entries), (std::vector<std::uint32_t>{1, 3, 2, 0}));
-        QCOMPARE(sortedBy(SheetMeasure::Pieces, entries), (std::vector<std::uint32_t>{3, 2, 1, 0}));
+        QCOMPARE(sortedBy(SheetMeasure::SmallestFragment, entries), (std::vector<std::uint32_t>{1, 3, 2, 0}));
+        QCOMPARE(sortedBy(SheetMeasure::Fragments, entries), (std::vector<std::uint32_t>{3, 2, 1, 0}));
         QCOMPARE(sortedBy(SheetMeasure::BreakImpact, entries), (std::vector<std::uint32_t>{2, 0, 1, 3}));
         QCOMPARE(sortedBy(SheetMeasure::Number, entries), (std::vector<std::uint32_t>{0, 1, 2, 3}));
     }

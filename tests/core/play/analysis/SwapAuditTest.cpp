@@ -25,11 +25,11 @@ std::vector<SwapAudit> auditsOf(const Project& project) {
 
 void tell(const SwapAudit& audit) {
     qInfo(
-        "%u pieces, %d contacts, overlap %.2g mm; resting %.3g mm/s (%s), %.2g J; lying %.3g mm/s (%s); drift %.1e "
+        "%u fragments, %d contacts, overlap %.2g mm; resting %.3g mm/s (%s), %.2g J; lying %.3g mm/s (%s); drift %.1e "
         "%.1e "
         "%.1e, energy %.1e",
-        audit.pieces, audit.contacts, 1e3 * audit.deepestOverlap, 1e3 * audit.resting.speed,
-        audit.resting.piece.c_str(), audit.restingEnergy, 1e3 * audit.lying.speed, audit.lying.piece.c_str(),
+        audit.fragments, audit.contacts, 1e3 * audit.deepestOverlap, 1e3 * audit.resting.speed,
+        audit.resting.fragment.c_str(), audit.restingEnergy, 1e3 * audit.lying.speed, audit.lying.fragment.c_str(),
         audit.massDrift, audit.momentumDrift, audit.angularDrift, audit.energyGain);
 }
 
@@ -122,7 +122,7 @@ private slots:
         Project project = test::floatingBlock();
         project.assets[0].pattern = test::patternOf(project, {PlacedSeeds{{{0, {-0.3, 0.0}}, {1, {0.3, 0.0}}}}});
         const SwapAudit audit = auditsOf(project)[0];
-        QCOMPARE(audit.pieces, 2u);
+        QCOMPARE(audit.fragments, 2u);
         QCOMPARE(audit.contacts, 1);
         QCOMPARE(audit.contactPoints, 4);
     }
@@ -131,8 +131,8 @@ private slots:
         project.assets[0].levels = {{test::patternOf(project, {UniformScatter{.count = 4}}), 0.0}};
         const SwapAudit audit = auditsOf(project)[0];
         const std::shared_ptr<const PlayScene> scene = test::playSceneOf(project);
-        QVERIFY(scene->assets.begin()->second->pieces.size() > 3 + 3 * 2);
-        QCOMPARE(std::size_t{audit.pieces}, scene->assets.begin()->second->pieces.size());
+        QVERIFY(scene->assets.begin()->second->fragments.size() > 3 + 3 * 2);
+        QCOMPARE(std::size_t{audit.fragments}, scene->assets.begin()->second->fragments.size());
         const int contacts = audit.contacts;
         project.assets[0].levels.clear();
         QCOMPARE(contacts, auditsOf(project)[0].contacts);  // of the whole's swap alone
@@ -141,7 +141,7 @@ private slots:
     void overlappingPiecesAreReported() {
         const Project project = twoPieces();
         PlayAsset damaged = *test::playSceneOf(project)->assets.begin()->second;
-        damaged.pieces[0].offset.x += 0.01;
+        damaged.fragments[0].offset.x += 0.01;
         const Result<SwapAudit> audit = swapAudit(project, std::make_shared<const PlayAsset>(std::move(damaged)));
         QVERIFY(audit.hasValue());
         const std::string faults = joined(*audit);
@@ -159,7 +159,8 @@ private slots:
     void fastestPieceIsNamed() {
         const Project project = twoPieces();
         PlayAsset damaged = *test::playSceneOf(project)->assets.begin()->second;
-        damaged.pieces[0].shape = *makeShape(std::vector{test::boxOf({0.62, 1.0, 0.5})}, damaged.pieces[0].shape->mass);
+        damaged.fragments[0].shape =
+            *makeShape(std::vector{test::boxOf({0.62, 1.0, 0.5})}, damaged.fragments[0].shape->mass);
         for (PlayContact& pair : damaged.fractures[0].neighbours) pair.manifolds.clear();
         const std::uint32_t wider = 0, lighter = 1;
         damaged.diagnostics = {simplified(wider)};
@@ -167,14 +168,14 @@ private slots:
         QVERIFY(audit.hasValue());
         tell(*audit);
         const std::string faults = joined(*audit);
-        QCOMPARE(audit->resting.piece, damaged.bake->fragmentId(lighter));
+        QCOMPARE(audit->resting.fragment, damaged.bake->fragmentId(lighter));
         const Diagnostic pushed = found(*audit, DiagnosticCode::PushedPiece);
         QCOMPARE(pushed.place.fragment, lighter);
         QCOMPARE(pushed.place.path, damaged.bake->fragmentPath(lighter));
         QCOMPARE(pushed.value, audit->resting.speed);
         QVERIFY(audit->resting.speed > 1e-3 && audit->restingEnergy > 1e-6);
         QVERIFY2(faults.find("collision shapes may push it: move their seeds") != std::string::npos, faults.c_str());
-        QVERIFY(!audit->lying.piece.empty());
+        QVERIFY(!audit->lying.fragment.empty());
         QVERIFY2(faults.find("In flight the break adds to the kinetic energy by ") != std::string::npos,
                  faults.c_str());
         // The advice is about the lighter one if its own shape is simplified.
@@ -192,7 +193,7 @@ private slots:
     void faultsSayWhatToChange() {
         const Project project = test::floatingBlock(6);
         PlayAsset damaged = *test::playSceneOf(project)->assets.begin()->second;
-        damaged.pieces[0].shape = damaged.whole.shape;
+        damaged.fragments[0].shape = damaged.whole.shape;
         damaged.diagnostics = {simplified(0)};
         const Result<SwapAudit> audit = swapAudit(project, std::make_shared<const PlayAsset>(std::move(damaged)));
         QVERIFY(audit.hasValue() && !audit->isClean());

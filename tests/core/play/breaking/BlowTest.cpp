@@ -14,8 +14,8 @@ constexpr double kBlowImpulse = 50.0;  // N·s
 const Hammer kBlow{.at = {0.0, 5.0, 0.025}, .impulse = {0.0, 0.0, -kBlowImpulse}};
 
 /// A fixed pane of 1 x 1 m and 60 kg in the air, which 1 N·s breaks.
-Project pane(std::uint32_t pieces) {
-    Project project = test::floatingBlock(pieces);
+Project pane(std::uint32_t fragments) {
+    Project project = test::floatingBlock(fragments);
     project.assets[0].prism.depth = 0.05;
     project.materials[0].density = 1200.0;
     project.assets[0].threshold = 1.0;
@@ -23,9 +23,9 @@ Project pane(std::uint32_t pieces) {
     return project;
 }
 
-Project cutPane(std::uint32_t pieces, double falloffRadius) {
+Project cutPane(std::uint32_t fragments, double falloffRadius) {
     Project project = pane(20);
-    project.assets[0].cutAtImpact = CutAtImpact{.pieces = pieces, .falloffRadius = falloffRadius};
+    project.assets[0].cutAtImpact = CutAtImpact{.fragments = fragments, .falloffRadius = falloffRadius};
     return project;
 }
 
@@ -91,12 +91,12 @@ private slots:
     /// One splinter had all of it, at 2,751 m/s.
     void blowIsSpread_data() {
         QTest::addColumn<Project>("project");
-        for (const std::uint32_t pieces : {30u, 100u, 1000u}) {
-            QTest::addRow("cut into %u", pieces) << cutPane(pieces, 0.2);
-            QTest::addRow("cut into %u within 2 cm", pieces) << cutPane(pieces, 0.02);
+        for (const std::uint32_t fragments : {30u, 100u, 1000u}) {
+            QTest::addRow("cut into %u", fragments) << cutPane(fragments, 0.2);
+            QTest::addRow("cut into %u within 2 cm", fragments) << cutPane(fragments, 0.02);
         }
-        for (const std::uint32_t pieces : {2u, 20u, 200u, 1000u}) {
-            QTest::addRow("%u of a pattern", pieces) << pane(pieces);
+        for (const std::uint32_t fragments : {2u, 20u, 200u, 1000u}) {
+            QTest::addRow("%u of a pattern", fragments) << pane(fragments);
         }
     }
     void blowIsSpread() {

@@ -52,7 +52,7 @@ Project randomBreakable(Random& random, int round) {
     if (round % 5 == 0) asset.shaping.gap = 0.004 * size;
     if (round % 7 == 0) asset.levels = {{.pattern = test::patternOf(project, {UniformScatter{.count = 4}})}};
     if (round % 3 == 0) {
-        asset.cutAtImpact = CutAtImpact{.pieces = 2 + static_cast<std::uint32_t>(random.below(80)),
+        asset.cutAtImpact = CutAtImpact{.fragments = 2 + static_cast<std::uint32_t>(random.below(80)),
                                         .falloffRadius = size * magnitudeIn(random, 0.02, 1.0)};
     }
     asset.threshold = 1e-9;  // everything breaks it

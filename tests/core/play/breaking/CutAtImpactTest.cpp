@@ -8,9 +8,9 @@ using namespace rubble;
 
 namespace {
 
-Project cutWhereHit(std::uint32_t pieces = 40) {
+Project cutWhereHit(std::uint32_t fragments = 40) {
     Project project = test::floatingBlock();
-    project.assets[0].cutAtImpact = CutAtImpact{.pieces = pieces, .falloffRadius = 0.15};
+    project.assets[0].cutAtImpact = CutAtImpact{.fragments = fragments, .falloffRadius = 0.15};
     return project;
 }
 
@@ -19,7 +19,7 @@ Project cutWhereHit(std::uint32_t pieces = 40) {
 class CutAtImpactTest : public QObject {
     Q_OBJECT
 private slots:
-    void piecesAreSmallerAtTheImpact() {
+    void fragmentsAreSmallerAtTheImpact() {
         const Asset asset = cutWhereHit().assets[0];
         Random random(3);
         for (int round = 0; round < 50; ++round) {
@@ -42,11 +42,11 @@ private slots:
             QVERIFY2(near / nearCount < 0.4 * far / farCount, QByteArray::number(round));
         }
     }
-    /// What was done by hand to pieces of the pattern means others here, though the names may be the same.
+    /// What was done by hand to fragments of the pattern means others here, though the names may be the same.
     void editsOfThePatternAreIgnored() {
         Asset asset = cutWhereHit(12).assets[0];
         const auto plain = cutAtImpact(asset, {0.1, 0.1}, 5);
-        asset.leaves = {{.fragment = "2.0", .level = Level{.pattern = asset.pattern}}};
+        asset.fragmentLevels = {{.fragment = "2.0", .level = Level{.pattern = asset.pattern}}};
         asset.edits = {FragmentMerge{.into = "2.0", .merged = {"2.1", "2.2", "2.3", "2.4", "2.5"}}};
         const auto cut = cutAtImpact(asset, {0.1, 0.1}, 5);
         QVERIFY(cut.hasValue());
@@ -63,7 +63,7 @@ private slots:
     /// Needles of 0.1 mm all touched each other, and took the simulation half a second a step.
     void seedsAtTheImpactKeepADistance_data() {
         QTest::addColumn<double>("depth");
-        QTest::addColumn<std::uint32_t>("pieces");
+        QTest::addColumn<std::uint32_t>("fragments");
         QTest::addColumn<double>("distance");
         QTest::newRow("a twentieth of the depth") << 0.1 << 1000u << 0.005;
         QTest::newRow("2 mm") << 0.005 << 1000u << 0.002;
@@ -71,9 +71,9 @@ private slots:
     }
     void seedsAtTheImpactKeepADistance() {
         QFETCH(double, depth);
-        QFETCH(std::uint32_t, pieces);
+        QFETCH(std::uint32_t, fragments);
         QFETCH(double, distance);
-        Asset asset = cutWhereHit(pieces).assets[0];
+        Asset asset = cutWhereHit(fragments).assets[0];
         asset.prism.depth = depth;
         for (const double falloffRadius : {1e-9, 0.02, 100.0}) {
             asset.cutAtImpact->falloffRadius = falloffRadius;
@@ -84,7 +84,7 @@ private slots:
             for (std::size_t k = 0; k < seeds.ids.size(); ++k) {
                 if (seeds.ids[k].layer == 1) near.push_back(seeds.positions[k]);
             }
-            if (falloffRadius < 1.0) QCOMPARE(near.size(), std::size_t{pieces / 2});
+            if (falloffRadius < 1.0) QCOMPARE(near.size(), std::size_t{fragments / 2});
             for (std::size_t k = 0; k < near.size(); ++k) {
                 for (std::size_t other = 0; other < k; ++other) {
                     QVERIFY(glm::distance(near[k], near[other]) >= distance);
@@ -121,7 +121,7 @@ private slots:
         test::addInput(session, ShotInput{"box", thrown});
         const std::vector<PlayBreak> broken = test::breaksWithin(session, 30);
         QCOMPARE(broken.size(), 1u);
-        QCOMPARE(broken[0].pieces, 40u);
+        QCOMPARE(broken[0].fragmentCount, 40u);
         QVERIFY(glm::distance(Vec2(broken[0].point), Vec2(0.3, 5.3)) < 0.02);
     }
     void twoBodiesOfAnAssetAreCutDifferently() {
@@ -135,7 +135,8 @@ private slots:
         const auto volumeOf = [&](std::uint32_t number) {
             return session.world().shape(session.body(number)->body).mass.volume;
         };
-        QVERIFY(volumeOf(session.events().breaks[0].firstPiece) != volumeOf(session.events().breaks[1].firstPiece));
+        QVERIFY(volumeOf(session.events().breaks[0].firstFragment) !=
+                volumeOf(session.events().breaks[1].firstFragment));
     }
 };
 

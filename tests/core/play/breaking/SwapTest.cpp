@@ -45,7 +45,7 @@ const std::string kChaoticShot = "block under the roof";
 /// What a shot breaks within a second.
 struct Broken {
     std::set<std::string> first;     // within a step of the coarsest rate
-    std::set<std::string> decisive;  // by at least twice its threshold, while pieces are still in the air
+    std::set<std::string> decisive;  // by at least twice its threshold, while fragments are still in the air
     std::set<std::string> all;
 };
 
@@ -78,7 +78,7 @@ private slots:
                 Session session = atRest(project, asset, true);
                 const double speed = speedAfterSwap(session);
                 qInfo("%s: %.3g mm/s", asset.name.c_str(), 1e3 * speed);
-                QVERIFY(test::countOf(session, PlayRole::Piece) > 1);
+                QVERIFY(test::countOf(session, PlayRole::Debris) > 1);
                 QVERIFY(speed < 1e-3);
                 QVERIFY(session.world().momenta().kinetic < 1e-6);
             }
@@ -106,7 +106,7 @@ private slots:
             }
         }
     }
-    /// Why that shot is left out above. The heavy block drives the pieces of the four blocks that it hits across the
+    /// Why that shot is left out above. The heavy block drives the fragments of the four blocks that it hits across the
     /// house. These hit the far wall 0.4 s later with 1.0 to 1.7 times the thresholds of its blocks: whether one breaks
     /// depends on how a piece tumbles and which of its corners comes first. A real wall would be no different: with the
     /// same steps, a millimetre more to one side changes what breaks, but not what the block itself breaks. Beside the
@@ -157,7 +157,7 @@ private slots:
     void memoryStaysBoundedOverTenMinutes() {
         constexpr int kSeconds = 600;
         Project project = test::house();
-        project.debris = {.lifetime = 20.0, .maxPieces = 300};
+        project.debris = {.lifetime = 20.0, .maxFragments = 300};
         Session session = test::sessionOf(project);
         Random random(5);
         for (int second = 0; second < kSeconds; ++second) {
@@ -169,7 +169,7 @@ private slots:
                                                   .speed = 25.0}});
             for (int step = 0; step < 60; ++step) session.step();
             QVERIFY(std::isfinite(session.world().momenta().kinetic));
-            QVERIFY(test::countOf(session, PlayRole::Piece) <= 300);
+            QVERIFY(test::countOf(session, PlayRole::Debris) <= 300);
             QVERIFY(session.bodies().size() <= 1 + 77 + 300 + static_cast<std::size_t>(second + 1));  // boxes stay
         }
         QVERIFY(test::countOf(session, PlayRole::Instance) < 77);

@@ -20,9 +20,9 @@ private slots:
     void everyFragmentHasAShapeWithItsMass() {
         const auto scene = test::playSceneOf(test::floatingBlock(9));
         const PlayAsset& asset = *scene->assets.begin()->second;
-        QCOMPARE(asset.pieces.size(), 9u);
+        QCOMPARE(asset.fragments.size(), 9u);
         double volume = 0.0;
-        for (const PlayPiece& piece : asset.pieces) {
+        for (const PlaySolid& piece : asset.fragments) {
             volume += piece.shape->mass.volume;
             const double fraction = piece.shape->mass.volume / 0.5;
             QVERIFY(std::abs(piece.thresholdScale - std::pow(fraction, 2.0 / 3.0)) < 1e-12);
@@ -79,8 +79,8 @@ private slots:
         const auto thresholds = [&] {
             const auto scene = test::playSceneOf(project);
             const PlayAsset& ready = test::onlyAsset(*scene);
-            return std::array{thresholdOf(ready.whole, 80.0), thresholdOf(ready.pieces[0], 80.0),
-                              thresholdOf(ready.pieces[1], 80.0)};
+            return std::array{thresholdOf(ready.whole, 80.0), thresholdOf(ready.fragments[0], 80.0),
+                              thresholdOf(ready.fragments[1], 80.0)};
         };
         const double byVolume = 80.0 * thresholdScaleOf(0.5);
         QVERIFY(isNear(thresholds()[1], byVolume) && isNear(thresholds()[2], byVolume));

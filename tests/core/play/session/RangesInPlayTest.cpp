@@ -59,7 +59,7 @@ const std::vector<Setter>& setters() {
         {N::Threshold, [](Project& p, double v) { p.instances[0].threshold = v; }},
         {N::InsideUvScale, [](Project& p, double v) { asset(p).insideUvScale = v; }},
         {N::ImpactFalloffRadius,
-         [](Project& p, double v) { asset(p).cutAtImpact = CutAtImpact{.pieces = 3, .falloffRadius = v}; }},
+         [](Project& p, double v) { asset(p).cutAtImpact = CutAtImpact{.fragments = 3, .falloffRadius = v}; }},
         {N::InstancePosition, [](Project& p, double v) { p.instances[0].pose.position.x = v; }},
         {N::InstancePosition, [](Project& p, double v) { p.instances[1].pose.position.y = v; }},
         {N::GroundHeight, [](Project& p, double v) { p.ground.height = v; }},
@@ -165,11 +165,11 @@ std::string playFault(const Project& project) {
                 ++(one.message.find("left out") == std::string::npos ? told : left);
         }
         if (told != events.removed.size()) return "A body was removed without a word.";
-        std::size_t pieces = 0;
-        for (const PlayBreak& broken : events.breaks) pieces += broken.pieces;
+        std::size_t fragments = 0;
+        for (const PlayBreak& broken : events.breaks) fragments += broken.fragmentCount;
         std::size_t thrown = 0;
         for (const PlayBody& body : events.born) thrown += body.role == PlayRole::Projectile ? 1 : 0;
-        if (session->bodies().size() + told + left + events.breaks.size() != before + pieces + thrown)
+        if (session->bodies().size() + told + left + events.breaks.size() != before + fragments + thrown)
             return "A body was lost.";
         for (const PlayBody& body : session->bodies()) {
             const BodyState state = session->world().state(body.body);

@@ -54,7 +54,7 @@ private slots:
         QCOMPARE(reported.size(), std::size_t{1});
         QCOMPARE(reported[0].code, DiagnosticCode::UnappliedInput);
         QCOMPARE(reported[0].place, (DiagnosticPlace{.asset = 2}));
-        QCOMPARE(session.bodies().size(), std::size_t{6});  // the pieces and the ground
+        QCOMPARE(session.bodies().size(), std::size_t{6});  // the fragments and the ground
     }
     void impactAtTheThresholdBreaks_data() {
         QTest::addColumn<double>("share");
@@ -77,8 +77,8 @@ private slots:
         QCOMPARE(session.nameOf(broken[0].body), std::string("block"));
         QVERIFY(glm::distance(broken[0].normal, Vec3(0.0, 0.0, -1.0)) < 1e-6);
         QVERIFY(glm::distance(broken[0].point, Vec3(0.0, 5.0, 0.25)) < 1e-3);
-        QCOMPARE(broken[0].pieces, 5u);
-        QCOMPARE(session.nameOf(*session.body(broken[0].firstPiece)), std::string("block/3.0"));
+        QCOMPARE(broken[0].fragmentCount, 5u);
+        QCOMPARE(session.nameOf(*session.body(broken[0].firstFragment)), std::string("block/3.0"));
     }
 
     void breakingConservesMassAndMomenta() {
@@ -186,7 +186,7 @@ private slots:
         QVERIFY(hasBroken);
     }
 
-    /// A ball of 2 t at 20 m/s. Breaking the gable takes 1.25 m/s; pushing the pieces in its way aside takes the rest.
+    /// A ball of 2 t at 20 m/s. Breaking the gable takes 1.25 m/s; pushing its fragments aside takes the rest.
     void aHeavyBallGoesThroughTheGable() {
         Session session = sessionOf(test::house());
         addInput(session, ShotInput{"ball", Throw{.kind = ProjectileKind::Ball,
@@ -272,7 +272,7 @@ private slots:
         addInput(session, ShotInput{"box", throwAtBlock(20.0, 12.0)});
         QCOMPARE(test::breaksWithin(session, 20).size(), 1u);
         for (const PlayBody& body : session.bodies()) {
-            if (body.role == PlayRole::Piece) QVERIFY(std::abs(session.world().mass(body.body) - 100.0) < 1e-3);
+            if (body.role == PlayRole::Debris) QVERIFY(std::abs(session.world().mass(body.body) - 100.0) < 1e-3);
         }
     }
 
@@ -291,9 +291,9 @@ private slots:
         QVERIFY(broken.size() >= 2);
         QVERIFY(broken[1].step > broken[0].step);
         QVERIFY(broken[1].threshold < broken[0].threshold);
-        QCOMPARE(broken[1].pieces, 4u);
-        QVERIFY(
-            session.nameOf(*session.body(broken[1].firstPiece)).starts_with(session.nameOf(broken[1].body) + "/99."));
+        QCOMPARE(broken[1].fragmentCount, 4u);
+        QVERIFY(session.nameOf(*session.body(broken[1].firstFragment))
+                    .starts_with(session.nameOf(broken[1].body) + "/99."));
     }
 
     /// Each half of a floating box gets a blow of 20 N·s after the box is broken: only one of them is weak enough.
@@ -377,7 +377,7 @@ private slots:
         session.step();
         QCOMPARE(session.events().breaks.size(), 1u);
         QVERIFY(session.events().diagnostics.empty());
-        QCOMPARE(test::countOf(session, PlayRole::Piece), 5u);
+        QCOMPARE(test::countOf(session, PlayRole::Debris), 5u);
     }
 
     void inputsTakeEffectAtOnce() {

@@ -163,7 +163,7 @@ private slots:
         QCOMPARE(timeline.length(), 40u);
         seek(timeline, 1000);
         QCOMPARE(timeline.session().stepsDone(), 40u);
-        QVERIFY(test::countOf(timeline.session(), PlayRole::Piece) > 0);
+        QVERIFY(test::countOf(timeline.session(), PlayRole::Debris) > 0);
         Timeline wrong(test::sessionOf(test::floatingBlock()), {{12, ThresholdInput{.threshold = -1.0}}}, 40);
         QVERIFY(wrong.seek(40).error().message.starts_with("Cannot set a threshold: "));
         QCOMPARE(wrong.session().stepsDone(), 12u);

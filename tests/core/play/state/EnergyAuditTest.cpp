@@ -72,7 +72,7 @@ private slots:
     }
     void cutIsNamed() {
         Project project = test::floatingBlock();
-        project.assets[0].cutAtImpact = CutAtImpact{.pieces = 20};
+        project.assets[0].cutAtImpact = CutAtImpact{.fragments = 20};
         QCOMPARE(changesOf(steppedOnce(project, kOffCentreBlow)),
                  (std::vector{EnergyChange::Blow, EnergyChange::Cut, EnergyChange::Blow}));
     }

@@ -119,7 +119,7 @@ private slots:
     }
     void doubleClickOfThePlacingToolPlacesOneSeed() {
         Project project = quarters();
-        project.assets[0].leaves = {{"3.1", std::nullopt}};  // kept whole
+        project.assets[0].fragmentLevels = {{"3.1", std::nullopt}};  // kept whole
         FragmentBench bench(project);
         const Vec2 at{0.6, 0.4};
         bench.canvas.setTool(CanvasToolKind::PlaceSeeds);
@@ -142,9 +142,9 @@ private slots:
         bench.settleAll();
         QCOMPARE(messages.count(), 1);
         QVERIFY(messages[0][0].toString().startsWith("Fragment 3.2 now has its own pattern"));
-        QCOMPARE(bench.asset().leaves.size(), std::size_t{1});
-        QCOMPARE(bench.asset().leaves[0].fragment, FragmentPath("3.2"));
-        const Pattern& own = bench.asset().leaves[0].level->pattern;
+        QCOMPARE(bench.asset().fragmentLevels.size(), std::size_t{1});
+        QCOMPARE(bench.asset().fragmentLevels[0].fragment, FragmentPath("3.2"));
+        const Pattern& own = bench.asset().fragmentLevels[0].level->pattern;
         QCOMPARE(own.layers.size(), std::size_t{2});
         QCOMPARE(own.layers[0].id, 5u);
         QVERIFY(std::get<PlacedSeeds>(own.layers[1].parameters).seeds ==
@@ -172,8 +172,8 @@ private slots:
         bench.drag(from, 0.6 * from);
         bench.settleAll();
         QCOMPARE(bench.document.undoStack().count(), 1);
-        QCOMPARE(bench.asset().leaves.size(), std::size_t{1});
-        const auto& overrides = bench.asset().leaves[0].level->pattern.layers[0].overrides;
+        QCOMPARE(bench.asset().fragmentLevels.size(), std::size_t{1});
+        const auto& overrides = bench.asset().fragmentLevels[0].level->pattern.layers[0].overrides;
         QCOMPARE(overrides.size(), std::size_t{1});
         QCOMPARE(overrides[0].index, seed.index);
         QVERIFY((bench.selection.fragments() == FragmentSelection{{seed}, std::nullopt, "3.2"}));
@@ -182,7 +182,7 @@ private slots:
         bench.key(Qt::Key_Left);
         bench.key(Qt::Key_Delete);
         bench.settleAll();
-        QVERIFY(bench.asset().leaves[0].level->pattern.layers[0].overrides[0].isDeleted);
+        QVERIFY(bench.asset().fragmentLevels[0].level->pattern.layers[0].overrides[0].isDeleted);
         QCOMPARE(bench.canvas.displayedPattern()->seeds().ids.size(), std::size_t{2});
     }
     void cancelledDragLeavesNoEdit() {
@@ -193,7 +193,7 @@ private slots:
         bench.press(from);
         bench.moveTo(0.5 * from);
         bench.moveTo(0.6 * from);
-        QVERIFY(!bench.asset().leaves.empty());
+        QVERIFY(!bench.asset().fragmentLevels.empty());
         QTest::keyClick(&bench.canvas, Qt::Key_Escape);
         bench.release(from);
         QCOMPARE(bench.text(), before);
@@ -212,7 +212,7 @@ private slots:
         bench.settleAll();
         QCOMPARE(bench.document.undoStack().count(), 2);
         QVERIFY(bench.asset().pattern == quarters().assets[0].pattern);
-        const auto& layers = bench.asset().leaves[0].level->pattern.layers;
+        const auto& layers = bench.asset().fragmentLevels[0].level->pattern.layers;
         QCOMPARE(layers.size(), std::size_t{3});
         QVERIFY(std::holds_alternative<CrackLines>(layers[1].parameters));
         QVERIFY(std::get<DensityImage>(layers[2].parameters).image);

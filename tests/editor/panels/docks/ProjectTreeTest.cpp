@@ -270,7 +270,7 @@ private slots:
         const int rows = desk.model.rowCount(desk.model.indexOf({Kind::Asset, 3}));
         const QString text = desk.text(Kind::Layer, 8);
         ownPattern(wall, "4.0").layers.push_back({.id = 39, .parameters = PlacedSeeds{}});
-        QCOMPARE(wall.leaves[0].level->pattern.layers.front().id, 8u);
+        QCOMPARE(wall.fragmentLevels[0].level->pattern.layers.front().id, 8u);
         desk.document.push(modify("Place Seed", std::move(wall)));
         QCOMPARE(desk.model.rowCount(desk.model.indexOf({Kind::Asset, 3})), rows + 1);
         QCOMPARE(desk.text(Kind::Layer, 8), text);

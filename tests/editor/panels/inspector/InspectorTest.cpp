@@ -294,7 +294,7 @@ private slots:
         select(1);
         QVERIFY(count() == SeedCount(CountBy::Density, 25.0));
         select(2);
-        QVERIFY(count() == SeedCount(CountBy::PieceSize, 0.2));
+        QVERIFY(count() == SeedCount(CountBy::FragmentSize, 0.2));
         desk.type("Fragment size", "0.1");
         select(0);
         QVERIFY(count() == SeedCount(100));
@@ -413,12 +413,12 @@ private slots:
         emit levels.activated(4);
         QCOMPARE(levels.currentText(), QString("Fragment 6.0"));
         desk.type("Minimum volume", "0.25");
-        QCOMPARE(desk.asset(3).leaves[1].level->minimumVolume, 0.25);
+        QCOMPARE(desk.asset(3).fragmentLevels[1].level->minimumVolume, 0.25);
         desk.type("Count", "9");
-        QCOMPARE(std::get<UniformScatter>(desk.asset(3).leaves[1].level->pattern.layers[0].parameters).count,
+        QCOMPARE(std::get<UniformScatter>(desk.asset(3).fragmentLevels[1].level->pattern.layers[0].parameters).count,
                  SeedCount(9));
         QTest::mouseClick(&desk.control<QToolButton>("Delete Level"), Qt::LeftButton);
-        QCOMPARE(desk.asset(3).leaves.size(), std::size_t{1});
+        QCOMPARE(desk.asset(3).fragmentLevels.size(), std::size_t{1});
         desk.undoAll();
         QCOMPARE(desk.text(), projectText(fullProject()));
     }

@@ -6,10 +6,10 @@
 
 namespace rubble {
 
-/// Appends one piece to a geometry, face by face. Faces are convex.
-class PieceBuilder {
+/// Appends one solid to a geometry, face by face. Faces are convex.
+class SolidBuilder {
 public:
-    explicit PieceBuilder(SceneGeometry& geometry);
+    explicit SolidBuilder(SceneGeometry& geometry);
 
     /// Begins a face; its corners follow.
     void beginFace(Vec3 normal, VertexSide side);
@@ -27,7 +27,7 @@ private:
     void addFanWithHiddenEdges();
 
     SceneGeometry& m_geometry;
-    std::uint32_t m_piece;
+    std::uint32_t m_solid;
     SceneVertex m_like;  // what all corners of the face have in common
     std::vector<SceneVertex> m_corners;
     std::vector<bool> m_isEdge;

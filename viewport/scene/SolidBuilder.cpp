@@ -1,4 +1,4 @@
-#include "viewport/scene/PieceBuilder.h"
+#include "viewport/scene/SolidBuilder.h"
 
 #include <algorithm>
 
@@ -9,19 +9,19 @@ constexpr std::uint8_t kOnEdge = 0, kOnOppositeEdge = 255, kAway = 128;
 
 }  // namespace
 
-PieceBuilder::PieceBuilder(SceneGeometry& geometry) : m_geometry(geometry), m_piece(geometry.pieceCount()) {
+SolidBuilder::SolidBuilder(SceneGeometry& geometry) : m_geometry(geometry), m_solid(geometry.solidCount()) {
     geometry.boxes.emplace_back();
 }
 
-void PieceBuilder::beginFace(Vec3 normal, VertexSide side) {
+void SolidBuilder::beginFace(Vec3 normal, VertexSide side) {
     m_like.normal = glm::vec3(normal);
     m_like.side = side;
-    m_like.piece = m_piece;
+    m_like.solid = m_solid;
     m_corners.clear();
     m_isEdge.clear();
 }
 
-void PieceBuilder::addCorner(Vec3 position, Vec2 uv, bool isEdge) {
+void SolidBuilder::addCorner(Vec3 position, Vec2 uv, bool isEdge) {
     m_geometry.boxes.back().include(position);
     SceneVertex vertex = m_like;
     vertex.position = glm::vec3(position);
@@ -30,24 +30,24 @@ void PieceBuilder::addCorner(Vec3 position, Vec2 uv, bool isEdge) {
     m_isEdge.push_back(isEdge);
 }
 
-void PieceBuilder::endFace() {
+void SolidBuilder::endFace() {
     const bool areAllEdges = std::ranges::find(m_isEdge, false) == m_isEdge.end();
     if (areAllEdges && m_corners.size() == 4) return addQuad();
     if (!areAllEdges && m_corners.size() == 3) return addTriangleWithHiddenEdges();
     areAllEdges ? addFan() : addFanWithHiddenEdges();
 }
 
-std::uint32_t PieceBuilder::add(SceneVertex vertex, std::uint8_t s, std::uint8_t t) {
+std::uint32_t SolidBuilder::add(SceneVertex vertex, std::uint8_t s, std::uint8_t t) {
     vertex.across = {s, t};
     m_geometry.vertices.push_back(vertex);
     return static_cast<std::uint32_t>(m_geometry.vertices.size() - 1);
 }
 
-void PieceBuilder::addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+void SolidBuilder::addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     m_geometry.indices.insert(m_geometry.indices.end(), {a, b, c});
 }
 
-void PieceBuilder::addQuad() {
+void SolidBuilder::addQuad() {
     const std::uint32_t first = add(m_corners[0], kOnEdge, kOnEdge);
     add(m_corners[1], kOnOppositeEdge, kOnEdge);
     add(m_corners[2], kOnOppositeEdge, kOnOppositeEdge);
@@ -57,7 +57,7 @@ void PieceBuilder::addQuad() {
 }
 
 /// Has at most two visible edges: one per direction of SceneVertex::across.
-void PieceBuilder::addTriangleWithHiddenEdges() {
+void SolidBuilder::addTriangleWithHiddenEdges() {
     const std::size_t hidden = static_cast<std::size_t>(std::ranges::find(m_isEdge, false) - m_isEdge.begin());
     const std::size_t start = (hidden + 1) % 3, middle = (hidden + 2) % 3;
     const std::uint8_t s = m_isEdge[start] ? kOnEdge : kAway, t = m_isEdge[middle] ? kOnEdge : kAway;
@@ -67,7 +67,7 @@ void PieceBuilder::addTriangleWithHiddenEdges() {
     addTriangle(first, first + 1, first + 2);
 }
 
-SceneVertex PieceBuilder::centre() const {
+SceneVertex SolidBuilder::centre() const {
     SceneVertex centre = m_like;
     for (const SceneVertex& corner : m_corners) {
         centre.position += corner.position;
@@ -80,7 +80,7 @@ SceneVertex PieceBuilder::centre() const {
 }
 
 /// A fan around the centre: each triangle has one edge of the face.
-void PieceBuilder::addFan() {
+void SolidBuilder::addFan() {
     const auto count = static_cast<std::uint32_t>(m_corners.size());
     const std::uint32_t middle = add(centre(), kAway, kAway);
     for (const SceneVertex& corner : m_corners) add(corner, kOnEdge, kAway);
@@ -88,7 +88,7 @@ void PieceBuilder::addFan() {
 }
 
 /// The same with hidden edges: the triangles share no corners.
-void PieceBuilder::addFanWithHiddenEdges() {
+void SolidBuilder::addFanWithHiddenEdges() {
     const SceneVertex middle = centre();
     for (std::size_t k = 0; k < m_corners.size(); ++k) {
         const std::uint8_t s = m_isEdge[k] ? kOnEdge : kAway;
