@@ -47,7 +47,7 @@ void ViewActions::addTools() {
         {CanvasToolKind::Outline,
          {"tool-outline", tr("&Outline"), tr("Add, move and delete points of the outline"), QKeySequence("Alt+W")}},
         {CanvasToolKind::CrackLines,
-         {"tool-stroke", tr("&Crack Lines"), tr("Draw crack lines and edit their points"), QKeySequence("Alt+D")}},
+         {"tool-crack-lines", tr("&Crack Lines"), tr("Draw crack lines and edit their points"), QKeySequence("Alt+D")}},
         {CanvasToolKind::Brush, {"tool-brush", tr("&Brush"), tr("Paint the density of seeds"), QKeySequence("Alt+B")}},
         {CanvasToolKind::Measure,
          {"tool-measure", tr("&Measure"), tr("Measure distances and angles"), QKeySequence("Alt+R")}}};

@@ -29,7 +29,7 @@ std::optional<std::string> faultOf(const CrackLines::CrackLine& line) {
 constinit const LayerKind CrackLines::kKind{.name = "strokes",
                                             .caption = "Crack lines",
                                             .hint = "Cracks drawn by hand",
-                                            .icon = "layer-strokes",
+                                            .icon = "layer-crack-lines",
                                             .summary = "{elements|1 line|%1 lines}",
                                             .role = LayerRole::Cuts};
 
