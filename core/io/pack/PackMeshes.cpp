@@ -2,7 +2,7 @@
 
 #include "core/asset/mesh/FragmentMesh.h"
 #include "core/asset/mesh/RoughCuts.h"
-#include "core/io/exchange/GlbFile.h"
+#include "core/io/exchange/GlbWriter.h"
 #include "core/io/exchange/ObjFile.h"
 #include "core/io/system/FileName.h"
 

@@ -1,4 +1,4 @@
-#include "core/io/exchange/GlbFile.h"
+#include "core/io/exchange/GlbWriter.h"
 
 #include "core/base/Assert.h"
 #include "core/io/exchange/GlbJson.h"

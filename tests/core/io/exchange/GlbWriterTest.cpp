@@ -1,5 +1,5 @@
-// Tests core/io/exchange/GlbFile.cpp, GlbJson.cpp and GlbBuffer.cpp.
-#include "core/io/exchange/GlbFile.h"
+// Tests core/io/exchange/GlbWriter.cpp, GlbJson.cpp and GlbBuffer.cpp.
+#include "core/io/exchange/GlbWriter.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/MeshParts.h"
 #include "tests/support/files/GlbReading.h"
@@ -41,7 +41,7 @@ QString accessorFault(const Glb& glb, const nlohmann::json& accessor, std::size_
 
 }  // namespace
 
-class GlbFileTest : public QObject {
+class GlbWriterTest : public QObject {
     Q_OBJECT
 private slots:
     void eachPartIsANodeAtItsOffset() {
@@ -151,5 +151,5 @@ private slots:
     }
 };
 
-RUBBLE_TEST(GlbFileTest)
-#include "GlbFileTest.moc"
+RUBBLE_TEST(GlbWriterTest)
+#include "GlbWriterTest.moc"
