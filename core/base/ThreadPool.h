@@ -38,11 +38,11 @@ public:
     /// [0, count).
     template <class Work>
     void forEachChunk(std::size_t count, std::size_t chunks, const Work& work) {
-        const auto one = [&](std::size_t chunk) { work(chunkRange(count, chunk, chunks), chunk); };
+        const auto doChunk = [&](std::size_t chunk) { work(chunkRange(count, chunk, chunks), chunk); };
         if (chunks == 1 || m_threads.empty()) {
-            for (std::size_t chunk = 0; chunk < chunks; ++chunk) one(chunk);
+            for (std::size_t chunk = 0; chunk < chunks; ++chunk) doChunk(chunk);
         } else {
-            runChunksOnThreads(chunks, std::ref(one));
+            runChunksOnThreads(chunks, std::ref(doChunk));
         }
     }
 

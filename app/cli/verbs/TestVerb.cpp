@@ -124,7 +124,8 @@ Status test(const TestOptions& options, const CliContext& context) {
         if (const Status written = writeOutput(options.junit, junitXml(suite, *done), context); !written)
             return written;
     }
-    const auto failed = std::ranges::count_if(*done, [](const TimedPlayTest& one) { return !one.outcome.isPassed(); });
+    const auto failed =
+        std::ranges::count_if(*done, [](const TimedPlayTest& test) { return !test.outcome.isPassed(); });
     if (failed == 0) return success();
     return Error{ErrorCode::BadInput,
                  std::to_string(failed) + " of " + std::to_string(done->size()) + " tests failed."};

@@ -293,7 +293,8 @@ Result<Partition> shrunkPartition(const Partition& partition, double margin, con
         if (left.isDisconnected) found.add(disconnectedReport(partition, piece, left));
     }
     shapes.diagnostics = std::move(found).list();
-    std::ranges::stable_sort(shapes.diagnostics, {}, [](const Diagnostic& one) { return one.place.seed; });
+    std::ranges::stable_sort(shapes.diagnostics, {},
+                             [](const Diagnostic& diagnostic) { return diagnostic.place.seed; });
     return shapes;
 }
 

@@ -112,7 +112,7 @@ Partition withoutSmallPieces(Partition partition, const SmallPieces& small, doub
                    [&] { return mergedReport(partition, piece, groups.receivers()[piece], areas[piece]); });
     }
     std::vector<Diagnostic> reports = std::move(merges).list();
-    std::ranges::stable_sort(reports, {}, [](const Diagnostic& one) { return one.place.seed; });
+    std::ranges::stable_sort(reports, {}, [](const Diagnostic& diagnostic) { return diagnostic.place.seed; });
     PieceDraft draft(std::move(partition));
     draft.merge(groups.receivers());
     Partition merged = std::move(draft).finished();

@@ -63,8 +63,8 @@ void softenPair(WorldState& state, std::span<const Manifold> pair, const SolverS
         const ContactSlot slot = state.contacts[manifold.contact].slot;
         ContactBlock& block = state.colours.block(slot);
         const auto lane = static_cast<std::size_t>(ContactColours::laneOf(slot));
-        const Softness& one = block.againstFixed[lane] > 0.0f ? step.againstFixed : step.betweenBodies;
-        const Softness shared = sharedSoftness(one, count);
+        const Softness& ofOne = block.againstFixed[lane] > 0.0f ? step.againstFixed : step.betweenBodies;
+        const Softness shared = sharedSoftness(ofOne, count);
         block.sharedMassScale[lane] = shared.massScale;
         block.sharedImpulseScale[lane] = shared.impulseScale;
     }
@@ -72,10 +72,11 @@ void softenPair(WorldState& state, std::span<const Manifold> pair, const SolverS
 
 }  // namespace
 
-Softness sharedSoftness(const Softness& one, double count) {
-    const double massScale = 1.0 - power(1.0 - static_cast<double>(one.massScale), 1.0 / count);
-    const double impulseScale = one.impulseScale * count * massScale / static_cast<double>(one.massScale);
-    return {one.biasRate, static_cast<float>(massScale), std::min(kMaxImpulseScale, static_cast<float>(impulseScale))};
+Softness sharedSoftness(const Softness& ofOne, double count) {
+    const double massScale = 1.0 - power(1.0 - static_cast<double>(ofOne.massScale), 1.0 / count);
+    const double impulseScale = ofOne.impulseScale * count * massScale / static_cast<double>(ofOne.massScale);
+    return {ofOne.biasRate, static_cast<float>(massScale),
+            std::min(kMaxImpulseScale, static_cast<float>(impulseScale))};
 }
 
 void softenSharedContacts(WorldState& state, ThreadPool& threads, const Regions& regions, const SolverStep& step) {
@@ -86,8 +87,8 @@ void softenSharedContacts(WorldState& state, ThreadPool& threads, const Regions&
             if (!state.bodies[body].isDynamic()) continue;
             listManifolds(state, body, manifolds);
             for (auto first = manifolds.begin(); first != manifolds.end();) {
-                const auto last = std::find_if(first, manifolds.end(),
-                                               [&](const Manifold& one) { return one.other != first->other; });
+                const auto last = std::find_if(
+                    first, manifolds.end(), [&](const Manifold& manifold) { return manifold.other != first->other; });
                 if (last - first > 1)
                     softenPair(state, std::span(&*first, static_cast<std::size_t>(last - first)), step);
                 first = last;

@@ -73,7 +73,7 @@ std::vector<StandOff> standOffs(const std::vector<PlacedHull>& hulls, Vec3 point
 Vec3 World::blastOrigin(Vec3 point) const {
     const std::vector<StandOff> places = standOffs(hullsAt(*m_state, point), point);
     if (places.empty()) return point;
-    const auto isFree = [&](const StandOff& one) { return hullsAt(*m_state, one.place).empty(); };
+    const auto isFree = [&](const StandOff& standOff) { return hullsAt(*m_state, standOff.place).empty(); };
     auto best = std::ranges::find_if(places, isFree);
     if (best == places.end()) return places.front().place;
     const Vec3 down = gravity() == Vec3(0.0) ? Vec3(0.0, -1.0, 0.0) : gravity();

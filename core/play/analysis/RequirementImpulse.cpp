@@ -104,9 +104,11 @@ Result<double> impulseOf(const Project&, const PlayAsset&, const ImpulseRequirem
 
 Support supportOf(const Project& project, const Asset& asset, const StrengthRequirement& requirement) {
     if (!std::holds_alternative<HitRequirement>(requirement.event)) return Support::Free;
-    const auto isBreakable = [&](const Instance& one) { return one.asset == asset.id && !one.isUnbreakable; };
-    const auto fixed = [&](const Instance& one) { return isBreakable(one) && one.isFixed; };
-    const auto free = [&](const Instance& one) { return isBreakable(one) && !one.isFixed; };
+    const auto isBreakable = [&](const Instance& instance) {
+        return instance.asset == asset.id && !instance.isUnbreakable;
+    };
+    const auto fixed = [&](const Instance& instance) { return isBreakable(instance) && instance.isFixed; };
+    const auto free = [&](const Instance& instance) { return isBreakable(instance) && !instance.isFixed; };
     if (std::ranges::none_of(project.instances, fixed)) return Support::Free;
     const bool areMixed = std::ranges::any_of(project.instances, free);
     return areMixed && requirement.outcome == RequirementOutcome::Breaks ? Support::Free : Support::Fixed;

@@ -169,7 +169,7 @@ Hammer offCentreBlow(const PlayAsset& asset, double momentum) {
 
 /// Advice for a fragment that is pushed.
 std::string adviceOn(const PlayAsset& asset, const DiagnosticPlace& place) {
-    const auto isAboutIt = [&](const Diagnostic& one) { return one.place.fragment == place.fragment; };
+    const auto isAboutIt = [&](const Diagnostic& diagnostic) { return diagnostic.place.fragment == place.fragment; };
     if (std::ranges::any_of(asset.diagnostics, isAboutIt)) {
         return " Its collision shape is simplified: move its seed away from its neighbours', or delete it.";
     }
@@ -244,7 +244,8 @@ Status measureMoving(Session session, const PlayAsset& asset, SwapAudit& audit) 
 }  // namespace
 
 bool SwapAudit::isClean() const {
-    return std::ranges::all_of(diagnostics, [](const Diagnostic& one) { return one.severity == Severity::Note; });
+    return std::ranges::all_of(diagnostics,
+                               [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::Note; });
 }
 
 Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const PlayAsset>& asset) {

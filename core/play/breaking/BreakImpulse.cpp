@@ -7,7 +7,8 @@ namespace {
 
 /// The break of a body; null if it does not break.
 PendingBreak* breakOf(BodyId body, std::span<PendingBreak> breaks) {
-    const auto found = std::ranges::find(breaks, body, [](const PendingBreak& one) { return one.event.body.body; });
+    const auto found =
+        std::ranges::find(breaks, body, [](const PendingBreak& pending) { return pending.event.body.body; });
     return found == breaks.end() ? nullptr : &*found;
 }
 

@@ -44,7 +44,7 @@ std::size_t addExcess(const SessionParts& parts, std::uint32_t maxFragments, std
     if (debris.size() <= maxFragments) return parts.state.bodies.size();
     const auto end = debris.begin() + static_cast<std::ptrdiff_t>(debris.size() - maxFragments);
     std::ranges::nth_element(debris, end);
-    for (auto one = debris.begin(); one != end; ++one) gone.push_back(std::get<2>(*one));
+    for (auto body = debris.begin(); body != end; ++body) gone.push_back(std::get<2>(*body));
     return parts.state.bodies.size();
 }
 

@@ -34,7 +34,7 @@ Status applyBlast(const SessionParts& parts, const Explosion& explosion) {
         if (std::optional<PendingBreak> broken = breakBy(parts, push)) breaks.push_back(std::move(*broken));
     }
     if (!breaks.empty()) {
-        std::ranges::sort(breaks, {}, [](const PendingBreak& one) { return one.event.body.number; });
+        std::ranges::sort(breaks, {}, [](const PendingBreak& pending) { return pending.event.body.number; });
         applyBreaks(parts, std::move(breaks));
         pushes = blast();
     }

@@ -66,8 +66,8 @@ private:
     }
 
     bool matches(std::uint32_t origin, Id instance) const {
-        const PlayOrigin& one = m_session.origins()[origin];
-        return instance == 0 ? one.instance != 0 : one.instance == instance;
+        const PlayOrigin& placed = m_session.origins()[origin];
+        return instance == 0 ? placed.instance != 0 : placed.instance == instance;
     }
     std::string nameOf(Id instance, const std::string& any) const {
         for (const PlayOrigin& origin : m_session.origins()) {

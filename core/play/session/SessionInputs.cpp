@@ -152,7 +152,7 @@ void applyInput(const SessionParts& parts, const MaterialInput& input) {
 /// Adds the break of an input to those of the inputs directly before it.
 void addBreak(const SessionParts& parts, const BreakInput& input, std::vector<PendingBreak>& breaks) {
     const PlayBody* body = findBody(parts.state, input.body);
-    const auto isPending = [&](const PendingBreak& one) { return one.event.body.number == input.body; };
+    const auto isPending = [&](const PendingBreak& pending) { return pending.event.body.number == input.body; };
     if (body == nullptr || body->fracture() == nullptr || std::ranges::any_of(breaks, isPending)) {
         addUnapplied(parts, body, "Nothing was broken: the body is gone, unbreakable or without fragments.");
         return;
