@@ -23,7 +23,7 @@ bool hasOwnPattern(const Asset& asset, const FragmentPath& fragment);
 Pattern& ownPattern(Asset& asset, const FragmentPath& fragment);
 /// Null for the whole asset and for fragments that are kept whole.
 const Level* levelAt(const Asset& asset, std::size_t index);
-/// Sets the volume (m^3) below which fragments are not fractured; does nothing if there is no level.
+/// Sets the volume (m³) below which fragments are not fractured; does nothing if there is no level.
 void setMinimumVolume(Asset& asset, std::size_t index, double volume);
 /// Sets the threshold, N·s, of the fragments that are fractured; none: it follows from their volumes. Does nothing if
 /// there is no level.

@@ -13,7 +13,7 @@ namespace rubble {
 /// A selected fragment, as a piece of a pattern.
 struct SelectedFragment {
     FragmentPath path;
-    double area = 0.0;  // m^2
+    double area = 0.0;  // m²
     Line splitLine;     // through its centroid, perpendicular to its principal axis
 };
 

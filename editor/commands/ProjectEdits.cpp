@@ -15,7 +15,7 @@ namespace rubble {
 
 namespace {
 
-constexpr double kDefaultDensity = 2400.0;      // kg/m^3, stone
+constexpr double kDefaultDensity = 2400.0;      // kg/m³, stone
 constexpr std::uint32_t kSeedsPerFragment = 4;  // of a new level
 constexpr double kDefaultShotTime = 0.5;        // s after the start
 constexpr double kGapBetweenAssets = 0.25;      // m, between a new asset and the scene

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kMinSelectDialogWidth = 320;  // pixels, so that the title fits
 
-/// Returns the smallest and the largest volume of the leaf fragments, m^3.
+/// Returns the smallest and the largest volume of the leaf fragments, m³.
 std::pair<double, double> volumeRange(const Bake& bake) {
     const FragmentSet leaves = leafFragments(bake);
     std::pair<double, double> range{1e308, 0.0};

@@ -18,8 +18,8 @@ class VolumeRangeDialog : public QDialog {
 public:
     VolumeRangeDialog(const Bake& bake, const Units& units, QWidget* parent);
 
-    double min() const;  // m^3
-    double max() const;  // m^3
+    double min() const;  // m³
+    double max() const;  // m³
 
     /// Stays open while a field's text is refused.
     void accept() override;

@@ -13,7 +13,7 @@ namespace rubble {
 /// The settings of a project's scene, without its instances; edited as one value.
 struct SceneSettings {
     Ground ground;
-    Vec3 gravity{0.0, -9.81, 0.0};  // m/s^2
+    Vec3 gravity{0.0, -9.81, 0.0};  // m/s²
     Damage damage;
     Debris debris;
     bool operator==(const SceneSettings&) const = default;

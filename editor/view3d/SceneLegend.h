@@ -19,7 +19,7 @@ public:
     struct Content {
         SceneColouring colouring = SceneColouring::Material;
         std::optional<ValueRange> range;  // none: colours show no quantity
-        double largestBondArea = 0.0;     // m^2; 0: there are no lines
+        double largestBondArea = 0.0;     // m²; 0: there are no lines
         bool operator==(const Content&) const = default;
     };
     void setContent(const Content& content);

@@ -12,7 +12,7 @@ namespace rubble::oracle {
 /// The part of a seed's cell inside an outline, in exact arithmetic. Only the results are rounded: their relative error
 /// is below 1e-12.
 struct ExactCell {
-    double area = 0.0;             // m^2; 0: no cell
+    double area = 0.0;             // m²; 0: no cell
     Vec2 centroid{0.0, 0.0};       // m, relative to the outline's first corner
     double perimeter = 0.0;        // m, an upper bound of the cell's
     std::uint32_t sameAs = kSelf;  // lower index of an equal seed, which has the cell instead

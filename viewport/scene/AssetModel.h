@@ -8,7 +8,7 @@ namespace rubble {
 struct ModelSolid {
     std::uint32_t fragment = kNone;     // index in the bake; kNone: the whole
     Vec3 offset{0.0, 0.0, 0.0};         // origin of its frame in the prism's frame, m
-    double volume = 0.0;                // m^3
+    double volume = 0.0;                // m³
     std::uint32_t parent = kNone;       // fragment of the bake that it is a solid of; kNone: the whole
     double parentVolumeFraction = 1.0;  // volume of its parent ÷ volume of the whole
     double aspect = 1.0;                // see aspectRatio()
@@ -19,7 +19,7 @@ struct ModelSolid {
 /// The common face of two solids.
 struct ModelBond {
     std::uint32_t first = 0, second = 0;  // solids of the model
-    double area = 0.0;                    // m^2
+    double area = 0.0;                    // m²
 };
 
 /// The drawable form of one variant of an asset.

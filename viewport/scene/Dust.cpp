@@ -62,7 +62,7 @@ struct Splinter {
     double turn = 0.0;      // its rotation, in turns
     double spin = 0.0;      // turns/s
 
-    /// `gravity`: m/s^2; `lowest`: the height at which it lies on the ground.
+    /// `gravity`: m/s²; `lowest`: the height at which it lies on the ground.
     Vec3 positionAt(double age, Vec3 gravity, double lowest) const {
         Vec3 position = from + velocity * (age / (1.0 + kDrag * age)) + 0.5 * age * age * gravity;
         position.y = std::max(position.y, lowest);

@@ -112,7 +112,7 @@ struct RenderScene {
     bool hasGround = true;
     double groundHeight = 0.0;              // m
     std::optional<ValueRange> colourRange;  // of the quantity that bodies are coloured by, if any
-    double largestBondArea = 0.0;           // m^2, of the widest bond line; 0: there are no bond lines
+    double largestBondArea = 0.0;           // m², of the widest bond line; 0: there are no bond lines
     std::vector<SceneLine> lines;
     std::vector<SceneLine> boxes;  // axis-aligned, from one corner to the opposite one
     std::vector<DustPuff> puffs;

@@ -245,7 +245,7 @@ struct Project {
     std::vector<Asset> assets;
     std::vector<Instance> instances;
     Ground ground;
-    Vec3 gravity{0.0, -9.81, 0.0};  // m/s^2
+    Vec3 gravity{0.0, -9.81, 0.0};  // m/s²
     Damage damage;
     Debris debris;
     std::vector<Shot> shots;

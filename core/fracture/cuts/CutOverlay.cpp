@@ -141,7 +141,7 @@ private:
         m_overlay.pieceOfFace.assign(m_overlay.faces.count(), CutOverlay::kUnknown);
         m_overlay.pieceOfFace[0] = kNone;
         std::vector<std::uint32_t> known{0};
-        std::vector<double> longest(m_overlay.faces.count(), -1.0);  // m^2
+        std::vector<double> longest(m_overlay.faces.count(), -1.0);  // m²
         for (std::uint32_t h = 0; h < m_overlay.faces.faceOf.size(); ++h) {
             const std::uint32_t face = m_overlay.faces.faceOf[h];
             if (face == 0 || m_overlay.faces.edges[h >> 1].group != 0) continue;

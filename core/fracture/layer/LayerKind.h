@@ -14,7 +14,7 @@ namespace rubble {
 // and where needed
 //   - `static Kind defaultsFor(const Box2& bounds)`, the parameters of a new layer in a domain with these bounds,
 //   - `const char* summary() const` in place of LayerKind::summary, if it depends on parameters,
-//   - `double estimatedPieces(double area) const`, about how many pieces the layer makes of an area (m^2),
+//   - `double estimatedPieces(double area) const`, about how many pieces the layer makes of an area (m²),
 //   - `density(outline)`, a density of seeds that later layers follow,
 //   - `elementCount()` and `fault()`, if it contains more than parameters, such as manually placed seeds.
 // To add a kind, write its header and .cpp, add it to the end of the list in core/fracture/pattern/PatternKinds.h, and

@@ -42,7 +42,7 @@ struct Partition {
     UninitializedVector<std::uint32_t> cutLayers;    // ids of the layers whose cuts name pieces; mostly none
     UninitializedVector<std::uint32_t> cutCells;     // per piece, its cell in each cut layer
     UninitializedVector<std::uint32_t> partOfCell;   // of each piece, see partOfCell(); empty: by piece order
-    double gap = 0.0;                                // m^2 of the outline that no piece covers
+    double gap = 0.0;                                // m² of the outline that no piece covers
     std::vector<Diagnostic> diagnostics;             // in seed order
 
     std::uint32_t pieceCount() const { return static_cast<std::uint32_t>(seedOfPiece.size()); }

@@ -16,7 +16,7 @@ namespace rubble {
 /// A neighbouring fragment and the contact area.
 struct Bond {
     std::uint32_t fragment = 0;  // index in the same list
-    double area = 0.0;           // m^2
+    double area = 0.0;           // m²
 };
 
 struct Fragments;
@@ -34,7 +34,7 @@ public:
     std::uint32_t partOfCell() const;                   // see partOfCell(Partition)
     double depth() const;                               // m
     Vec3 offset() const;                                // centre of mass, m: see Fragments::origin
-    double volume() const;                              // m^3, that of mass()
+    double volume() const;                              // m³, that of mass()
     MassProperties mass() const;                        // at density 1, transferred mass included; centre (0, 0, 0)
     bool isConvex() const;                              // up to rounding
     Polygon outline() const;                            // the exact piece, m, in the fragment's frame
@@ -74,7 +74,7 @@ struct Fragments {
     Partition partition;
     std::shared_ptr<const Partition> shrunk;  // the pieces less the gap, some empty: see shrunkPartition(); null: none
     double gap = 0.0;                         // m between pieces; 0: none
-    double gapArea = 0.0;                     // m^2, of all pieces, that the gap removed
+    double gapArea = 0.0;                     // m², of all pieces, that the gap removed
     double depth = 0.0;                       // m
     HullTolerance tolerance;                  // of the hulls
     double minSharedEdge = 0.0;               // m: pieces that share less have no bond

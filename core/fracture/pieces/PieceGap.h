@@ -32,7 +32,7 @@ ShrunkPiece shrunkPiece(const Partition& partition, std::uint32_t piece, double 
 /// Errors: Cancelled.
 Result<Partition> shrunkPartition(const Partition& partition, double margin, const TaskContext& task = {});
 
-/// The diagnostic of a piece that vanished, with `lost` m^2.
+/// The diagnostic of a piece that vanished, with `lost` m².
 Diagnostic vanishedReport(const Partition& partition, std::uint32_t piece, double lost);
 
 }  // namespace rubble

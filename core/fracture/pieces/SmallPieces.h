@@ -16,8 +16,8 @@ enum class SmallPieceRule {
 
 /// The measure of the minimum size.
 enum class PieceMeasure {
-    Area,             // m^2
-    Volume,           // m^3
+    Area,             // m²
+    Volume,           // m³
     FractionOfMean,   // of the mean size of the remaining pieces
     FractionOfWhole,  // of the whole
 };
@@ -30,7 +30,7 @@ struct SmallPieces {
     bool operator==(const SmallPieces&) const = default;
 };
 
-/// The minimum area of pieces in m^2, for `count` pieces with a total of `area` m^2 and a depth of `depth` m.
+/// The minimum area of pieces in m², for `count` pieces with a total of `area` m² and a depth of `depth` m.
 double minPieceArea(const SmallPieces& small, double area, std::uint32_t count, double depth);
 
 /// Merges pieces below the limit, the smallest first (ties go to the first), into the neighbour with the longest shared

@@ -27,7 +27,7 @@ public:
 
     /// Whether the density is zero everywhere in the polygon.
     bool isEmpty() const { return m_weightsUpTo.empty(); }
-    /// The integral of the density over the polygon, m^2.
+    /// The integral of the density over the polygon, m².
     double weight() const { return isEmpty() ? 0.0 : m_weightsUpTo.back(); }
     /// Precondition: not isEmpty().
     Vec2 point(Random& random) const;

@@ -21,7 +21,7 @@ public:
     static Result<ScatterArea> of(const Polygon& polygon);
 
     Vec2 point(Random& random) const;
-    double area() const { return m_areasUpTo.back(); }  // m^2
+    double area() const { return m_areasUpTo.back(); }  // m²
 
 private:
     struct Triangle {

@@ -56,7 +56,7 @@ Fault massFault(const Fragments& all, std::uint32_t index, double slack) {
     return std::nullopt;
 }
 
-/// Hull vertices are corners of the outline on the front or the back; hulls fill the piece up to `slack` m^3.
+/// Hull vertices are corners of the outline on the front or the back; hulls fill the piece up to `slack` m³.
 Fault hullFault(const Fragment& fragment, const Polygon& outline, double slack) {
     std::vector<std::array<double, 2>> corners;
     forEachEdge(outline, [&](Vec2 corner, Vec2) { corners.push_back({corner.x, corner.y}); });

@@ -8,7 +8,7 @@ namespace rubble {
 
 double aspectRatio(const Polygon& polygon) {
     const Mat3 inertia = massOfPrism(polygon, 1.0).inertia;
-    // The integrals of x^2, y^2 and x y over the area.
+    // The integrals of x², y² and x y over the area.
     const double xx = (inertia[1][1] + inertia[2][2] - inertia[0][0]) / 2.0;
     const double yy = (inertia[0][0] + inertia[2][2] - inertia[1][1]) / 2.0;
     const double xy = -inertia[0][1];

@@ -7,11 +7,11 @@
 
 namespace rubble {
 
-/// The mass properties of a body of density 1 kg/m^3: multiply volume and inertia by the density.
+/// The mass properties of a body of density 1 kg/m³: multiply volume and inertia by the density.
 struct MassProperties {
-    double volume = 0.0;         // m^3, which is kg at density 1
+    double volume = 0.0;         // m³, which is kg at density 1
     Vec3 centre{0.0, 0.0, 0.0};  // m
-    Mat3 inertia{0.0};           // m^5, about the centre, in the body's axes
+    Mat3 inertia{0.0};           // m⁵, about the centre, in the body's axes
 };
 
 /// The mass properties of an area extruded to z in [-depth/2, depth/2].

@@ -41,7 +41,7 @@ struct Mesh {
     }
 };
 
-/// The volume of a closed mesh, m^3; negative if its faces point inward.
+/// The volume of a closed mesh, m³; negative if its faces point inward.
 double volumeOf(const Mesh& mesh);
 
 /// The triangulated mesh. A face perpendicular to the z axis (a prism's cap) with four or more corners becomes a fan

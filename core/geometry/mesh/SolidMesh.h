@@ -9,7 +9,7 @@ namespace rubble {
 struct SolidMesh {
     TriangleMesh mesh;                   // triangles in input order
     std::vector<std::uint32_t> flipped;  // triangles whose winding was reversed, ascending
-    double volume = 0.0;                 // m^3
+    double volume = 0.0;                 // m³
 };
 
 /// Orients the triangles of a welded mesh outward. O(n log n).
@@ -18,7 +18,7 @@ struct SolidMesh {
 /// not orientable or encloses less volume than the tolerance times its area.
 Result<SolidMesh> orientedSolid(TriangleMesh mesh, double tolerance);
 
-/// The volume of a closed mesh, m^3; negative if its triangles are clockwise from outside.
+/// The volume of a closed mesh, m³; negative if its triangles are clockwise from outside.
 double signedVolume(const TriangleMesh& mesh);
 
 /// The connected component of each triangle, numbered by their first triangles. Triangles are connected by shared

@@ -8,9 +8,9 @@ namespace rubble {
 
 /// The area, centroid and second moments of a planar area.
 struct AreaMoments {
-    double area = 0.0;      // m^2
+    double area = 0.0;      // m²
     Vec2 centre{0.0, 0.0};  // m
-    double xx = 0.0;        // m^4: integrals of x^2, xy and y^2 about the centre
+    double xx = 0.0;        // m⁴: integrals of x², xy and y² about the centre
     double xy = 0.0;
     double yy = 0.0;
 };

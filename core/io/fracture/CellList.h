@@ -12,7 +12,7 @@ namespace rubble {
 /// The cell of a seed, in the input's coordinates.
 struct Cell {
     std::uint32_t seed = 0;
-    double area = 0.0;  // m^2
+    double area = 0.0;  // m²
     Vec2 centroid{0.0, 0.0};
     std::vector<Polygon> pieces;
     std::vector<std::uint32_t> neighbours;  // seeds, ascending

@@ -19,7 +19,7 @@ std::vector<PlacedFace> placedFaces(const Polytope& hull, Vec3 offset);
 /// Two faces with opposite normals.
 struct FaceOverlap {
     double distance = 0.0;  // m, from the first face to the second along the first's normal; negative: they overlap
-    double area = 0.0;      // m^2, of the part of one that lies opposite the other
+    double area = 0.0;      // m², of the part of one that lies opposite the other
 };
 
 /// Returns how two faces lie opposite each other; nothing if their normals are not opposite, or they are more than

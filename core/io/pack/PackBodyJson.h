@@ -20,10 +20,10 @@ struct PackBodySource {
     std::vector<Polytope> hulls;
     std::optional<double> threshold;  // N·s, that is set for it
     double gap = 0.0;                 // m between its fragments; 0: none
-    double lostVolume = 0.0;          // m^3 that the gap takes from them
+    double lostVolume = 0.0;          // m³ that the gap takes from them
 };
 
-/// Writes a body as an object. `density` in kg/m^3.
+/// Writes a body as an object. `density` in kg/m³.
 void writePackBody(JsonWriter& json, std::string_view key, const PackBodySource& body, double density);
 
 /// The estimated size of a body's JSON in bytes.

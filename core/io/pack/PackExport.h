@@ -24,7 +24,7 @@ struct AssetExport {
     Status status = success();
     bool isUnchanged = false;             // the folder already was this export; the members below are not set
     std::size_t fragmentCount = 0;        // of all levels
-    double volume = 0.0;                  // m^3, of the whole
+    double volume = 0.0;                  // m³, of the whole
     std::vector<Diagnostic> diagnostics;  // of the bake
 };
 

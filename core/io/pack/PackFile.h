@@ -59,10 +59,10 @@ struct PackBody {
     std::string name;
     std::uint32_t parent = kNone;      // index of the parent fragment; kNone: the whole
     Vec3 offset{0.0, 0.0, 0.0};        // of its frame's origin in the asset's frame, m
-    double volume = 0.0;               // m^3
+    double volume = 0.0;               // m³
     double mass = 0.0;                 // kg
     Vec3 centreOfMass{0.0, 0.0, 0.0};  // in its own frame, m
-    Mat3 inertia{0.0};                 // kg m^2, about the centre of mass, in its own axes
+    Mat3 inertia{0.0};                 // kg·m², about the centre of mass, in its own axes
     std::vector<Bond> neighbours;      // `fragment`: index in Pack::fragments; ascending
     std::optional<double> threshold;   // N·s, that is set for it; none: follows from its volume
     double gap = 0.0;                  // m between its fragments; 0: none

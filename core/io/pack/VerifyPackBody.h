@@ -9,9 +9,9 @@ namespace rubble {
 
 /// The size of a pack's whole, which the tolerances of its bodies are relative to.
 struct PackScale {
-    double density = 0.0;      // kg/m^3
+    double density = 0.0;      // kg/m³
     double size = 0.0;         // m, the diagonal of the whole
-    double slackVolume = 0.0;  // m^3 that a body may have received from pieces too thin for a hull
+    double slackVolume = 0.0;  // m³ that a body may have received from pieces too thin for a hull
 };
 PackScale scaleOf(const Pack& pack);
 

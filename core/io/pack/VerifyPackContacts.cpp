@@ -130,8 +130,8 @@ private:
 
     /// The contact of two children.
     struct Contact {
-        double area = 0.0;    // m^2, of opposite faces as far apart as the gap
-        double nearer = 0.0;  // m^2, of those nearer to each other
+        double area = 0.0;    // m², of opposite faces as far apart as the gap
+        double nearer = 0.0;  // m², of those nearer to each other
         std::size_t faces = 0;
     };
     Contact contactOf(std::size_t first, std::size_t second) const {
@@ -198,7 +198,7 @@ private:
     std::string m_parentId;
     Bounds m_parent;
     double m_gap = 0.0, m_size = 0.0, m_depth = 0.0;          // m
-    double m_distanceTolerance = 0.0, m_areaTolerance = 0.0;  // m, m^2
+    double m_distanceTolerance = 0.0, m_areaTolerance = 0.0;  // m, m²
     bool m_isGapSeen = false, m_isLongCutSeen = false;
     std::vector<Bounds> m_bounds;  // this and the following: one per child
     std::vector<std::vector<PlacedFace>> m_faces;

@@ -19,7 +19,7 @@ struct Box {
         return low.x <= other.low.x && low.y <= other.low.y && low.z <= other.low.z && other.high.x <= high.x &&
                other.high.y <= high.y && other.high.z <= high.z;
     }
-    /// Half its surface, m^2.
+    /// Half its surface, m².
     float area() const {
         const Vec3f side = high - low;
         return side.x * side.y + side.y * side.z + side.z * side.x;

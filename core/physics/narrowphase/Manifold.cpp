@@ -67,7 +67,7 @@ int clip(const float* heights, std::uint16_t side, const ClippedPoint* in, int c
     return kept;
 }
 
-/// Twice the signed area of a, b, c; positive if counter-clockwise seen against the normal, m^2.
+/// Twice the signed area of a, b, c; positive if counter-clockwise seen against the normal, m².
 float twiceArea(Vec3f normal, Vec3f a, Vec3f b, Vec3f c) { return dot(normal, cross(b - a, c - a)); }
 
 /// The index of the point with the highest score; the earliest of nearly equal ones, -1 if none is above `least`.

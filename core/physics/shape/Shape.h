@@ -14,9 +14,9 @@ namespace rubble {
 /// Shared by all bodies of this shape.
 struct Shape {
     std::vector<Hull> hulls;
-    MassProperties mass;          // at density 1 kg/m^3, in the frame of the given polytopes
-    Mat3 inverseInertia{1.0};     // 1/(kg m^2), at that density
-    double surfaceArea = 0.0;     // m^2: total surface area of all hulls
+    MassProperties mass;          // at density 1 kg/m³, in the frame of the given polytopes
+    Mat3 inverseInertia{1.0};     // 1/(kg·m²), at that density
+    double surfaceArea = 0.0;     // m²: total surface area of all hulls
     float boundingRadius = 0.0f;  // m: distance from the centre of mass to the farthest vertex
     Vec3f extents{0.0f};          // m: the largest distance of a vertex from the centre of mass along each axis
     float minWidth = 0.0f;        // m: the least width of any hull; a body moving farther in a step may tunnel

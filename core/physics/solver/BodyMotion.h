@@ -23,7 +23,7 @@ struct alignas(64) BodyPose {
     Vec3f centre{0.0f, 0.0f, 0.0f};  // m, of mass
     float unused = 0.0f;
     Quatf rotation;               // world from body
-    SymMat3f inverseInertia;      // 1/(kg m^2), in world axes
+    SymMat3f inverseInertia;      // 1/(kg·m²), in world axes
     float boundingRadius = 0.0f;  // m: distance from the centre of mass to the farthest corner
     float travel = 0.0f;          // m: an upper bound of the distance that any point has moved since the body was added
 };

@@ -61,7 +61,7 @@ struct alignas(64) ContactBlock {
     std::array<PointRows, 4> points;
     Vec3Row frictionCentre;                                // m, from the first body's centre
     FloatRow tangentMassXX, tangentMassXY, tangentMassYY;  // kg: inverse of the 2 x 2 mass matrix of both tangents
-    FloatRow twistMass;                                    // kg m^2
+    FloatRow twistMass;                                    // kg·m²
     FloatRow frictionX, frictionY;                         // N·s along both tangents; kept between steps
     FloatRow twist;                                        // N·m·s about the normal; kept between steps
 };

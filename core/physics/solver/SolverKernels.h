@@ -23,7 +23,7 @@ struct SolverStep {
     const BodyPose* poses = nullptr;  // by body
     float dt = 0.0f;                  // s, of the whole step
     float subStep = 0.0f;             // s
-    Vec3f gravity{0.0f, 0.0f, 0.0f};  // m/s^2
+    Vec3f gravity{0.0f, 0.0f, 0.0f};  // m/s²
     Softness betweenBodies;
     Softness againstFixed;          // stiffer, so that bodies are not pushed through the ground
     float pushOutSpeed = 0.0f;      // m/s

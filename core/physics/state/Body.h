@@ -26,7 +26,7 @@ enum class BodyKind : std::uint8_t {
 
 /// The material of a body.
 struct BodyMaterial {
-    double density = 1000.0;  // kg/m^3
+    double density = 1000.0;  // kg/m³
     double friction = 0.6;
     double restitution = 0.0;  // in [0, 1]
 };
@@ -38,7 +38,7 @@ struct BodyDefinition {
     Pose pose;                            // world from the shape's frame
     Vec3 velocity{0.0, 0.0, 0.0};         // m/s, of the centre of mass
     Vec3 angularVelocity{0.0, 0.0, 0.0};  // rad/s, in world axes
-    double density = 1000.0;              // kg/m^3
+    double density = 1000.0;              // kg/m³
     double friction = 0.6;
     double restitution = 0.0;     // in [0, 1]
     double linearDamping = 0.0;   // 1/s

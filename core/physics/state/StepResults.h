@@ -77,8 +77,8 @@ struct StepTimes {
 
 /// Momentum and energy, summed over the dynamic bodies.
 struct Momenta {
-    Vec3 linear{0.0, 0.0, 0.0};   // kg m/s
-    Vec3 angular{0.0, 0.0, 0.0};  // kg m^2/s about the world's origin
+    Vec3 linear{0.0, 0.0, 0.0};   // kg·m/s
+    Vec3 angular{0.0, 0.0, 0.0};  // kg·m²/s about the world's origin
     double kinetic = 0.0;         // J
     double potential = 0.0;       // J, zero at the origin
 };

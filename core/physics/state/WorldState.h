@@ -25,10 +25,10 @@ struct Body {
     BodyKind kind = BodyKind::Static;
     bool isAwake = false;                     // always false for static bodies
     float mass = 0.0f;                        // kg; 0 unless dynamic
-    SymMat3f inertia;                         // kg m^2, in the body's axes
+    SymMat3f inertia;                         // kg·m², in the body's axes
     SymMat3f inverseInertia;                  // 0 unless dynamic
     Vec3f centreRemainder{0.0f, 0.0f, 0.0f};  // m: the rounding error of the pose's centre (compensated summation)
-    Vec3f angularMomentum{0.0f, 0.0f, 0.0f};  // kg m²/s about its centre, in world axes
+    Vec3f angularMomentum{0.0f, 0.0f, 0.0f};  // kg·m²/s about its centre, in world axes
     Vec3f referenceAngularVelocity{0.0f, 0.0f, 0.0f};  // rad/s: the one that it belongs to
     bool isFastRotating = false;                       // in this step: its angular momentum is kept
     bool isTouched = false;                            // in this step: impulses changed its angular velocity

@@ -13,7 +13,7 @@
 namespace rubble {
 
 // The limits of a scene, given by the simulation's single precision.
-inline constexpr double kMaxDensity = 1e6;    // kg/m^3, fifty times the densest metal
+inline constexpr double kMaxDensity = 1e6;    // kg/m³, fifty times the densest metal
 inline constexpr double kMaxFriction = 1e3;   // coefficient of friction
 inline constexpr double kMinBodyMass = 1e-9;  // kg
 inline constexpr double kMaxBodyMass = 1e15;  // kg
@@ -22,7 +22,7 @@ inline constexpr double kMaxBodyMass = 1e15;  // kg
 struct SceneBody {
     std::string name;
     BodyKind kind = BodyKind::Dynamic;
-    double density = 1000.0;  // kg/m^3; may be 0 unless dynamic
+    double density = 1000.0;  // kg/m³; may be 0 unless dynamic
     double friction = 0.6;
     double restitution = 0.0;             // in [0, 1]
     Pose pose;                            // world from the shape's frame
@@ -34,7 +34,7 @@ struct SceneBody {
 
 /// The bodies of a world as a value, for tests, benchmarks and the command line.
 struct BodyScene {
-    Vec3 gravity{0.0, -9.81, 0.0};  // m/s^2
+    Vec3 gravity{0.0, -9.81, 0.0};  // m/s²
     std::vector<std::vector<Polytope>>
         shapes;  // the hulls of each shape in its frame; several bodies may share a shape
     std::vector<SceneBody> bodies;

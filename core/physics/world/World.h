@@ -17,7 +17,7 @@ namespace rubble {
 
 /// Settings of a world. Results do not depend on the number of threads and the SIMD width.
 struct WorldSettings {
-    Vec3 gravity{0.0, -9.81, 0.0};  // m/s^2
+    Vec3 gravity{0.0, -9.81, 0.0};  // m/s²
     bool sleeping = true;           // bodies at rest are not simulated until something touches them
     int threads = 1;
     SimdWidth lanes = widestSimd();
@@ -74,12 +74,12 @@ public:
     double mass(BodyId body) const;  // kg; 0 where static or kinematic
     double restitution(BodyId body) const;
 
-    Vec3 gravity() const;  // m/s^2
+    Vec3 gravity() const;  // m/s²
 
     // Nothing that is not finite or out of range gets into the world: the functions below return BadInput and change
     // nothing.
 
-    /// Errors: BadInput for more than kMaxSpeed m/s^2 along an axis.
+    /// Errors: BadInput for more than kMaxSpeed m/s² along an axis.
     Status setGravity(Vec3 gravity);
     /// Sets the material; velocities are kept.
     ///

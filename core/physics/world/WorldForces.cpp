@@ -63,7 +63,7 @@ void resetContacts(WorldState& state, std::uint32_t body) {
 Vec3 World::gravity() const { return toDouble(m_state->gravity); }
 
 Status World::setGravity(Vec3 gravity) {
-    if (!isWithin(gravity, kMaxSpeed)) return rangeError("Gravity", kMaxSpeed, "m/s^2 along each axis");
+    if (!isWithin(gravity, kMaxSpeed)) return rangeError("Gravity", kMaxSpeed, "m/s² along each axis");
     m_state->gravity = toFloat(gravity);
     for (BodyId body : bodies()) wakeBody(*m_state, body.index);
     return success();

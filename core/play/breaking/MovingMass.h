@@ -7,7 +7,7 @@ namespace rubble {
 /// Mass and motion of a rigid body as a value, for computing impulses without applying them to the world.
 struct MovingMass {
     double inverseMass = 0.0;             // 1/kg; 0: immovable
-    Mat3 inertia{0.0};                    // kg m² about its centre, in world axes
+    Mat3 inertia{0.0};                    // kg·m² about its centre, in world axes
     Mat3 inverseInertia{0.0};             // 0: it cannot rotate
     Vec3 centre{0.0, 0.0, 0.0};           // m
     Vec3 velocity{0.0, 0.0, 0.0};         // m/s

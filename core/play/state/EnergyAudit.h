@@ -37,7 +37,7 @@ using EnergyAudit = std::vector<EnergyEntry>;
 /// (see World); farther out in proportion.
 inline constexpr double kPositionRounding = 1e-5, kRoundedDistance = 100.0;
 
-/// The kinetic energy of a rigid body, J; `inertia`, kg m², about its centre, in world axes.
+/// The kinetic energy of a rigid body, J; `inertia`, kg·m², about its centre, in world axes.
 double kineticEnergy(double mass, const Mat3& inertia, Vec3 velocity, Vec3 angularVelocity);
 /// The same of a body of the world; 0 unless it is dynamic.
 double kineticEnergy(const World& world, BodyId body);

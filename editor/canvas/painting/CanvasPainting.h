@@ -28,7 +28,7 @@ struct CanvasContents {
     Units units;                   // of the legend and of labels
     DrawablePattern::Range range;  // of overlays.colouring
     FragmentSelection hidden;
-    double density = 0.0;               // kg/m^3
+    double density = 0.0;               // kg/m³
     double threshold = 0.0;             // N·s, effective
     std::map<std::string, int> depths;  // for Level: the number of further levels of each fractured fragment, by id
     std::shared_ptr<const ComparedAsset> compared;  // changes since an earlier state; null if not shown
@@ -37,7 +37,7 @@ struct CanvasContents {
     CellColouring colouring() const { return compared ? CellColouring::None : overlays.colouring; }
 
     QColor colour(const DrawablePattern& from, std::uint32_t piece) const;
-    /// The area of a baked piece less the gap, m^2.
+    /// The area of a baked piece less the gap, m².
     double area(std::uint32_t piece) const;
     /// The displayed state of the asset; null if there is no pattern.
     const Asset* asset() const;

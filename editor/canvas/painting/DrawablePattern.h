@@ -100,7 +100,7 @@ private:
 
     std::shared_ptr<const BakedPattern> m_baked;
     std::vector<Box2> m_boxes;         // this and the following: one per piece
-    std::vector<double> m_areas;       // m^2
+    std::vector<double> m_areas;       // m²
     std::vector<Vec2> m_centroids;     // m
     std::vector<Defect> m_defects;     // one a seed
     std::vector<LayerSeeds> m_layers;  // one a layer that has seeds

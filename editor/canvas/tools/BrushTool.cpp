@@ -49,14 +49,14 @@ QImage overlayOf(const GreyImage& image, DenseWhere dense, const QColor& colour)
     return overlay;
 }
 
-/// The integral of an image's density over an outline, m^2; 0 without an image.
+/// The integral of an image's density over an outline, m²; 0 without an image.
 double weightOf(const GreyImage* image, DenseWhere dense, const Polygon& outline) {
     if (!image) return 0.0;
     const Result<DensityArea> area = DensityArea::of(outline, *image, dense);
     return area ? area->weight() : 0.0;
 }
 
-/// Changes a count to a number of seeds in an area (m^2); a density or a size stays if there are none.
+/// Changes a count to a number of seeds in an area (m²); a density or a size stays if there are none.
 void setNumber(SeedCount& count, double number, double area) {
     if (count.by == CountBy::Number) {
         count.amount = std::min(std::round(number), static_cast<double>(kMaxSeeds));

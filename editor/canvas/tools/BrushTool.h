@@ -44,7 +44,7 @@ private:
         Id layer = 0;
         std::shared_ptr<const GreyImage> picture;  // current state
         Vec2 last{0.0, 0.0};
-        double seedsPerArea = 0.0;  // 1/m^2, at the highest density
+        double seedsPerArea = 0.0;  // 1/m², at the highest density
         quint64 mergeKey = 0;
         Id newId = 0;  // of a layer that the tool added; 0: none
     };

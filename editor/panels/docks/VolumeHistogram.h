@@ -18,7 +18,7 @@ class VolumeHistogram : public QWidget {
 public:
     explicit VolumeHistogram(QWidget* parent = nullptr);
 
-    /// Volumes in m^3; isSelected holds a flag per volume.
+    /// Volumes in m³; isSelected holds a flag per volume.
     void setVolumes(std::vector<double> volumes, std::vector<bool> isSelected);
     void setUnits(const Units& units);
     HistogramAxis axis() const { return m_axis; }
@@ -31,7 +31,7 @@ public:
     QSize minimumSizeHint() const override { return {140, 90}; }
 
 signals:
-    /// Select the fragments with a volume in [min, max], m^3; isExtending: in addition to the selection.
+    /// Select the fragments with a volume in [min, max], m³; isExtending: in addition to the selection.
     void rangeSelected(double min, double max, bool isExtending);
 
 protected:

@@ -131,7 +131,7 @@ void LayerPage::setUnits(const Units& units) {
     if (m_parameters) m_parameters->setUnits(units);
 }
 
-/// The area in m^2 that the layer fills; an estimate for a fragment of a level.
+/// The area in m² that the layer fills; an estimate for a fragment of a level.
 double LayerPage::domainArea(const PatternLayer& layer) const {
     if (layer.scatteredIn) return area(*layer.scatteredIn);
     const Asset* asset = findAsset(m_document.project(), m_pattern.asset);

@@ -17,7 +17,7 @@ public:
 
     const PatternKind& kind() const { return m_kind; }
     void setUnits(const Units& units);
-    /// Shows a layer of this kind, the one that `selected` returns. `area`: that it fills, m^2.
+    /// Shows a layer of this kind, the one that `selected` returns. `area`: that it fills, m².
     void refresh(const PatternLayer& layer, double area);
 
 signals:
@@ -34,7 +34,7 @@ private:
 
     const PatternKind& m_kind;
     LayerForm m_form;
-    double m_area = 1.0;  // m^2
+    double m_area = 1.0;  // m²
     std::vector<std::function<void(const Units&)>> m_unitSetters;
     std::vector<std::function<void(const PatternLayer&)>> m_rowUpdates;
 };

@@ -14,8 +14,8 @@ namespace rubble {
 /// The columns of the table of fragments.
 enum class FragmentColumn {
     Name,        // as a number: its index in a depth-first walk of the fracture levels
-    Area,        // m^2, of its outline
-    Volume,      // m^3
+    Area,        // m², of its outline
+    Volume,      // m³
     Mass,        // kg
     Aspect,      // how many times as long as wide its outline is: see aspectRatio()
     Neighbours,  // number of fragments of the same fracture that it touches
@@ -27,7 +27,7 @@ inline constexpr int kFragmentColumns = 8;
 /// Totals of several fragments. A child of a counted fragment adds to the count only, as its volume is counted already.
 struct FragmentSum {
     std::uint32_t count = 0;
-    double volume = 0.0;  // m^3
+    double volume = 0.0;  // m³
     double mass = 0.0;    // kg
 };
 
@@ -64,7 +64,7 @@ private:
     std::vector<double>& column(FragmentColumn column) { return m_columns[static_cast<std::size_t>(column)]; }
 
     std::shared_ptr<const Bake> m_bake;
-    double m_density = 1.0;  // kg/m^3
+    double m_density = 1.0;  // kg/m³
     std::vector<SeedId> m_seeds;
     std::map<std::uint32_t, std::string> m_problemTexts;          // of fragments with problems
     std::array<std::vector<double>, kFragmentColumns> m_columns;  // empty for Mass, which follows from Volume

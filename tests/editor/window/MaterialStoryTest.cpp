@@ -121,7 +121,7 @@ private slots:
         QVERIFY(m_window->workspace().document().push(modify("Older", older)));
         QCOMPARE(source.count(), 3);
         QCOMPARE(source.currentIndex(), 2);
-        QCOMPARE(thresholdOf(project(), wall()), 22500.0);  // 45 MPa on 0.5 m^2 for 1 ms
+        QCOMPARE(thresholdOf(project(), wall()), 22500.0);  // 45 MPa on 0.5 m² for 1 ms
         QCOMPARE(page().findChild<QLabel*>("derivation")->text().simplified(),
                  QString("22.5 kN·s follows from the strength 45 MPa, the smallest cross-section 0.5 m² and the "
                          "contact time 1 ms."));
@@ -153,7 +153,7 @@ private slots:
     }
     void crackLimitFollowsFromStrengthAndToughness() {
         const auto& limit = control<QLabel>("Crack limit");
-        QCOMPARE(limit.text().simplified(), QString("1.557 mm"));  // (0.1 / 1.43)^2 / pi m
+        QCOMPARE(limit.text().simplified(), QString("1.557 mm"));  // (0.1 / 1.43)² / π m
         type("Toughness", "0");
         QVERIFY(limit.text().contains("Unknown"));
         stack().undo();

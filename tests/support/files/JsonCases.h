@@ -43,7 +43,7 @@ inline SeededOutline seededOutline(const QJsonObject& object) {
 
 /// A small case in which the reference method is wrong, with the exact result.
 struct Counterexample : SeededOutline {
-    std::vector<double> areas;                           // m^2, by seed
+    std::vector<double> areas;                           // m², by seed
     std::vector<std::vector<std::uint32_t>> neighbours;  // by seed, ascending
 };
 

@@ -25,7 +25,7 @@ struct RestingScene {
     RestingLimits limits{};
 };
 
-// Deterministic; the ground is the first body, its top the plane y = 0; density 1000 kg/m^3, friction 0.6.
+// Deterministic; the ground is the first body, its top the plane y = 0; density 1000 kg/m³, friction 0.6.
 
 /// Bodies that lie flat on each other: of several hulls, round, thin, high, and under a load of 300 times their mass.
 std::span<const RestingScene> stackScenes();

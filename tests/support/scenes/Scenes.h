@@ -9,7 +9,7 @@
 namespace rubble::test {
 
 // Scenes for tests, benchmarks and demos of the simulation. Bodies stand on the plane y = 0; static bodies come first;
-// density 1000 kg/m^3, friction 0.6, restitution 0. Deterministic.
+// density 1000 kg/m³, friction 0.6, restitution 0. Deterministic.
 
 /// The house of 77 polytopes, its roof with friction 0.8.
 BodyScene houseScene();

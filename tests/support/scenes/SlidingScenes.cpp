@@ -10,7 +10,7 @@
 namespace rubble::test {
 namespace {
 
-constexpr double kGravity = 9.81;       // m/s^2
+constexpr double kGravity = 9.81;       // m/s²
 constexpr double kTileThickness = 0.5;  // m
 constexpr double kMargin = 2.0;         // m: tiles beyond the ends of the path
 constexpr double kDegree = std::numbers::pi / 180.0;

@@ -12,7 +12,7 @@ struct SlidingScene {
     std::string name;
     BodyScene scene;
     Vec3 direction{1.0, 0.0, 0.0};  // of the velocity, length 1
-    double distance = 0.0;          // m: v^2 / (2 mu g)
+    double distance = 0.0;          // m: v² / (2 mu g)
 };
 
 /// Boxes and frames on rows and grids of tiles of several sizes, straight and diagonally, slow and fast; tiles that are

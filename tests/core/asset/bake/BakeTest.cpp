@@ -85,7 +85,7 @@ private slots:
     void smallFragmentsAreNotFractured() {
         Asset asset = layeredBox();
         asset.pattern.layers[0].parameters = PlacedSeeds{{{0, {0.5, 0.5}}, {1, {1.0, 0.5}}}};
-        asset.levels[0].minimumVolume = 0.25;  // the left piece has 0.375 m^3, the right one 0.125
+        asset.levels[0].minimumVolume = 0.25;  // the left piece has 0.375 m³, the right one 0.125
         const Result<Bake> result = bake(asset);
         QCOMPARE(result->fragment(0).childCount, 4u);
         QCOMPARE(result->fragment(1).childCount, 0u);

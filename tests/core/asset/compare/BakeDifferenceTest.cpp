@@ -48,7 +48,7 @@ private slots:
         QCOMPARE(difference.fragments[0].path, FragmentPath("5.4"));
         QVERIFY(difference.fragments[0].change == FragmentChange::Added && difference.fragments[0].before == kNone);
         QCOMPARE(difference.fragments[0].after, 4u);
-        QCOMPARE(difference.fragments[0].volumeAfter, 0.0625);  // a diamond of 1/8 m^2, half a metre deep
+        QCOMPARE(difference.fragments[0].volumeAfter, 0.0625);  // a diamond of 1/8 m², half a metre deep
         QCOMPARE(difference.count(FragmentChange::Moved), std::size_t{4});
         QCOMPARE(difference.levels.size(), std::size_t{1});
         QCOMPARE(difference.levels[0].before, std::size_t{4});

@@ -59,7 +59,7 @@ private slots:
         QVERIFY(bendingRatioOf(kBendingRadius / 2.0) > 1.85 && bendingRatioOf(2.0 * kBendingRadius) < 2.75);
     }
     void platesBreakInBendingWhileTheContactLasts() {
-        // 2 MPa times 0.01 m^2 / 2.3 are 8.7 kN; half a sine wave of 1 ms with that peak is an impulse of 5.5 N·s.
+        // 2 MPa times 0.01 m² / 2.3 are 8.7 kN; half a sine wave of 1 ms with that peak is an impulse of 5.5 N·s.
         const double expected = 2e6 * 0.01 / 2.3 * 2.0 / std::numbers::pi * 1e-3;
         QVERIFY(isNear(thresholdOf(derivedWall(), strongMaterial()), expected));
         Asset longer = derivedWall();
@@ -91,7 +91,7 @@ private slots:
         QCOMPARE(thicknessOf({unitSquare(), 4.0}), 1.0);
     }
     void olderRuleIsStrengthTimesSectionTimesTime() {
-        // 2 MPa on 0.2 m^2 are 400 kN; for 1 ms they are 400 N·s.
+        // 2 MPa on 0.2 m² are 400 kN; for 1 ms they are 400 N·s.
         QCOMPARE(thresholdOf(tornWall(), strongMaterial()), 400.0);
         Asset longer = tornWall();
         longer.contactTime = 0.0025;

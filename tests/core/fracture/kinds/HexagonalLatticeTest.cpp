@@ -61,7 +61,7 @@ private slots:
         QVERIFY(interior >= 20);
     }
     void countMatchesTheArea() {
-        // 100 m^2 with one seed per 0.01 * sqrt(3) / 2 m^2 are 11547; a row more or less at each side is 1 %.
+        // 100 m² with one seed per 0.01 * sqrt(3) / 2 m² are 11547; a row more or less at each side is 1 %.
         const auto seeds = seedsOfLattice({.spacing = 0.1}, {rectangle({0.0, 0.0}, {10.0, 10.0}), {}});
         QVERIFY(std::abs(static_cast<double>(seeds.size()) - 11547.0) < 230.0);
     }

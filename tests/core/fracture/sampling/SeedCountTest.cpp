@@ -23,7 +23,7 @@ class SeedCountTest : public QObject {
     Q_OBJECT
 private slots:
     void countsScaleWithTheArea() {
-        // The ring has 16 - 4 m^2, its box 16.
+        // The ring has 16 - 4 m², its box 16.
         QCOMPARE(seedsIn(7, squareRing()), std::size_t{7});
         QCOMPARE(seedsIn({CountBy::Density, 2.5}, squareRing()), std::size_t{30});
         QCOMPARE(seedsIn({CountBy::Density, 2.5}, squareRing(), ScatterDomain::BoundingBox), std::size_t{40});

@@ -135,7 +135,7 @@ private slots:
         const double acceleration = (glm::length(moved.world.state(moved.bodies[1]).velocity) - before) / 2.0;
         const double angle = 40.0 * std::numbers::pi / 180.0;
         const double expected = 9.81 * (sine(angle) - 0.6 * cosine(angle));
-        qInfo("%.4f m/s^2, expected %.4f", acceleration, expected);
+        qInfo("%.4f m/s², expected %.4f", acceleration, expected);
         QVERIFY(std::abs(acceleration - expected) < 0.02 * expected);
     }
     void frictionOfAPairIsTheGeometricMean() {

@@ -227,7 +227,7 @@ private slots:
         QVERIFY(moved.world.applyImpulse(moved.bodies[1], {500.0, 0.0, 0.0}, {0.0, 5.5, 0.0}));
         const BodyState state = moved.world.state(moved.bodies[1]);
         QVERIFY(glm::distance(state.velocity, Vec3(0.5, 0.0, 0.0)) < 1e-6);
-        QVERIFY(glm::distance(state.angularVelocity, Vec3(0.0, 0.0, -1.5)) < 1e-5);  // 250 N·m·s over 1000 / 6 kg m^2
+        QVERIFY(glm::distance(state.angularVelocity, Vec3(0.0, 0.0, -1.5)) < 1e-5);  // 250 N·m·s over 1000/6 kg·m²
     }
     void grabbedBodyFollowsTheTarget() {
         SceneWorld moved = test::worldOf(boxesAt({{0.0, 0.5, 0.0}}));
@@ -256,7 +256,7 @@ private slots:
         SceneWorld moved = test::worldOf(scene);
         test::simulate(moved.world, 4.0);
         QVERIFY(std::abs(moved.world.state(moved.bodies[2]).pose.position.x - 2.0) < 1e-4);
-        // It slips until friction has given it the speed: v^2 / (2 g friction) = 21 mm.
+        // It slips until friction has given it the speed: v² / (2 g friction) = 21 mm.
         QVERIFY(std::abs(moved.world.state(moved.bodies[1]).pose.position.x - 1.979) < 0.005);
         QVERIFY(std::abs(heightOf(moved, 1) - 1.5) < 0.01);
     }
