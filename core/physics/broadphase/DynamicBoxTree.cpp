@@ -29,13 +29,13 @@ std::uint32_t DynamicBoxTree::newNode() {
 std::uint32_t DynamicBoxTree::bestSibling(const Box& box) const {
     std::uint32_t node = m_root;
     while (!m_nodes[node].isLeaf()) {
-        const float area = m_nodes[node].box.area();
-        const float whole = joined(m_nodes[node].box, box).area();
+        const float area = m_nodes[node].box.halfSurfaceArea();
+        const float whole = joined(m_nodes[node].box, box).halfSurfaceArea();
         std::array<float, 2> cost{};
         for (std::size_t side = 0; side < 2; ++side) {
             const Node& child = m_nodes[m_nodes[node].children[side]];
-            const float grown = joined(child.box, box).area();
-            cost[side] = (child.isLeaf() ? grown : grown - child.box.area()) + (whole - area);
+            const float grown = joined(child.box, box).halfSurfaceArea();
+            cost[side] = (child.isLeaf() ? grown : grown - child.box.halfSurfaceArea()) + (whole - area);
         }
         if (whole < cost[0] && whole < cost[1]) break;
         node = m_nodes[node].children[cost[1] < cost[0] ? 1 : 0];

@@ -19,8 +19,8 @@ struct Box {
         return low.x <= other.low.x && low.y <= other.low.y && low.z <= other.low.z && other.high.x <= high.x &&
                other.high.y <= high.y && other.high.z <= high.z;
     }
-    /// Half its surface, m².
-    float area() const {
+    /// Half the surface area, m².
+    float halfSurfaceArea() const {
         const Vec3f side = high - low;
         return side.x * side.y + side.y * side.z + side.z * side.x;
     }

@@ -119,7 +119,8 @@ void searchAround(const WorldState& state, const PairScratch& scratch, IndexRang
         for (std::uint32_t proxy = body.firstProxy; proxy != kNone; proxy = state.proxies[proxy].next) {
             const Box& box = state.tree.box(state.proxies[proxy].leaf);
             const Box all = count == 0 ? box : joined(around, box);
-            if (count == kMaxGroup || (count > 0 && all.area() > kMaxGrowth * (around.area() + box.area()))) {
+            const float separate = around.halfSurfaceArea() + box.halfSurfaceArea();
+            if (count == kMaxGroup || (count > 0 && all.halfSurfaceArea() > kMaxGrowth * separate)) {
                 search();
                 around = box;
             } else {
