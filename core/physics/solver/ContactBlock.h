@@ -61,9 +61,9 @@ struct alignas(64) ContactBlock {
     std::array<PointRows, 4> points;
     Vec3Row frictionCentre;                                // m, from the first body's centre
     FloatRow tangentMassXX, tangentMassXY, tangentMassYY;  // kg: inverse of the 2 x 2 mass matrix of both tangents
-    FloatRow twistMass;                                    // kg·m²
-    FloatRow frictionX, frictionY;                         // N·s along both tangents; kept between steps
-    FloatRow twist;                                        // N·m·s about the normal; kept between steps
+    FloatRow torsionalMass;         // kg·m²: inverse of the compliance of rotation about the normal
+    FloatRow frictionX, frictionY;  // N·s along both tangents; kept between steps
+    FloatRow torsionalImpulse;      // N·m·s about the normal; kept between steps
 };
 
 /// The index of a pair of points, i < j, in ContactBlock::coupling.

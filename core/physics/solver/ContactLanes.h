@@ -150,10 +150,10 @@ struct ContactLanes {
         b.angularVelocity =
             b.angularVelocity + row(block.secondInverseInertia, part) * cross<W>(position + centreOffset, impulse);
     }
-    [[gnu::always_inline]] static void applyTwist(F twist, const V& n, const ContactBlock& block, int part,
-                                                  Velocities& a, Velocities& b) {
-        a.angularVelocity = a.angularVelocity - row(block.firstInverseInertia, part) * (n * twist);
-        b.angularVelocity = b.angularVelocity + row(block.secondInverseInertia, part) * (n * twist);
+    [[gnu::always_inline]] static void applyTorsionalImpulse(F torsional, const V& n, const ContactBlock& block,
+                                                             int part, Velocities& a, Velocities& b) {
+        a.angularVelocity = a.angularVelocity - row(block.firstInverseInertia, part) * (n * torsional);
+        b.angularVelocity = b.angularVelocity + row(block.secondInverseInertia, part) * (n * torsional);
     }
 };
 

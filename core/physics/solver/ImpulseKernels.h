@@ -13,7 +13,7 @@ struct ImpulseKernels : ContactLanes<W> {
     using Q = typename Lanes::Q;
     using Lanes::apply;
     using Lanes::applyAt;
-    using Lanes::applyTwist;
+    using Lanes::applyTorsionalImpulse;
     using Lanes::maxPointCount;
     using Lanes::motions;
     using Lanes::put;
@@ -45,7 +45,7 @@ struct ImpulseKernels : ContactLanes<W> {
                 apply(impulses, n, centreOffset, block, part, a, b);
                 const V friction = t * row(block.frictionX, part) + cross<W>(n, t) * row(block.frictionY, part);
                 applyAt(friction, row(block.frictionCentre, part), centreOffset, block, part, a, b);
-                applyTwist(row(block.twist, part), n, block, part, a, b);
+                applyTorsionalImpulse(row(block.torsionalImpulse, part), n, block, part, a, b);
                 putVelocities(a, block.first, part, step);
                 putVelocities(b, block.second, part, step);
             }
@@ -61,7 +61,7 @@ struct ImpulseKernels : ContactLanes<W> {
     /// The normal impulses that limit friction.
     struct Load {
         F sum{};       // N·s
-        F leverage{};  // N·m·s: sum of impulse times lever, which limits twist at a friction of 1
+        F leverage{};  // N·m·s: sum of impulse times lever, which limits torsional friction at a coefficient of 1
     };
 
     /// A point without contact and impulse is left to the next sub-step: slowing it down now would reduce the impact
@@ -102,13 +102,13 @@ struct ImpulseKernels : ContactLanes<W> {
         if (bitsOf<W>(isBeyond) == 0) return isBeyond;
         const F kept =
             select<W>(isBeyond, limit / squareRoot<W>(select<W>(isBeyond, size, all<W>(1.0f))), all<W>(1.0f));
-        const F twist = row(block.twist, part);
-        const F lessX = x * kept - x, lessY = y * kept - y, lessTwist = twist * kept - twist;
+        const F torsional = row(block.torsionalImpulse, part);
+        const F lessX = x * kept - x, lessY = y * kept - y, lessTorsional = torsional * kept - torsional;
         applyAt(t * lessX + cross<W>(n, t) * lessY, row(block.frictionCentre, part), centreOffset, block, part, a, b);
-        applyTwist(lessTwist, n, block, part, a, b);
+        applyTorsionalImpulse(lessTorsional, n, block, part, a, b);
         put(x + lessX, block.frictionX, part);
         put(y + lessY, block.frictionY, part);
-        put(twist + lessTwist, block.twist, part);
+        put(torsional + lessTorsional, block.torsionalImpulse, part);
         return isBeyond;
     }
 
@@ -233,12 +233,13 @@ struct ImpulseKernels : ContactLanes<W> {
         const V tangent = row(block.tangent, part), other = cross<W>(n, tangent);
         const F friction = row(block.friction, part);
 
-        const F twistBefore = row(block.twist, part), maxTwist = friction * load.leverage;
-        F twist = twistBefore - row(block.twistMass, part) * dot<W>(n, b.angularVelocity - a.angularVelocity);
-        twist = greater<W>(lesser<W>(twist, maxTwist), -maxTwist);
-        if constexpr (kPass == Pass::Settle) twist = select<W>(mask, twist, twistBefore);
-        put(twist, block.twist, part);
-        applyTwist(twist - twistBefore, n, block, part, a, b);
+        const F torsionalBefore = row(block.torsionalImpulse, part), maxTorsional = friction * load.leverage;
+        F torsional =
+            torsionalBefore - row(block.torsionalMass, part) * dot<W>(n, b.angularVelocity - a.angularVelocity);
+        torsional = greater<W>(lesser<W>(torsional, maxTorsional), -maxTorsional);
+        if constexpr (kPass == Pass::Settle) torsional = select<W>(mask, torsional, torsionalBefore);
+        put(torsional, block.torsionalImpulse, part);
+        applyTorsionalImpulse(torsional - torsionalBefore, n, block, part, a, b);
 
         const V slip = b.linear + cross<W>(b.angularVelocity, centre + centreOffset) - a.linear -
                        cross<W>(a.angularVelocity, centre);

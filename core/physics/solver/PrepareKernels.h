@@ -115,7 +115,7 @@ struct PrepareKernels : ContactLanes<W> {
         return centre * inverseOrZero<W>(whole);
     }
 
-    /// Computes the effective masses of friction at the friction centre and of twist about the normal.
+    /// Computes the effective masses of friction at the friction centre and of torsional friction about the normal.
     [[gnu::always_inline]] static void computeFrictionMasses(ContactBlock& block, int part, const Poses& a,
                                                              const Poses& b, F inverseMass) {
         const V n = row(block.normal, part), centreOffset = row(block.centreOffset, part);
@@ -136,7 +136,8 @@ struct PrepareKernels : ContactLanes<W> {
         put(yy * inverse, block.tangentMassXX, part);
         put(-xy * inverse, block.tangentMassXY, part);
         put(xx * inverse, block.tangentMassYY, part);
-        put(inverseOrZero<W>(dot<W>(n, a.inverseInertia * n) + dot<W>(n, b.inverseInertia * n)), block.twistMass, part);
+        put(inverseOrZero<W>(dot<W>(n, a.inverseInertia * n) + dot<W>(n, b.inverseInertia * n)), block.torsionalMass,
+            part);
     }
 
     static void prepare(std::span<ContactBlock> blocks, std::span<const ReferenceBlock> references,
