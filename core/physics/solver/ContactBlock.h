@@ -47,13 +47,12 @@ struct alignas(64) ContactBlock {
     IndexRow pointCount;
     Vec3Row normal;   // from first to second
     Vec3Row tangent;  // perpendicular to it; the other tangent is normal x tangent
-    Vec3Row
-        // m: first centre minus second; converts a position relative to the first to one relative to the second
-        centreOffset;
+    // m: first centre minus second; converts a position relative to the first to one relative to the second.
+    Vec3Row centreOffset;
     SymMat3Row firstInverseInertia, secondInverseInertia;
     FloatRow friction, restitution;
     FloatRow againstFixed;  // 1 if one of the bodies is not dynamic, else 0
-    FloatRow stiffening;    // 1/m: inverse of the overlap beyond which the contact stiffens
+    FloatRow stiffening;    // 1/m: inverse of the overlap beyond which the contact stiffens; rigid from twice as much
     // Softness where several manifolds of the same bodies share their load; 0: that of a manifold alone.
     FloatRow sharedMassScale, sharedImpulseScale;
     // The change of the normal speed at point i by a unit impulse at point j, 1/kg.
@@ -61,9 +60,9 @@ struct alignas(64) ContactBlock {
     std::array<PointRows, 4> points;
     Vec3Row frictionCentre;                                // m, from the first body's centre
     FloatRow tangentMassXX, tangentMassXY, tangentMassYY;  // kg: inverse of the 2 x 2 mass matrix of both tangents
-    FloatRow torsionalMass;         // kg·m²: inverse of the compliance of rotation about the normal
-    FloatRow frictionX, frictionY;  // N·s along both tangents; kept between steps
-    FloatRow torsionalImpulse;      // N·m·s about the normal; kept between steps
+    FloatRow torsionalMass;                                // kg·m²: effective inertia of both bodies about the normal
+    FloatRow frictionX, frictionY;                         // N·s along both tangents; kept between steps
+    FloatRow torsionalImpulse;                             // N·m·s about the normal; kept between steps
 };
 
 /// The index of a pair of points, i < j, in ContactBlock::coupling.

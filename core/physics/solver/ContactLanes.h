@@ -127,10 +127,23 @@ struct ContactLanes {
         return mask;
     }
 
+    /// The speeds of a manifold's points along its normal, m/s, negative where they approach; PrepareKernels.h derives
+    /// them.
+    struct NormalSpeed {
+        F base;
+        V slope;
+        F at(const V& position) const { return base + dot<W>(position, slope); }
+    };
+    [[gnu::always_inline]] static NormalSpeed normalSpeed(const V& n, const V& centreOffset, const Velocities& a,
+                                                          const Velocities& b) {
+        const V spinA = cross<W>(n, a.angularVelocity), spinB = cross<W>(n, b.angularVelocity);
+        return {dot<W>(n, b.linear - a.linear) + dot<W>(centreOffset, spinB), spinB - spinA};
+    }
+
     /// The sum of a manifold's normal impulses.
     struct NormalImpulse {
-        F sum{};     // along n
-        V moment{};  // sum of impulse times position
+        F sum{};     // N·s along n
+        V moment{};  // N·m·s: sum of impulse times position
     };
     [[gnu::always_inline]] static void apply(const NormalImpulse& impulses, const V& n, const V& centreOffset,
                                              const ContactBlock& block, int part, Velocities& a, Velocities& b) {

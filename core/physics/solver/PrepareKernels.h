@@ -12,7 +12,8 @@
 
 namespace rubble {
 
-/// The passes before the sub-steps: finding outdated manifolds, and computing separations, speeds and effective masses.
+/// The passes before the sub-steps: finding outdated manifolds, and computing separations, approach speeds, effective
+/// masses and the friction centre.
 template <int W>
 struct PrepareKernels : ContactLanes<W> {
     using Lanes = ContactLanes<W>;
@@ -20,6 +21,7 @@ struct PrepareKernels : ContactLanes<W> {
     using V = typename Lanes::V;
     using Q = typename Lanes::Q;
     using Lanes::hasPoint;
+    using Lanes::normalSpeed;
     using Lanes::poses;
     using Lanes::put;
     using Lanes::row;
@@ -65,15 +67,14 @@ struct PrepareKernels : ContactLanes<W> {
         const V nA = rotated<W>((a.rotation * row(reference.firstRotation, part).conjugate()).conjugate(), n);
         const V nB = rotated<W>((b.rotation * row(reference.secondRotation, part).conjugate()).conjugate(), n);
         const F base = dot<W>(nB, then) - dot<W>(n, now);
-        const V slope = nB - nA, spinA = cross<W>(n, va.angularVelocity), spinB = cross<W>(n, vb.angularVelocity);
-        const F speed = dot<W>(n, vb.linear - va.linear) + dot<W>(centreOffset, spinB);
-        const V speedSlope = spinB - spinA;
+        const V slope = nB - nA;
+        const auto speed = normalSpeed(n, centreOffset, va, vb);
         put(centreOffset, block.centreOffset, part);
         for (int i = 0; i < 4; ++i) {
             PointRows& point = block.points[i];
             const V position = row(point.position, part);
             put(row(reference.separation[i], part) + base + dot<W>(position, slope), point.separation, part);
-            put(speed + dot<W>(position, speedSlope), point.approach, part);
+            put(speed.at(position), point.approach, part);
             put(F{}, point.stepImpulse, part);
         }
     }

@@ -9,12 +9,12 @@
 
 namespace rubble {
 
-/// The coefficients of a soft constraint.
+/// The coefficients of a soft constraint; SoftContactKernels.h has the equation. The default is a rigid one.
 /// Source: Catto 2011, "Soft constraints".
 struct Softness {
-    float biasRate = 0.0f;  // 1/s
-    float massScale = 1.0f;
-    float impulseScale = 0.0f;
+    float biasRate = 0.0f;      // 1/s: the part of an overlap that is resolved in a second
+    float massScale = 1.0f;     // (0, 1]: the part of the speed that is cancelled
+    float impulseScale = 0.0f;  // [0, 1): the part of the impulse that is released
 };
 
 /// The parameters of a step, for all passes.
@@ -26,7 +26,7 @@ struct SolverStep {
     Vec3f gravity{0.0f, 0.0f, 0.0f};  // m/s²
     Softness betweenBodies;
     Softness againstFixed;          // stiffer, so that bodies are not pushed through the ground
-    float pushOutSpeed = 0.0f;      // m/s
+    float pushOutSpeed = 0.0f;      // m/s: the largest bias velocity
     float restitutionSpeed = 0.0f;  // m/s: no restitution below it
 };
 

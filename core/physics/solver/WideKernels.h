@@ -1,8 +1,9 @@
 #pragma once
 
-#include "core/physics/solver/ImpulseKernels.h"
 #include "core/physics/solver/IntegrationKernels.h"
 #include "core/physics/solver/PrepareKernels.h"
+#include "core/physics/solver/RestitutionKernels.h"
+#include "core/physics/solver/SoftContactKernels.h"
 
 namespace rubble {
 
@@ -12,10 +13,10 @@ template <int W>
 inline constexpr SolverKernels kWideKernels{
     &PrepareKernels<W>::staleLanes,
     &PrepareKernels<W>::prepare,
-    &ImpulseKernels<W>::warmStart,
-    &ImpulseKernels<W>::solve,
-    &ImpulseKernels<W>::relax,
-    &ImpulseKernels<W>::restitute,
+    &SoftContactKernels<W>::warmStart,
+    &SoftContactKernels<W>::solve,
+    &SoftContactKernels<W>::relax,
+    &RestitutionKernels<W>::restitute,
     &IntegrationKernels<W>::integrateVelocities,
     &IntegrationKernels<W>::integratePositions,
 };

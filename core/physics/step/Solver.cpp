@@ -1,5 +1,6 @@
 #include "core/physics/step/Solver.h"
 
+#include "core/base/Assert.h"
 #include "core/physics/islands/Sleeping.h"
 #include "core/physics/solver/SpeedThresholds.h"
 #include "core/physics/state/AngularMomentum.h"
@@ -18,7 +19,8 @@ constexpr float kContactHertz = 50.0f;
 constexpr float kDampingRatio = 2.0f;
 constexpr float kPushOutSpeed = 3.0f;  // m/s
 
-/// Source: Catto 2011, "Soft constraints", by the spring's frequency and damping ratio.
+/// The coefficients β, α and γ of a spring by its frequency and damping ratio; SoftContactKernels.h has them.
+/// Source: Catto 2011, "Soft constraints".
 Softness softness(float hertz, float dampingRatio, float h) {
     const float omega = 2.0f * 3.14159265f * hertz;
     const float a1 = 2.0f * dampingRatio + h * omega, a2 = h * omega * a1, a3 = 1.0f / (1.0f + a2);
@@ -156,6 +158,7 @@ private:
 }  // namespace
 
 SolverStep solverStep(WorldState& state, float dt) {
+    RUBBLE_ASSERT(dt > 0.0f);
     const float h = dt / static_cast<float>(subStepsOf(dt));
     const float hertz = std::min(kContactHertz, 0.25f / h);
     return {state.motions.data(),
