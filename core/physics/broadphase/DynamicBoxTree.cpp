@@ -1,5 +1,7 @@
 #include "core/physics/broadphase/DynamicBoxTree.h"
 
+#include "core/base/Assert.h"
+
 #include <algorithm>
 #include <array>
 
@@ -83,6 +85,7 @@ void DynamicBoxTree::refitAncestors(std::uint32_t node) {
 }
 
 void DynamicBoxTree::remove(std::uint32_t leaf) {
+    RUBBLE_ASSERT(isLeaf(leaf));
     const std::uint32_t parent = m_nodes[leaf].parent;
     --m_leafCount;
     m_free.push_back(leaf);
@@ -113,6 +116,7 @@ void DynamicBoxTree::removePending(std::uint32_t leaf) {
 }
 
 void DynamicBoxTree::enlarge(std::uint32_t leaf, const Box& box) {
+    RUBBLE_ASSERT(isLeaf(leaf));
     ++m_changes;
     m_nodes[leaf].box = joined(m_nodes[leaf].box, box);
     for (std::uint32_t above = m_nodes[leaf].parent; above < kPending; above = m_nodes[above].parent) {
@@ -122,6 +126,7 @@ void DynamicBoxTree::enlarge(std::uint32_t leaf, const Box& box) {
 }
 
 void DynamicBoxTree::move(std::uint32_t leaf, const Box& box) {
+    RUBBLE_ASSERT(isLeaf(leaf));
     ++m_changes;
     m_nodes[leaf].box = box;
     refitAncestors(leaf);

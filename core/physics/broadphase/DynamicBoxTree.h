@@ -80,6 +80,7 @@ private:
         }
     }
 
+    bool isLeaf(std::uint32_t node) const { return node < m_nodes.size() && m_nodes[node].isLeaf(); }
     std::uint32_t newNode();
     std::uint32_t bestSibling(const Box& box) const;
     /// The index in m_pending of a pending leaf, which has no children.

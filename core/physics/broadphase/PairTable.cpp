@@ -49,9 +49,9 @@ bool PairTable::insert(std::uint32_t first, std::uint32_t second, std::uint32_t 
 }
 
 void PairTable::erase(std::uint32_t first, std::uint32_t second) {
+    RUBBLE_ASSERT(find(first, second) != kNone);
     const std::size_t mask = m_entries.size() - 1;
     std::size_t gap = slotOf(keyOf(first, second));
-    RUBBLE_ASSERT(m_entries[gap].contact != kNone);
     --m_count;
     // Entries whose home slot is at or before the gap move back into it.
     for (std::size_t slot = (gap + 1) & mask; m_entries[slot].contact != kNone; slot = (slot + 1) & mask) {

@@ -15,6 +15,7 @@ public:
     std::uint32_t find(std::uint32_t first, std::uint32_t second) const;
     /// False, without a change, if the table contains the pair.
     bool insert(std::uint32_t first, std::uint32_t second, std::uint32_t contact);
+    /// The table must contain the pair.
     void erase(std::uint32_t first, std::uint32_t second);
     std::size_t byteCount() const { return m_entries.size() * sizeof(Entry); }
 

@@ -1,5 +1,7 @@
 #include "core/physics/broadphase/SortAndSweep.h"
 
+#include "core/base/Assert.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -58,6 +60,7 @@ void SortAndSweep::sort() {
 }
 
 std::span<const std::uint32_t> SortAndSweep::overlappingLater(std::size_t rank, Scratch& scratch) const {
+    RUBBLE_ASSERT(rank < size() && m_numbers.size() == size());  // sorted since the last box was added
     const float end = m_along.high[rank];
     const float left = m_across.low[rank], right = m_across.high[rank];
     const float bottom = m_upwards.low[rank], top = m_upwards.high[rank];

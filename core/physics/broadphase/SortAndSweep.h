@@ -28,8 +28,8 @@ public:
 
     std::size_t size() const { return m_boxes.size(); }
     std::uint32_t number(std::size_t rank) const { return m_numbers[rank]; }
-    /// The numbers of the boxes that overlap the box at `rank` and have a higher rank, by ascending rank: each pair is
-    /// found once. Valid until the scratch is used again.
+    /// After sort(): the numbers of the boxes that overlap the box at `rank` and have a higher rank, by ascending rank:
+    /// each pair is found once. Valid until the scratch is used again.
     std::span<const std::uint32_t> overlappingLater(std::size_t rank, Scratch& scratch) const;
 
 private:

@@ -1,5 +1,6 @@
 #include "core/physics/islands/Sleeping.h"
 
+#include "core/base/Assert.h"
 #include "core/base/DisjointSets.h"
 #include "core/physics/state/Contacts.h"
 
@@ -144,6 +145,7 @@ void wakeNeighbours(WorldState& state, std::uint32_t body) {
 
 void updateRestTime(WorldState& state, std::uint32_t number, float dt) {
     Body& body = state.bodies[number];
+    RUBBLE_ASSERT(body.isAwake);
     if (!body.isDynamic()) return;
     const bool rests = isSlower(state, number, kRestSpeed);
     body.restTime = rests ? body.restTime + dt : 0.0f;

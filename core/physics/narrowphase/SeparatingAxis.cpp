@@ -1,5 +1,6 @@
 #include "core/physics/narrowphase/SeparatingAxis.h"
 
+#include "core/base/Assert.h"
 #include "core/physics/math/LaneMath.h"
 
 #include <algorithm>
@@ -185,6 +186,7 @@ SeparatingAxis secondFaceAxis(const Hull& second, const RelativePose& pose, cons
 }  // namespace
 
 SeparatingAxis faceAxis(const SeparatingAxis& face, const Hull& first, const Hull& second, const RelativePose& pose) {
+    RUBBLE_ASSERT(face.isFace());
     if (face.kind == AxisKind::FirstFace) {
         return firstFaceAxis(first, {face.first, faceSeparation(first, face.first, second, pose)});
     }
@@ -227,6 +229,7 @@ SeparatingAxis bestFaceAxis(const Hull& first, const Hull& second, const Relativ
 
 SeparatingAxis bestEdgeAxis(const SeparatingAxis& face, const Hull& first, const Hull& second, const RelativePose& pose,
                             float margin) {
+    RUBBLE_ASSERT(face.isFace());
     // Edges cannot separate more than the bound given by a corner above the face.
     const float enough = face.separation + kAxisPreference;
     const float distance = face.kind == AxisKind::FirstFace

@@ -1,5 +1,7 @@
 #include "core/physics/queries/BlastPressure.h"
 
+#include "core/base/Assert.h"
+
 #include <array>
 #include <cstddef>
 
@@ -60,6 +62,7 @@ void addTriangle(const Triangle& triangle, const BlastPressure& blast, int divis
 }  // namespace
 
 void addBlastOn(const FacePolygon& part, const BlastPressure& blast, BlastSum& sum) {
+    RUBBLE_ASSERT(blast.radius > 0.0);
     for (std::size_t k = 2; k < part.size(); ++k) addTriangle({part[0], part[k - 1], part[k]}, blast, 0, sum);
 }
 

@@ -1,5 +1,6 @@
 #include "core/physics/state/AngularMomentum.h"
 
+#include "core/base/Assert.h"
 #include "core/physics/state/TorqueFree.h"
 
 namespace rubble {
@@ -70,6 +71,7 @@ bool beginRotation(WorldState& state, std::uint32_t number, float dt) {
 
 void rotateFreely(WorldState& state, std::uint32_t number, float h) {
     Body& body = state.bodies[number];
+    RUBBLE_ASSERT(body.isFastRotating);
     const BodyPose& pose = state.poses[number];
     BodyMotion& motion = state.motions[number];
     const Quatf rotation = currentRotation(pose, motion);

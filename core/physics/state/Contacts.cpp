@@ -59,6 +59,7 @@ void assignSlot(WorldState& state, std::uint32_t contact, std::uint32_t pointCou
 }  // namespace
 
 std::uint32_t addContact(WorldState& state, std::uint32_t firstProxy, std::uint32_t secondProxy) {
+    RUBBLE_ASSERT(state.proxies[firstProxy].body != state.proxies[secondProxy].body);
     if (secondProxy < firstProxy) std::swap(firstProxy, secondProxy);
     const std::uint32_t contact = nextFreeContact(state);
     if (!state.pairs.insert(firstProxy, secondProxy, contact)) return kNone;
@@ -84,6 +85,7 @@ void removeContact(WorldState& state, std::uint32_t contact) {
 }
 
 void beginTouching(WorldState& state, std::uint32_t contact, std::uint32_t pointCount) {
+    RUBBLE_ASSERT(!state.contacts[contact].slot.isSet() && state.isAwake(state.contacts[contact]));
     const std::array<std::uint32_t, 2> bodies = state.contacts[contact].bodies;
     removeSeparated(state, contact);
     assignSlot(state, contact, pointCount);
@@ -92,6 +94,7 @@ void beginTouching(WorldState& state, std::uint32_t contact, std::uint32_t point
 
 void moveLane(WorldState& state, std::uint32_t contact, std::uint32_t pointCount) {
     Contact& record = state.contacts[contact];
+    RUBBLE_ASSERT(record.slot.isSet());
     if (!ContactColours::isMisplaced(record.slot, pointCount)) return;
     const ContactSlot before = record.slot;
     const std::uint32_t moved = state.colours.moveToOtherList(record.slot);
@@ -100,6 +103,7 @@ void moveLane(WorldState& state, std::uint32_t contact, std::uint32_t pointCount
 
 void endTouching(WorldState& state, std::uint32_t contact) {
     Contact& record = state.contacts[contact];
+    RUBBLE_ASSERT(record.slot.isSet());
     freeSlot(state, record);
     record.features = {};
     addSeparated(state, contact);
@@ -125,6 +129,7 @@ void removeSeparated(WorldState& state, std::uint32_t contact) {
 
 void storeContact(WorldState& state, std::uint32_t contact) {
     Contact& record = state.contacts[contact];
+    RUBBLE_ASSERT(record.slot.isSet() && record.stored == kNone);
     if (state.freeStored.empty()) {
         state.freeStored.push_back(static_cast<std::uint32_t>(state.stored.size()));
         state.stored.emplace_back();
@@ -139,6 +144,7 @@ void storeContact(WorldState& state, std::uint32_t contact) {
 
 void restoreContact(WorldState& state, std::uint32_t contact) {
     Contact& record = state.contacts[contact];
+    RUBBLE_ASSERT(record.stored != kNone);
     // The point count is one of the stored words.
     const std::uint32_t points =
         state.stored[record.stored].block[offsetof(ContactBlock, pointCount) / sizeof(IndexRow)];

@@ -4,16 +4,16 @@
 
 namespace rubble {
 
-/// Adds a contact of two proxies, without a manifold. Returns its index, or kNone if it exists.
+/// Adds a contact of two proxies of different bodies, without a manifold. Returns its index, or kNone if it exists.
 std::uint32_t addContact(WorldState& state, std::uint32_t firstProxy, std::uint32_t secondProxy);
 /// Removes a contact, whose lane must not be stored: wake its bodies first.
 void removeContact(WorldState& state, std::uint32_t contact);
 
 /// Assigns a lane to a contact without a manifold, whose bodies must be awake, and adds the event.
 void beginTouching(WorldState& state, std::uint32_t contact, std::uint32_t pointCount);
-/// Moves its lane to the list for its new point count.
+/// Moves the lane of a contact to the list for its new point count.
 void moveLane(WorldState& state, std::uint32_t contact, std::uint32_t pointCount);
-/// Frees its lane, adds it to the separated contacts and adds the event.
+/// Frees the lane of a contact, adds it to the separated contacts and adds the event.
 void endTouching(WorldState& state, std::uint32_t contact);
 
 /// Adds a contact without a manifold to the separated contacts, or removes it, as its bodies wake and fall asleep.

@@ -1,5 +1,6 @@
 #include "core/physics/step/SharedLoad.h"
 
+#include "core/base/Assert.h"
 #include "core/base/math/Power.h"
 #include "core/physics/state/Contacts.h"
 
@@ -73,6 +74,7 @@ void softenPair(WorldState& state, std::span<const Manifold> pair, const SolverS
 }  // namespace
 
 Softness sharedSoftness(const Softness& ofOne, double count) {
+    RUBBLE_ASSERT(count >= 1.0 && ofOne.massScale > 0.0f && ofOne.massScale <= 1.0f);
     const double massScale = 1.0 - power(1.0 - static_cast<double>(ofOne.massScale), 1.0 / count);
     const double impulseScale = ofOne.impulseScale * count * massScale / static_cast<double>(ofOne.massScale);
     return {ofOne.biasRate, static_cast<float>(massScale),

@@ -6,7 +6,7 @@
 
 namespace rubble {
 
-/// The softness of one of `count` manifolds of the same two bodies that push in the same direction, so that all
+/// The softness of one of `count` >= 1 manifolds of the same two bodies that push in the same direction, so that all
 /// together are as soft as a single one, `ofOne`: each leaves (1 - massScale) of the speed to the next, and the product
 /// over all must be that of one. Solved with the softness of one, each would refill what another releases, and
 /// the pair of bodies would be rigid; four sub-steps cannot bring that to rest.

@@ -23,7 +23,7 @@ struct SolveScratch {
     std::vector<SolveStage> restitution;
 };
 
-/// The parameters of a step of dt seconds.
+/// The parameters of a step of dt > 0 seconds.
 SolverStep solverStep(WorldState& state, float dt);
 
 /// Computes separations and effective masses; call before solveSubSteps().

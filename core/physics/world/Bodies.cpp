@@ -1,7 +1,9 @@
 #include "core/physics/world/Bodies.h"
 
+#include "core/base/Assert.h"
 #include "core/physics/islands/Sleeping.h"
 #include "core/physics/state/Contacts.h"
+#include "core/physics/state/VerifyBody.h"
 #include "core/physics/step/BroadPhase.h"
 
 #include <algorithm>
@@ -42,6 +44,7 @@ void assignMaterial(WorldState& state, std::uint32_t number, const BodyMaterial&
 }  // namespace
 
 std::uint32_t addBody(WorldState& state, const BodyDefinition& definition) {
+    RUBBLE_ASSERT(!verifyBodyDefinition(definition));
     const std::uint32_t number = newBody(state);
     Body& body = state.bodies[number];
     body = {.shape = definition.shape, .generation = body.generation + 1, .kind = definition.kind};
@@ -65,6 +68,7 @@ std::uint32_t addBody(WorldState& state, const BodyDefinition& definition) {
 }
 
 void setMaterial(WorldState& state, std::uint32_t number, const BodyMaterial& material) {
+    RUBBLE_ASSERT(!verifyMaterial(material, *state.bodies[number].shape, state.bodies[number].kind));
     assignMaterial(state, number, material);
     BodyPose& pose = state.poses[number];
     pose.inverseInertia = rotated(state.bodies[number].inverseInertia, pose.rotation.matrix());

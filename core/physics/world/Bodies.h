@@ -6,7 +6,7 @@ namespace rubble {
 
 /// Adds a body of a valid definition. Returns its index.
 std::uint32_t addBody(WorldState& state, const BodyDefinition& definition);
-/// Sets friction, restitution and, if it is dynamic, mass and inertia of a body.
+/// Sets the friction, restitution and, if it is dynamic, mass and inertia of a body.
 void setMaterial(WorldState& state, std::uint32_t body, const BodyMaterial& material);
 /// Removes a body and wakes those that touch it.
 void removeBody(WorldState& state, std::uint32_t body);

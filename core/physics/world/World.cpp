@@ -156,6 +156,7 @@ double World::restitution(BodyId body) const {
 
 void World::collide(double dt) {
     StepContext& context = *m_context;
+    RUBBLE_ASSERT(!context.isCollided || context.dt == static_cast<float>(dt));
     Stopwatch watch;
     if (!context.isCollided) {
         m_state->events.began.clear();
@@ -179,7 +180,7 @@ void World::collide(double dt) {
 }
 
 void World::addContact(BodyId first, BodyId second, std::span<const CachedManifold> manifolds) {
-    RUBBLE_ASSERT(contains(first) && contains(second));
+    RUBBLE_ASSERT(contains(first) && contains(second) && first != second);
     WorldState& state = *m_state;
     for (const CachedManifold& cached : manifolds) {
         addCachedContact(state, proxyOf(state, first.index, cached.hulls[0]),

@@ -121,15 +121,15 @@ public:
     /// The spring of grab(); nothing if no body is grabbed or the body was removed.
     std::optional<GrabSpring> grabSpring() const;
 
-    /// Finds contacts and the impacts of the coming step. Called again in a step after bodies were added and removed,
-    /// it considers only the new ones.
+    /// Finds the contacts of the coming step of dt > 0 seconds. Called again in a step, with the same dt, after bodies
+    /// were added and removed, it considers only the new ones.
     void collide(double dt);
     /// Adds a contact of two bodies known to touch, such as sibling fragments, so that collide() need not find it, with
-    /// the manifolds if these are cached. Call between collide() and solve(), and collide() again after it.
+    /// the manifolds if these are cached. Call collide(), also if it was called in this step, between it and solve().
     void addContact(BodyId first, BodyId second, std::span<const CachedManifold> manifolds = {});
     /// The impacts of the coming step, after collide(), sorted by bodies.
     std::vector<Impact> impacts();
-    /// Simulates dt seconds, after collide().
+    /// Simulates dt seconds, after collide() with the same dt.
     void solve(double dt);
     /// Calls collide() and solve().
     void step(double dt);
