@@ -175,10 +175,10 @@ Result<Hull> makeHull(const Polytope& polytope, Vec3 centre) {
     const Result<Polytope> simple = simplified(polytope);
     if (!simple) return simple.error();
     Hull hull;
-    hull.innerRadius = innerRadiusOf(hull);
     hull.minWidth = static_cast<float>(minWidthOf(*simple));
     addCorners(hull, *simple, centre);
     addFaces(hull, *simple, centre);
+    hull.innerRadius = innerRadiusOf(hull);
     addSides(hull);
     addEdges(hull, *simple);
     return hull;

@@ -1,0 +1,89 @@
+#include "core/physics/shape/Shape.h"
+
+#include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Hulls.h"
+
+#include <QTest>
+
+#include <limits>
+
+using namespace rubble;
+using namespace rubble::test;
+
+namespace {
+
+/// A box between two corners.
+Polytope boxBetween(Vec3 low, Vec3 high) {
+    return extruded(std::vector<Vec2>{{low.x, low.y}, {high.x, low.y}, {high.x, high.y}, {low.x, high.y}}, low.z,
+                    high.z);
+}
+
+/// Two cubes of 1 m beside each other: together 2 x 1 x 1 m about the origin.
+std::vector<Polytope> twoCubes() {
+    return {boxBetween({-1.0, -0.5, -0.5}, {0.0, 0.5, 0.5}), boxBetween({0.0, -0.5, -0.5}, {1.0, 0.5, 0.5})};
+}
+
+}  // namespace
+
+class ShapeTest : public QObject {
+    Q_OBJECT
+private slots:
+    void measuresOfTwoCubes() {
+        const std::shared_ptr<const Shape> shape = *makeShape(twoCubes());
+        QCOMPARE(shape->hulls.size(), std::size_t{2});
+        QVERIFY(std::abs(shape->mass.volume - 2.0) < 1e-12);
+        QVERIFY(std::abs(shape->mass.inertia[0][0] - 2.0 / 12.0 * 2.0) < 1e-12);  // m (1² + 1²) / 12
+        QVERIFY(std::abs(shape->mass.inertia[1][1] - 2.0 / 12.0 * 5.0) < 1e-12);  // m (2² + 1²) / 12
+        QVERIFY(std::abs(shape->inverseInertia[1][1] - 1.2) < 1e-9);
+        QVERIFY(std::abs(shape->surfaceArea - 12.0) < 1e-12);  // of both cubes, where they touch included
+        QVERIFY(std::abs(shape->boundingRadius - std::sqrt(1.5f)) < 1e-6f);
+        QVERIFY(length(shape->extents - Vec3f(1.0f, 0.5f, 0.5f)) < 1e-6f);
+        QCOMPARE(shape->minWidth, 1.0f);
+    }
+    void extentsAreThoseOfTheFartherSide() {
+        MassProperties mass = massOf(boxOf(Vec3(2.0)));
+        mass.centre = {0.5, 0.0, 0.0};
+        const std::shared_ptr<const Shape> shape = *makeShape(std::vector{boxOf(Vec3(2.0))}, mass);
+        QVERIFY(length(shape->extents - Vec3f(1.5f, 1.0f, 1.0f)) < 1e-6f);
+    }
+    void shapesWithoutHullsAreRefused() {
+        const auto shape = makeShape(std::vector<Polytope>{}, massOf(boxOf(Vec3(1.0))));
+        QVERIFY(!shape);
+        QCOMPARE(shape.error().message, "A body needs at least one hull.");
+    }
+    void massPropertiesMustBePositiveAndFinite() {
+        const MassProperties good = massOf(boxOf(Vec3(1.0)));
+        const auto isRefused = [](const MassProperties& mass) {
+            const auto shape = makeShape(std::vector{boxOf(Vec3(1.0))}, mass);
+            return !shape && shape.error().code == ErrorCode::BadInput &&
+                   shape.error().message == "The volume and inertia of a body must be positive and finite.";
+        };
+        QVERIFY(!isRefused(good));
+        for (const double wrong : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan("")}) {
+            MassProperties mass = good;
+            mass.volume = wrong;
+            QVERIFY(isRefused(mass));
+            for (int k = 0; k < 3; ++k) {
+                mass = good;
+                mass.inertia[k][k] = wrong;
+                QVERIFY(isRefused(mass));
+            }
+        }
+        MassProperties mass = good;
+        mass.centre.y = std::nan("");
+        QVERIFY(isRefused(mass));
+        mass = good;
+        mass.inertia[0][1] = mass.inertia[1][0] = 1.0;  // the determinant is negative
+        QVERIFY(isRefused(mass));
+    }
+    void faultsOfHullsArePassedOn() {
+        Polytope flat = boxOf(Vec3(1.0));
+        flat.vertices.resize(3);
+        const auto shape = makeShape(std::vector{flat}, massOf(boxOf(Vec3(1.0))));
+        QVERIFY(!shape);
+        QCOMPARE(shape.error().code, ErrorCode::Degenerate);
+    }
+};
+
+RUBBLE_TEST(ShapeTest)
+#include "ShapeTest.moc"
