@@ -1,4 +1,4 @@
-// Tests core/physics/world/World.cpp.
+// Tests core/physics/world/World.cpp and core/physics/world/WorldHash.cpp.
 #include "core/physics/math/Lanes.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Simulated.h"

@@ -1,4 +1,4 @@
-// Tests core/physics/world/World.cpp.
+// Tests core/physics/world/World.cpp and core/physics/state/StateSize.cpp.
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Simulated.h"
 #include "tests/support/scenes/SceneParts.h"

@@ -1,3 +1,4 @@
+// Tests core/physics/world/World.cpp and core/physics/world/Bodies.cpp.
 #include "core/physics/world/World.h"
 
 #include "tests/support/TestProgram.h"
