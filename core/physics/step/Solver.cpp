@@ -31,7 +31,7 @@ int subStepsOf(float dt) { return std::max(kMinSubSteps, static_cast<int>(std::c
 
 using Pass = void (*)(std::span<ContactBlock>, const SolverStep&);
 
-/// The spring of World::grab(): critically damped, with limited force.
+/// The spring of World::grab(), of limited force: v' = ω (ω d / 2 - v) at the distance d, a damping ratio of 1/√2.
 void pullGrabbed(WorldState& state, const SolverStep& step) {
     const std::uint32_t number = state.grabbed.index;
     if (number == 0 || !state.bodies[number].isDynamic()) return;

@@ -112,7 +112,7 @@ public:
     ///
     /// Errors: BadInput for a point or radius beyond kMaxCoordinate, or an impulse beyond kMaxImpulse.
     Status explode(Vec3 point, double radius, double impulse);
-    /// Pulls a point of a body to a target, as a critically damped spring of at most `force` N, until release().
+    /// Pulls a point of a body to a target, as a damped spring of at most `force` N, until release().
     ///
     /// Errors: BadInput for a point beyond kMaxCoordinate or a force beyond kMaxImpulse; so dragTo().
     Status grab(BodyId body, Vec3 point, double force);

@@ -77,6 +77,45 @@ private slots:
         tree.update();
         QCOMPARE(found(tree, all), expected);
     }
+    /// Of a grid of 1000 boxes, 400 are inserted one by one: a search for one box looks at a small part of the tree.
+    void insertedBoxesKeepTheTreeBalanced() {
+        const auto boxAt = [](std::uint32_t i) {
+            const Vec3f low(static_cast<float>(i % 10), static_cast<float>(i / 10 % 10), static_cast<float>(i / 100));
+            return Box{low, low + Vec3f(0.5f)};
+        };
+        DynamicBoxTree tree;
+        for (std::uint32_t i = 0; i < 600; ++i) tree.insert(boxAt(i * 7 % 1000), i);
+        tree.update();
+        for (std::uint32_t i = 600; i < 1000; ++i) {
+            tree.insert(boxAt(i * 7 % 1000), i);
+            tree.update();
+        }
+        int tested = 0;
+        for (std::uint32_t i = 0; i < 1000; ++i) {
+            const auto overlaps = [&](const Box& box) {
+                ++tested;
+                return box.overlaps(boxAt(i));
+            };
+            int seen = 0;
+            tree.visitIf(overlaps, [&](std::uint32_t, const Box&) { ++seen; });
+            QCOMPARE(seen, 1);
+        }
+        QVERIFY2(tested < 1000 * 60, qPrintable(QString::number(tested)));
+    }
+    void enlargedBoxesAreFoundWhereTheyAreNow() {
+        DynamicBoxTree tree;
+        std::vector<std::uint32_t> leaves;
+        for (std::uint32_t i = 0; i < 100; ++i) {
+            const Vec3f low(static_cast<float>(i), 0.0f, 0.0f);
+            leaves.push_back(tree.insert({low, low + Vec3f(0.5f)}, i));
+        }
+        tree.update();
+        tree.enlarge(leaves[3], {Vec3f(3.0f, 5.0f, 0.0f), Vec3f(3.5f, 6.0f, 0.5f)});
+        tree.enlarge(leaves[3], {Vec3f(3.1f, 5.1f, 0.1f), Vec3f(3.2f, 5.2f, 0.2f)});  // nothing new
+        QCOMPARE(found(tree, {Vec3f(0.0f, 5.5f, 0.0f), Vec3f(100.0f, 5.6f, 0.1f)}), (std::vector<std::uint32_t>{3}));
+        QCOMPARE(found(tree, {Vec3f(3.0f, 0.0f, 0.0f), Vec3f(3.1f, 0.1f, 0.1f)}), (std::vector<std::uint32_t>{3}));
+        QVERIFY(tree.box(leaves[3]).high == Vec3f(3.5f, 6.0f, 0.5f));
+    }
     void rowOfBoxesIsVisitedCompletely() {
         DynamicBoxTree tree;
         for (std::uint32_t i = 0; i < 5000; ++i) {

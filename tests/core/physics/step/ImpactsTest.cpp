@@ -112,6 +112,9 @@ private slots:
     }
     void contactPointsOfARestingCube() {
         SceneWorld made = cubeOver(0.0, Vec3(0.0));
+        made.world.step(kStep);
+        QCOMPARE(made.world.counts().contacts, 1);
+        QCOMPARE(made.world.counts().contactPoints, 4);
         simulate(made.world, 2.0);
         QVERIFY(areAllAsleep(made));
         const std::vector<ContactPoint> points = made.world.contactPoints();  // stored while it sleeps

@@ -37,6 +37,19 @@ private slots:
         threadedSteps(heuristic, 256, 1.0, 0.6);
         QVERIFY(threadedSteps(heuristic, 256, 1.0, 0.6) >= 240);
     }
+    /// After each change the caches are cold, longer so on several threads.
+    void firstStepOfEachKindDoesNotDecide() {
+        ThreadingHeuristic heuristic;
+        bool wasThreaded = false;
+        int threaded = 0;
+        for (int step = 0; step < 2560; ++step) {
+            const bool isThreaded = heuristic.isThreaded(), isFirst = isThreaded != wasThreaded;
+            threaded += isThreaded ? 1 : 0;
+            heuristic.addStep(isThreaded ? (isFirst ? 20.0 : 0.6) : (isFirst ? 10.0 : 1.0));
+            wasThreaded = isThreaded;
+        }
+        QVERIFY(threaded >= 2560 - 100);
+    }
     void trendOfStepTimesDoesNotDecide() {
         // Every step takes longer than the one before, and 1.2 times as long on several threads.
         ThreadingHeuristic heuristic;
