@@ -4,6 +4,7 @@
 #include "core/io/text/XmlText.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace rubble {
 namespace {
@@ -14,13 +15,20 @@ std::string attribute(const std::string& name, const std::string& value) {
 
 std::string timeText(double seconds) { return attribute("time", roundedText(seconds, 3)); }
 
-/// The failed expectations with the observed values, one per line.
-std::string failureText(const PlayTestOutcome& outcome) {
-    std::string text;
+/// The failed expectations with the observed values.
+std::vector<std::string> failuresOf(const PlayTestOutcome& outcome) {
+    std::vector<std::string> failures;
     for (const ExpectationOutcome& expectation : outcome.expectations) {
-        if (!expectation.isMet) text += (text.empty() ? "" : "\n") + expectation.expected + ": " + expectation.seen;
+        if (!expectation.isMet) failures.push_back(expectation.expected + ": " + expectation.seen);
     }
-    return text;
+    return failures;
+}
+
+/// One on each line.
+std::string linesOf(const std::vector<std::string>& failures) {
+    std::string lines;
+    for (const std::string& failure : failures) lines += (lines.empty() ? "" : "\n") + escapedXml(failure);
+    return lines;
 }
 
 }  // namespace
@@ -40,8 +48,8 @@ std::string junitXml(const std::string& suite, std::span<const TimedPlayTest> te
             xml += "/>\n";
             continue;
         }
-        const std::string text = failureText(test.outcome);
-        xml += ">\n      <failure" + attribute("message", text.substr(0, text.find('\n'))) + '>' + escapedXml(text) +
+        const std::vector<std::string> failures = failuresOf(test.outcome);
+        xml += ">\n      <failure" + attribute("message", failures.front()) + '>' + linesOf(failures) +
                "</failure>\n    </testcase>\n";
     }
     return xml + "  </testsuite>\n</testsuites>\n";
