@@ -1,3 +1,4 @@
+// Tests core/geometry/hull/ConvexHull.cpp and core/geometry/hull/HullTriangles.cpp.
 #include "core/base/Random.h"
 #include "core/geometry/hull/ConvexHull.h"
 #include "core/geometry/hull/MassProperties.h"

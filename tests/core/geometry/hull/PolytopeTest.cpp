@@ -1,3 +1,4 @@
+// Tests core/geometry/hull/Polytope.cpp and core/geometry/hull/VerifyPolytope.cpp.
 #include "core/geometry/hull/MassProperties.h"
 #include "core/geometry/hull/Polytope.h"
 #include "tests/support/TestProgram.h"

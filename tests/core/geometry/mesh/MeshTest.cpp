@@ -1,3 +1,4 @@
+// Tests core/geometry/mesh/Mesh.cpp and core/geometry/mesh/VerifyMesh.cpp.
 #include "core/geometry/mesh/Mesh.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/geometry/Meshes.h"

@@ -1,3 +1,5 @@
+// Tests core/geometry/polygon/ConvexParts.cpp, core/geometry/polygon/HalfEdgeTriangles.cpp and
+// core/geometry/polygon/IndexedCorners.cpp.
 #include "core/geometry/polygon/ConvexParts.h"
 
 #include "core/base/Random.h"

@@ -1,3 +1,4 @@
+// Tests core/geometry/polygon/Polygon.cpp and core/geometry/polygon/RayCrossings.cpp.
 #include "core/geometry/polygon/Polygon.h"
 
 #include "tests/support/TestProgram.h"

@@ -1,3 +1,5 @@
+// Tests core/geometry/prism/PrismFit.cpp, core/geometry/prism/PrismAxes.cpp, core/geometry/prism/PrismPlacement.cpp
+// and core/geometry/prism/FallbackPrism.cpp.
 #include "core/base/Random.h"
 #include "core/geometry/mesh/MeshWelding.h"
 #include "core/geometry/mesh/SolidMesh.h"
