@@ -1,4 +1,5 @@
-// Tests core/fracture/cuts/CutPartition.cpp and CutOverlay.cpp with the layers of core/fracture/pattern/ that cut.
+// Tests core/fracture/cuts/CutPartition.cpp and core/fracture/cuts/CutOverlay.cpp with the layers that cut, of which
+// core/fracture/kinds/BrickBond.cpp has no other test.
 #include "core/base/Random.h"
 #include "core/fracture/cuts/CutPartition.h"
 #include "core/fracture/kinds/BrickCourses.h"

@@ -1,3 +1,4 @@
+// Tests core/fracture/kinds/LloydRelaxation.cpp and core/fracture/kinds/Relaxation.cpp.
 #include "core/fracture/pattern/Pattern.h"
 #include "tests/support/TestProgram.h"
 

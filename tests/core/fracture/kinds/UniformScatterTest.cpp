@@ -1,3 +1,4 @@
+// Tests core/fracture/kinds/UniformScatter.cpp and core/fracture/sampling/ScatterArea.cpp.
 #include "core/fracture/pattern/Pattern.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/fracture/LayerSeeds.h"

@@ -1,4 +1,5 @@
-// Tests all kinds of layers in core/fracture/pattern/, with LayerParameter.cpp.
+// Tests core/fracture/pattern/PatternKind.cpp and core/fracture/pattern/PieceEstimate.cpp with all kinds of layers in
+// core/fracture/kinds/, with LayerParameter.cpp.
 #include "core/base/Random.h"
 #include "core/base/math/Trigonometry.h"
 #include "core/fracture/cuts/CutSet.h"
