@@ -1,4 +1,4 @@
-// Tests app/allocator/OperatorNew.cpp, which the programs and most tests use.
+// Tests app/allocator/OperatorNew.cpp, which the programs and most tests use, and core/base/limits/MemoryReserve.cpp.
 #include "core/base/limits/MemoryReserve.h"
 #include "tests/support/TestProgram.h"
 

@@ -1,3 +1,4 @@
+// Tests core/asset/import/AssetImport.cpp and core/asset/import/ImportedSolid.cpp.
 #include "core/asset/checks/VerifyProject.h"
 #include "core/asset/import/AssetImport.h"
 #include "tests/support/TestProgram.h"

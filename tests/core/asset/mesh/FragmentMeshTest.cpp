@@ -1,3 +1,4 @@
+// Tests core/asset/mesh/FragmentMesh.cpp and core/asset/mesh/ExtrudedMesh.cpp.
 #include "core/asset/mesh/FragmentMesh.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Fragments.h"

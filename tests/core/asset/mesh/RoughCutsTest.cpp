@@ -1,3 +1,4 @@
+// Tests core/asset/mesh/RoughCuts.cpp and core/asset/mesh/FractalNoise.cpp.
 #include "core/asset/mesh/RoughCuts.h"
 
 #include "core/asset/checks/VerifyMeshes.h"

@@ -1,3 +1,4 @@
+// Tests core/asset/project/Variants.cpp and core/asset/bake/AssetBakes.cpp.
 #include "core/asset/bake/AssetBakes.h"
 #include "core/asset/bake/BakeHash.h"
 #include "core/asset/checks/VerifyBake.h"

@@ -1,3 +1,4 @@
+// Tests core/io/project/MaterialPresetFile.cpp and core/asset/library/MaterialPreset.cpp.
 #include "core/io/project/MaterialPresetFile.h"
 
 #include "core/asset/bake/Bake.h"

@@ -1,4 +1,7 @@
-// Tests core/io/project/ProjectFile.cpp and the readers and writers of its parts.
+// Tests core/io/project/ProjectFile.cpp with the readers and writers of its parts: core/io/project/AssetJson.cpp,
+// core/io/project/ColourJson.cpp, core/io/project/GreyImageJson.cpp, core/io/project/PatternJson.cpp,
+// core/io/project/SceneJson.cpp, core/io/project/ShapingJson.cpp, core/io/project/ShotJson.cpp,
+// core/io/project/StrengthRequirementJson.cpp, core/io/json/FormatVersion.cpp and core/io/json/VectorJson.cpp.
 #include "core/asset/strength/Threshold.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"

@@ -1,3 +1,4 @@
+// Tests core/io/system/LockFile.cpp and core/io/system/LockHolder.cpp.
 #include "core/io/system/LockFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/FileLimits.h"

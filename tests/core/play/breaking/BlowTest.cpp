@@ -1,3 +1,4 @@
+// Tests core/play/breaking/Blow.cpp and core/asset/project/HammerPatch.cpp.
 #include "core/play/breaking/Blow.h"
 
 #include "core/asset/project/HammerPatch.h"
