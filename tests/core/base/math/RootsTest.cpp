@@ -15,7 +15,7 @@ class RootsTest : public QObject {
 private slots:
     void cubesHaveWholeRoots() {
         for (const double root : {1.0, 2.0, 3.0, 10.0, 0.5, 1024.0}) QCOMPARE(cubeRoot(root * root * root), root);
-        QCOMPARE(cubeRoot(0x1p-1074), 0x1p-358);  // the smallest double
+        QVERIFY(cubeRoot(0x1p-1074) == 0x1p-358);  // the smallest double
     }
     void errorIsTwoUlpAtMost() {
         Random random(20261126);

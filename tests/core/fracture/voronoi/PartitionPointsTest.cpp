@@ -32,6 +32,7 @@ private slots:
         for (Vec2& corner : far.outer) corner += Vec2(1024.0, 2048.0);
         const TracedCells cells(far, {{1024.25, 2048.5}, {1024.75, 2048.5}});
         QCOMPARE(cells.frame.origin, Vec2(1024.0, 2048.0));
+        QCOMPARE(cells.points[3], Vec2(1.0, 0.0));
         QCOMPARE(cells.points[6], Vec2(0.5, 0.0));
     }
     void pointsAreAsFarFromAllTheirSites() {

@@ -31,7 +31,8 @@ private slots:
         const Box3 box{{0.0, 0.0, 0.0}, {1.0, 2.0, 3.0}};
         QCOMPARE(box.corner(0), box.min);
         QCOMPARE(box.corner(1), Vec3(1.0, 0.0, 0.0));
-        QCOMPARE(box.corner(6), Vec3(0.0, 2.0, 3.0));
+        QCOMPARE(box.corner(2), Vec3(0.0, 2.0, 0.0));
+        QCOMPARE(box.corner(4), Vec3(0.0, 0.0, 3.0));
         QCOMPARE(box.corner(7), box.max);
     }
     void boxesOfEdgesAreFlat() {
