@@ -1,5 +1,5 @@
-// Tests the base-colour textures of imported meshes: app/importer, core/asset/import, core/asset/project/Texture.cpp and
-// core/io/project/TextureJson.cpp.
+// Tests the base-colour textures of imported meshes: app/importer, core/asset/import, core/asset/project/Texture.cpp
+// and core/io/project/TextureJson.cpp.
 #include "core/asset/checks/VerifyProject.h"
 #include "core/asset/import/AssetImport.h"
 #include "core/base/limits/ImageLimits.h"
