@@ -1,5 +1,6 @@
 #include "editor/actions/InstanceActions.h"
 
+#include "editor/actions/VisibilityActions.h"
 #include "editor/commands/InstanceEdits.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/dialogs/ArrayDialogs.h"
@@ -19,7 +20,7 @@
 
 namespace rubble {
 
-InstanceActions::InstanceActions(Views& views)
+InstanceActions::InstanceActions(Views& views, const VisibilityActions& visibility)
     : QObject(&views.window()),
       m_views(views),
       m_workspace(views.workspace()),
@@ -32,7 +33,8 @@ InstanceActions::InstanceActions(Views& views)
     m_menu->addSeparator();
     addCopies();
     m_menu->addSeparator();
-    addVisibility();
+    m_menu->addActions(visibility.instanceActions());
+    addLocks();
     m_menu->addSeparator();
     QAction* remove =
         addEdit({"instance-delete", tr("De&lete"), tr("Delete the selected instances"), QKeySequence("Delete")},
@@ -122,15 +124,7 @@ void InstanceActions::addCopies() {
             assignDistinctVariants);
 }
 
-void InstanceActions::addVisibility() {
-    addEdit({"instance-hide", tr("&Hide"), tr("Hide the selected instances in the 3D view"), QKeySequence("H")},
-            hideInstances);
-    addEdit(
-        {"instance-isolate", tr("&Isolate"), tr("Hide all other instances in the 3D view"), QKeySequence("Shift+H")},
-        isolateInstances);
-    m_showAll = add({"instance-show", tr("&Show All"), tr("Show all hidden instances"), QKeySequence("Alt+H")},
-                    &InstanceActions::showAll);
-    scene().viewport().removeAction(m_showAll);  // SelectActions handles the key
+void InstanceActions::addLocks() {
     addEdit({"instance-lock", tr("Loc&k"), tr("Prevent selecting and moving the selected instances in the 3D view"),
              QKeySequence("L")},
             lockInstances);
@@ -231,8 +225,6 @@ void InstanceActions::addArray(const QString& text, const Edit& edit, bool haveV
     });
 }
 
-void InstanceActions::showAll() { m_workspace.document().push(showAllInstances(m_workspace.project())); }
-
 void InstanceActions::unlockAll() { m_workspace.document().push(unlockAllInstances(m_workspace.project())); }
 
 void InstanceActions::updateEnabled() {
@@ -240,7 +232,6 @@ void InstanceActions::updateEnabled() {
     for (QAction* action : m_needSelection) action->setEnabled(!selected().empty());
     for (QAction* action : m_needMovable) action->setEnabled(!gizmo().movable().empty());
     m_place->setEnabled(!m_workspace.project().assets.empty());
-    m_showAll->setEnabled(std::ranges::any_of(all, &Instance::isHidden));
     m_unlockAll->setEnabled(std::ranges::any_of(all, &Instance::isLocked));
 }
 

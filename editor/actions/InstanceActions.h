@@ -13,6 +13,7 @@ namespace rubble {
 
 class SceneView;
 class TransformTool;
+class VisibilityActions;
 class Views;
 class Workspace;
 struct ActionDefinition;
@@ -22,10 +23,9 @@ struct ActionDefinition;
 class InstanceActions : public QObject {
     Q_OBJECT
 public:
-    explicit InstanceActions(Views& views);
+    InstanceActions(Views& views, const VisibilityActions& visibility);
 
     QMenu* menu() const { return m_menu; }
-    QAction* showAllAction() const { return m_showAll; }
 
 private:
     using Slot = void (InstanceActions::*)();
@@ -38,7 +38,7 @@ private:
     void addTransforms();
     void addHandles();
     void addCopies();
-    void addVisibility();
+    void addLocks();
     void addContextMenus();
     void startPlacing();
     void place(Id asset);
@@ -49,7 +49,6 @@ private:
     void arrayInGrid();
     void arrayInRing();
     void addArray(const QString& text, const Edit& edit, bool haveVariants);
-    void showAll();
     void unlockAll();
     void selectAddedSince(Id first);
     void updateEnabled();
@@ -62,7 +61,6 @@ private:
     Workspace& m_workspace;
     QMenu* m_menu;
     QAction* m_place = nullptr;
-    QAction* m_showAll = nullptr;
     QAction* m_unlockAll = nullptr;
     QList<QAction*> m_needSelection;  // enabled while instances are selected
     QList<QAction*> m_needMovable;    // enabled while one of them is neither locked nor hidden

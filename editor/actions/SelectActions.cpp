@@ -1,17 +1,13 @@
 #include "editor/actions/SelectActions.h"
 
-#include "editor/canvas/widget/PatternCanvas.h"
+#include "editor/actions/VisibilityActions.h"
 #include "editor/dialogs/SelectDialogs.h"
 #include "editor/document/CellSelection.h"
 #include "editor/document/FragmentSeeds.h"
-#include "editor/document/FragmentVisibility.h"
-#include "editor/view3d/SceneView.h"
-#include "editor/view3d/tools/TransformTool.h"
 #include "editor/views/Views.h"
 #include "editor/widgets/Action.h"
 #include "editor/workspace/PreferenceStore.h"
 #include "editor/workspace/Workspace.h"
-#include "viewport/widget/ViewportWidget.h"
 
 #include <QMainWindow>
 #include <QMenu>
@@ -32,13 +28,12 @@ FragmentSet invertedInside(const FragmentPath& parent, const Bake& bake, const F
 
 }  // namespace
 
-SelectActions::SelectActions(Views& views, const PreferenceStore& preferences, QAction& showInstances)
+SelectActions::SelectActions(Views& views, const PreferenceStore& preferences, const VisibilityActions& visibility)
     : QObject(&views.window()),
       m_views(views),
       m_workspace(views.workspace()),
       m_preferences(preferences),
-      m_menu(new QMenu(tr("Sele&ct"), &views.window())),
-      m_showInstances(showInstances) {
+      m_menu(new QMenu(tr("Sele&ct"), &views.window())) {
     const auto add = actionAdder(*m_menu, this);
     add({"select-all", tr("Select &All"), tr("Select all seeds and fragments"), QKeySequence("Ctrl+A")},
         &SelectActions::selectAll);
@@ -51,13 +46,9 @@ SelectActions::SelectActions(Views& views, const PreferenceStore& preferences, Q
     m_menu->addSeparator();
     addByValue();
     m_menu->addSeparator();
-    addVisibility();
-    views.canvas().installEventFilter(this);
-    views.scene().viewport().installEventFilter(this);
+    m_menu->addActions(visibility.fragmentActions());
     Selection& selection = m_workspace.selection();
     connect(&selection, &Selection::seedsChanged, this, &SelectActions::updateEnabled);
-    connect(&selection, &Selection::hiddenChanged, this, &SelectActions::updateEnabled);
-    connect(&selection, &Selection::subjectChanged, this, &SelectActions::updateEnabled);
     connect(&selection, &Selection::assetChanged, this, &SelectActions::updateLevels);
     connect(&m_workspace.bakes(), &Bakes::changed, this, &SelectActions::updateLevels);
     updateLevels();
@@ -89,18 +80,6 @@ void SelectActions::addByValue() {
             &SelectActions::selectRandomly)};
 }
 
-void SelectActions::addVisibility() {
-    QAction* isolate =
-        addInViews({"isolate", tr("Is&olate Fragments"), tr("Hide all other fragments"), QKeySequence("Shift+H")},
-                   &SelectActions::isolate);
-    isolate->setShortcuts({QKeySequence("Shift+H"), QKeySequence("/")});
-    m_needFragments = {addInViews({"hide", tr("&Hide Fragments"), tr("Hide the selected fragments"), QKeySequence("H")},
-                                  &SelectActions::hide),
-                       isolate};
-    m_showAll = addInViews({"show", tr("Sho&w All Fragments"), tr("Show all hidden fragments"), QKeySequence("Alt+H")},
-                           &SelectActions::showAll);
-}
-
 /// Adds an action whose shortcut works while canvas or 3D view has the focus.
 QAction* SelectActions::addInViews(const ActionDefinition& definition, Slot slot) {
     QAction* action = makeAction(this, definition);
@@ -108,17 +87,6 @@ QAction* SelectActions::addInViews(const ActionDefinition& definition, Slot slot
     m_menu->addAction(action);
     m_views.limitShortcutToViews(*action);
     return action;
-}
-
-/// In canvas and 3D view, Alt+H shows all instead of opening the Help menu; in the 3D view, instances, too.
-bool SelectActions::eventFilter(QObject* watched, QEvent* event) {
-    if (!isShortcutOf(*m_showAll, *event) || m_workspace.play().isInPlay()) return false;
-    if (m_views.scene().transformTool().isDragging()) return false;
-    event->accept();
-    if (event->type() != QEvent::KeyPress) return true;
-    m_showAll->trigger();
-    if (watched != &m_views.canvas()) m_showInstances.trigger();
-    return true;
 }
 
 std::shared_ptr<const Bake> SelectActions::bake() const {
@@ -188,16 +156,6 @@ void SelectActions::selectRandomly() {
              tr("This fraction of the fragments is less than one fragment."));
 }
 
-void SelectActions::hide() {
-    if (const auto baked = bake()) hideSelected(m_workspace.selection(), *baked);
-}
-
-void SelectActions::isolate() {
-    if (const auto baked = bake()) isolateSelected(m_workspace.selection(), *baked);
-}
-
-void SelectActions::showAll() { showAllFragments(m_workspace.selection()); }
-
 void SelectActions::selectBy(const Mapping& mapping, const QString& sentenceIfEmpty) {
     const auto baked = bake();
     if (!baked) {
@@ -225,12 +183,7 @@ void SelectActions::updateLevels() {
 
 void SelectActions::updateEnabled() {
     const Selection& selection = m_workspace.selection();
-    const bool hasSelection = !selection.fragments().isEmpty();
-    for (QAction* action : m_needSelection) action->setEnabled(hasSelection);
-    for (QAction* action : m_needFragments) {
-        action->setEnabled(hasSelection && selection.subject() != Part::Instance);
-    }
-    m_showAll->setEnabled(!selection.hidden().isEmpty());
+    for (QAction* action : m_needSelection) action->setEnabled(!selection.fragments().isEmpty());
 }
 
 }  // namespace rubble

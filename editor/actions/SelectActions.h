@@ -14,24 +14,20 @@ namespace rubble {
 
 class PreferenceStore;
 class Views;
+class VisibilityActions;
 class Workspace;
 struct ActionDefinition;
 struct BakedPattern;
 
-/// The Select menu: selecting seeds and fragments of the active asset, and hiding fragments.
+/// The Select menu: selecting seeds and fragments of the active asset.
 class SelectActions : public QObject {
     Q_OBJECT
 public:
-    /// `showInstances`: the action that shows all instances, with the same shortcut as that of fragments.
-    SelectActions(Views& views, const PreferenceStore& preferences, QAction& showInstances);
+    SelectActions(Views& views, const PreferenceStore& preferences, const VisibilityActions& visibility);
 
     QMenu* menu() const { return m_menu; }
     /// Neighbours, siblings, parents and children of the selection.
     const QList<QAction*>& relatedActions() const { return m_needSelection; }
-    QList<QAction*> visibilityActions() const { return m_needFragments + QList{m_showAll}; }
-
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     using Slot = void (SelectActions::*)();
@@ -40,7 +36,6 @@ private:
 
     void addRelated();
     void addByValue();
-    void addVisibility();
     QAction* addInViews(const ActionDefinition& definition, Slot slot);
 
     void selectAll();
@@ -53,9 +48,6 @@ private:
     void selectLevel(std::uint32_t level);
     void selectByVolume();
     void selectRandomly();
-    void hide();
-    void isolate();
-    void showAll();
 
     /// Returns the bake of the active asset, or null if there is none.
     std::shared_ptr<const Bake> bake() const;
@@ -71,13 +63,9 @@ private:
     const PreferenceStore& m_preferences;
     QMenu* m_menu;
     QMenu* m_levels = nullptr;
-    QAction* m_showAll = nullptr;
-    QAction& m_showInstances;
     QList<QAction*> m_needSelection;  // enabled while seeds or fragments are selected
-    QList<QAction*>
-        m_needFragments;         // the same, while no instance is the subject: these share shortcuts with instances
-    QList<QAction*> m_needBake;  // enabled while there is a bake
-    quint64 m_randomSeed = 1;    // this and the next: as last entered in the dialog
+    QList<QAction*> m_needBake;       // enabled while there is a bake
+    quint64 m_randomSeed = 1;         // this and the next: as last entered in the dialog
     int m_percent = 50;
 };
 

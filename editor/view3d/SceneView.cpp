@@ -7,6 +7,7 @@
 #include "editor/view3d/SceneLegend.h"
 #include "editor/view3d/ScenePicker.h"
 #include "editor/view3d/TimelinePanel.h"
+#include "editor/view3d/tools/ActionKeys.h"
 #include "editor/view3d/tools/PlacementTool.h"
 #include "editor/view3d/tools/SurfaceMeasureTool.h"
 #include "editor/view3d/tools/TransformTool.h"
@@ -50,13 +51,14 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
       m_timeline(new TimelinePanel(workspace.play())) {
     setFocusProxy(m_viewport);
     setAccessibleRole(*m_viewport, QAccessible::Canvas);
-    m_viewport->setTools({m_measureTool, &m_playView->tool(), m_placementTool, m_transformTool});
+    m_viewport->setTools({m_measureTool, &m_playView->tool(), m_placementTool, m_transformTool, m_precedingKeys});
     m_viewport->setOverlayItems({m_transformTool, m_placementTool, m_legend, &m_playView->hud(), m_measureTool});
     addViews();
     addSeparator();
     addToggles();
     addSeparator();
     addMeasure();
+      m_precedingKeys(new ActionKeys(m_viewport)),
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(0);
@@ -143,6 +145,8 @@ void SceneView::addViews() {
         [this] { m_viewport->frameSelected(); });
     add({"view-home", tr("Frame &All\tHome"), tr("Frame everything; Home in the 3D view")},
         [this] { m_viewport->frameAll(); });
+void SceneView::setPrecedingActions(const QList<QAction*>& actions) { m_precedingKeys->setActions(actions); }
+
     add({"view-front", tr("F&ront\t1"), tr("Look from the front; 1 in the 3D view")},
         [this] { m_viewport->alignTo(StandardView::Front); });
     add({"view-right", tr("R&ight\t3"), tr("Look from the right; 3 in the 3D view")},

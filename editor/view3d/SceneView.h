@@ -13,6 +13,7 @@ class QComboBox;
 
 namespace rubble {
 
+class ActionKeys;
 class TransformTool;
 class PlacementTool;
 class PlayView;
@@ -46,6 +47,8 @@ public:
     void setEditable(bool isEditable);
     bool isEditable() const { return m_isEditable && !m_isAssetOnly; }
     void applyPreferences(const Preferences& preferences);
+    /// Actions whose shortcuts precede those of the window while the 3D view has the focus and no tool takes the key.
+    void setPrecedingActions(const QList<QAction*>& actions);
     /// Shows the session while in play.
     PlayView& playView() { return *m_playView; }
     /// Visible while in play.
@@ -83,6 +86,7 @@ private:
     PlayView* m_playView;
     SurfaceMeasureTool* m_measureTool;
     QAction* m_measureAction = nullptr;
+    ActionKeys* m_precedingKeys;
     ScenePicker* m_picker;
     TimelinePanel* m_timeline;
     QList<QWidget*> m_editControls;  // controls of the toolbar that are disabled in play

@@ -22,14 +22,21 @@ QAction* makeAction(QObject* parent, const ActionDefinition& definition) {
 
 bool isShortcutOf(const QAction& action, const QEvent& event) {
     if (event.type() != QEvent::ShortcutOverride && event.type() != QEvent::KeyPress) return false;
-    return action.shortcuts().contains(QKeySequence(static_cast<const QKeyEvent&>(event).keyCombination()));
+    const auto& key = static_cast<const QKeyEvent&>(event);
+    const QKeyCombination pressed(key.modifiers() & ~Qt::KeypadModifier, static_cast<Qt::Key>(key.key()));
+    return action.shortcuts().contains(QKeySequence(pressed));
+}
+
+void triggerByKey(QAction& action, const QKeyEvent& press) {
+    if (!press.isAutoRepeat() || action.autoRepeat()) action.trigger();
 }
 
 bool handleShortcut(const QList<QAction*>& actions, QEvent& event) {
-    const auto action = std::ranges::find_if(actions, [&](QAction* one) { return isShortcutOf(*one, event); });
+    const auto action =
+        std::ranges::find_if(actions, [&](QAction* candidate) { return isShortcutOf(*candidate, event); });
     if (action == actions.end()) return false;
     event.accept();
-    if (event.type() == QEvent::KeyPress) (*action)->trigger();
+    if (event.type() == QEvent::KeyPress) triggerByKey(**action, static_cast<const QKeyEvent&>(event));
     return true;
 }
 

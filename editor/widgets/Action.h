@@ -5,6 +5,8 @@
 #include <QList>
 #include <QMenu>
 
+class QKeyEvent;
+
 namespace rubble {
 
 /// The texts, icon and shortcut of an action.
@@ -20,6 +22,9 @@ QAction* makeAction(QObject* parent, const ActionDefinition& definition);
 
 /// True if an event is the press of one of the action's shortcuts, or the ShortcutOverride before it.
 bool isShortcutOf(const QAction& action, const QEvent& event);
+/// Triggers an action by a key press that is one of its shortcuts; not by the repeats of a held key if the action does
+/// not repeat.
+void triggerByKey(QAction& action, const QKeyEvent& press);
 /// Handles an event that is a shortcut of one of the actions: accepts it and, on the press, triggers the action.
 /// Returns false for any other event. For event filters of widgets whose shortcuts precede those of the window.
 bool handleShortcut(const QList<QAction*>& actions, QEvent& event);

@@ -12,6 +12,7 @@
 #include "editor/actions/SelectActions.h"
 #include "editor/actions/VideoActions.h"
 #include "editor/actions/ViewActions.h"
+#include "editor/actions/VisibilityActions.h"
 #include "editor/dialogs/FileFilters.h"
 #include "editor/document/FragmentSelection.h"
 #include "editor/document/ShownText.h"
@@ -98,8 +99,9 @@ void MainWindow::addActions() {
     m_assetActions = new AssetActions(*m_views);
     auto* materials = new MaterialActions(*m_views);
     auto* fragments = new FragmentActions(*m_views);
-    auto* instances = new InstanceActions(*m_views);
-    auto* select = new SelectActions(*m_views, m_preferences, *instances->showAllAction());
+    auto* visibility = new VisibilityActions(*m_views);
+    auto* instances = new InstanceActions(*m_views, *visibility);
+    auto* select = new SelectActions(*m_views, m_preferences, *visibility);
     m_viewActions = new ViewActions(*m_views);
     m_videoActions = new VideoActions(*m_views);
     m_playActions = new PlayActions(*m_views, m_preferences, *m_videoActions);
@@ -112,7 +114,7 @@ void MainWindow::addActions() {
     m_views->setFragmentActions({.navigation = fragments->navigationActions(),
                                  .editing = fragments->editingActions(),
                                  .selection = select->relatedActions(),
-                                 .visibility = select->visibilityActions()});
+                                 .visibility = visibility->fragmentActions()});
     new FirstSteps(m_workspace.document(), m_views->canvas(),
                    m_assetActions->additions() + QList{m_fileActions->importAction()});
     for (QMenu* menu :

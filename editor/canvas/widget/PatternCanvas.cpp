@@ -13,6 +13,7 @@
 #include "editor/commands/AssetPatterns.h"
 #include "editor/document/EnteredFragment.h"
 #include "editor/document/ShownText.h"
+#include "editor/widgets/Action.h"
 
 #include <QContextMenuEvent>
 #include <QNativeGestureEvent>
@@ -396,6 +397,7 @@ bool PatternCanvas::event(QEvent* event) {
             return true;
         }
     }
+    if (handleShortcut(m_precedingActions, *event)) return true;
     return QWidget::event(event);
 }
 

@@ -55,6 +55,8 @@ public:
 
     /// The context menu's actions for selected fragments, in addition to those of the tool.
     void setFragmentActions(const QList<QAction*>& actions) { m_fragmentActions = actions; }
+    /// Actions whose shortcuts precede those of the window while the canvas has the focus.
+    void setPrecedingActions(const QList<QAction*>& actions) { m_precedingActions = actions; }
 
     /// Returns a picture of the canvas without what follows the pointer. It shows all that the widget does, and more of
     /// the plane where the proportions differ; lines and texts grow with its size.
@@ -125,6 +127,7 @@ private:
     CanvasState m_state;
     CanvasContentsUpdater m_updater;
     QList<QAction*> m_fragmentActions;
+    QList<QAction*> m_precedingActions;
     Breadcrumb* m_breadcrumb;
     FragmentPath m_displayedFragment;  // empty: the whole asset
     struct SavedView {
