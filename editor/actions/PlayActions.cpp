@@ -91,6 +91,7 @@ void PlayActions::addRun() {
     for (QAction* action : {m_pause, m_step}) action->setPriority(QAction::LowPriority);  // icons alone in tool bars
     auto* timeline = new TimelineActions(m_views, m_step);
     m_menu->addActions({m_step, timeline->stepBack(), m_reset});
+    m_views.scene().playView().tool().setActions({m_pause, m_step, timeline->stepBack(), m_reset, timeline->loop()});
     m_menu->addMenu(timeline->menu())->setIcon(iconNamed("dock-history"));
 }
 

@@ -20,6 +20,7 @@ public:
 
     QMenu* menu() const { return m_menu; }
     QAction* stepBack() const { return m_stepBack; }
+    QAction* loop() const { return m_loop; }
 
 private:
     void refreshFrame();

@@ -2,6 +2,7 @@
 
 #include "core/asset/project/Ranges.h"
 #include "editor/play/PlayController.h"
+#include "editor/widgets/Action.h"
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "viewport/widget/ViewportWidget.h"
 
@@ -23,6 +24,8 @@ constexpr double kLeastRadius = 0.01;  // m, by the wheel: smaller ones could ha
 bool isPlain(Qt::KeyboardModifiers modifiers) {
     return !modifiers.testAnyFlags(Qt::ControlModifier | Qt::AltModifier | Qt::ShiftModifier | Qt::MetaModifier);
 }
+
+bool isOwnKey(int key) { return key == Qt::Key_F || key == Qt::Key_H || key == Qt::Key_X || key == Qt::Key_Escape; }
 
 }  // namespace
 
@@ -88,19 +91,14 @@ void PlayTool::focusLost() {
 }
 
 bool PlayTool::overridesShortcut(const QKeyEvent& event) const {
-    if (!m_controller.isInPlay() || !isPlain(event.modifiers())) return false;
-    switch (event.key()) {
-        case Qt::Key_F:
-        case Qt::Key_H:
-        case Qt::Key_X:
-        case Qt::Key_P:
-        case Qt::Key_Period:
-        case Qt::Key_Comma:
-        case Qt::Key_L:
-        case Qt::Key_R:
-        case Qt::Key_Escape: return true;
-        default: return false;
-    }
+    if (!m_controller.isInPlay()) return false;
+    return (isPlain(event.modifiers()) && isOwnKey(event.key())) || actionOf(event) != nullptr;
+}
+
+QAction* PlayTool::actionOf(const QKeyEvent& event) const {
+    const auto found =
+        std::ranges::find_if(m_actions, [&](const QAction* action) { return isShortcutOf(*action, event); });
+    return found != m_actions.end() ? *found : nullptr;
 }
 
 bool PlayTool::wheel(const QWheelEvent& event) {
@@ -115,11 +113,13 @@ bool PlayTool::wheel(const QWheelEvent& event) {
     return true;
 }
 
-/// All keys but stepping and going back act once when held.
+/// The tool's own keys act once when held.
 bool PlayTool::keyPress(const QKeyEvent& event) {
     if (!overridesShortcut(event)) return false;
-    if (event.key() == Qt::Key_Period) m_controller.stepOnce();
-    if (event.key() == Qt::Key_Comma) m_controller.stepBack();
+    if (QAction* action = actionOf(event)) {
+        triggerByKey(*action, event);
+        return true;
+    }
     if (event.isAutoRepeat()) return true;
     switch (event.key()) {
         case Qt::Key_F:
@@ -131,9 +131,6 @@ bool PlayTool::keyPress(const QKeyEvent& event) {
         case Qt::Key_X:
             if (m_isPointing) explodeAtPointer();
             break;
-        case Qt::Key_P: m_controller.isPlaying() ? m_controller.pause() : m_controller.play(); break;
-        case Qt::Key_L: m_controller.toggleLoop(); break;
-        case Qt::Key_R: m_controller.reset(); break;
         case Qt::Key_Escape:
             if (!cancel()) m_controller.stop();
             break;

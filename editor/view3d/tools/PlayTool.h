@@ -4,6 +4,8 @@
 #include "editor/widgets/numbers/Units.h"
 #include "viewport/widget/ViewportTool.h"
 
+#include <QAction>
+#include <QList>
 #include <QPointF>
 
 #include <optional>
@@ -14,8 +16,8 @@ class PlayController;
 class ViewportWidget;
 
 /// The tool of play: F throws at the pointer, harder if it is held, and so does a click if that is set; H hits with a
-/// hammer, X sets off an explosion, dragging with the left button grabs a body; P, the period, the comma, L and R
-/// pause, step, step back, loop and reset; Escape stops. Inactive unless the controller is in play.
+/// hammer, X sets off an explosion, dragging with the left button grabs a body; Escape stops. Inactive unless the
+/// controller is in play.
 class PlayTool : public ViewportTool {
     Q_OBJECT
 public:
@@ -24,6 +26,9 @@ public:
     /// The charge of the throw being charged, in [0, 1].
     std::optional<double> charge() const;
     void setUnits(const Units& units) { m_units = units; }
+    /// Actions of the simulation whose shortcuts the tool takes in play, also while they are disabled: outside of play
+    /// the view has other meanings for them.
+    void setActions(const QList<QAction*>& actions) { m_actions = actions; }
 
     /// Act at the pointer; at the centre of the view while the pointer is elsewhere, as in a menu. Ignored unless in
     /// play.
@@ -55,6 +60,7 @@ private:
     void throwCharged();
     void throwWith(double charge);
     Ray ray() const;
+    QAction* actionOf(const QKeyEvent& event) const;
 
     PlayController& m_controller;
     ViewportWidget& m_viewport;
@@ -64,6 +70,7 @@ private:
     std::optional<QPointF> m_pressedAt;     // by the left button, until it is released or starts to grab
     bool m_isGrabbing = false;
     Units m_units;
+    QList<QAction*> m_actions;
 };
 
 }  // namespace rubble
