@@ -71,7 +71,7 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
     connect(&workspace.play(), &PlayController::stateChanged, this, &SceneView::updatePlayState);
     m_timer.setSingleShot(true);
     m_timer.setInterval(0);
-    connect(&m_timer, &QTimer::timeout, this, &SceneView::update);
+    connect(&m_timer, &QTimer::timeout, this, &SceneView::refreshScene);
     connect(&workspace.document(), &Document::changed, this, &SceneView::invalidate);
     connect(&workspace.bakes(), &Bakes::changed, this, &SceneView::invalidate);
     for (const auto signal : {&Selection::seedsChanged, &Selection::hiddenChanged, &Selection::instancesChanged}) {
@@ -84,7 +84,7 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
 
 /// Updates the scene first: it may not have been drawn yet.
 void SceneView::frameAll() {
-    update();
+    refreshScene();
     m_viewport->frameAll();
 }
 
@@ -92,12 +92,12 @@ void SceneView::showWholeScene() { m_scope->setCurrentIndex(0); }
 
 void SceneView::frameSelected() {
     showWholeScene();
-    update();
+    refreshScene();
     m_viewport->frameSelected();
 }
 
 void SceneView::frameInstances(std::span<const Id> instances) {
-    update();
+    refreshScene();
     const Box3 added = boundsOf(m_workspace.project(), instances);
     if (added.isEmpty()) return frameAll();
     const Vec3 around = kInstanceMargin * (added.max - added.min);
@@ -105,7 +105,7 @@ void SceneView::frameInstances(std::span<const Id> instances) {
 }
 
 void SceneView::frameFragments() {
-    update();
+    refreshScene();
     const Box3 selected = boundsOf(m_viewport->scene(), kSelected);
     if (selected.isEmpty()) return;
     const Vec3 around = kFragmentMargin * (selected.max - selected.min);
@@ -268,7 +268,7 @@ void SceneView::updatePlayState() {
     invalidate();
 }
 
-void SceneView::update() {
+void SceneView::refreshScene() {
     m_timer.stop();
     if (m_workspace.play().frame()) return m_legend->setContent({});
     m_options.asset = m_isAssetOnly ? m_workspace.selection().asset() : 0;

@@ -68,7 +68,7 @@ private:
     QWidget* makeViewMenu();
     /// Schedules an update of the scene; unchanged geometry is reused.
     void invalidate() { m_timer.start(); }
-    void update();
+    void refreshScene();
     void updatePlayState();
     void updateEditing();
 

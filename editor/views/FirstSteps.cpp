@@ -29,12 +29,12 @@ FirstSteps::FirstSteps(const Document& document, PatternCanvas& canvas, const QL
         layout->addWidget(button);
     }
     canvas.installEventFilter(this);
-    connect(&document, &Document::changed, this, &FirstSteps::update);
-    connect(&canvas, &PatternCanvas::toolKindChanged, this, &FirstSteps::update);
-    update();
+    connect(&document, &Document::changed, this, &FirstSteps::refresh);
+    connect(&canvas, &PatternCanvas::toolKindChanged, this, &FirstSteps::refresh);
+    refresh();
 }
 
-void FirstSteps::update() {
+void FirstSteps::refresh() {
     setVisible(m_document.project().assets.empty() && m_canvas.toolKind() != CanvasToolKind::Outline);
     centre();
 }

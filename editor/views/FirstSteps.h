@@ -20,7 +20,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void update();
+    void refresh();
     void centre();
 
     const Document& m_document;

@@ -164,10 +164,10 @@ void ViewportWidget::showFrom(const Camera& camera) {
 
 void ViewportWidget::setCamera(const Camera& camera) {
     m_framed.reset();
-    move(camera);
+    moveCamera(camera);
 }
 
-void ViewportWidget::move(const Camera& camera) {
+void ViewportWidget::moveCamera(const Camera& camera) {
     m_animation.stop();
     m_goal = camera;
     showFrom(camera);
@@ -176,7 +176,7 @@ void ViewportWidget::move(const Camera& camera) {
 
 void ViewportWidget::animateTo(const Camera& camera) {
     m_framed.reset();
-    if (!m_isAnimated || !isVisible()) return move(camera);
+    if (!m_isAnimated || !isVisible()) return moveCamera(camera);
     m_animation.stop();
     m_start = m_camera;
     m_goal = camera;
@@ -211,7 +211,7 @@ Camera ViewportWidget::framed(const Box3& box) const {
 void ViewportWidget::refit() {
     if (!m_framed) return;
     m_strips = m_overlay->strips(size());
-    move(framed(*m_framed));
+    moveCamera(framed(*m_framed));
 }
 void ViewportWidget::frameAll() { frame(boundsOf(*m_scene)); }
 void ViewportWidget::frameSelected() {

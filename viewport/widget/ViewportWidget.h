@@ -125,7 +125,7 @@ private:
     bool endsPresenting(QEvent& event);
     Camera framed(const Box3& box) const;
     void refit();
-    void move(const Camera& camera);
+    void moveCamera(const Camera& camera);
     void showError(const QString& sentence);
     void animateTo(const Camera& camera);
     void showFrom(const Camera& camera);

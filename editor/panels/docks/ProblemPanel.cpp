@@ -54,13 +54,13 @@ ProblemPanel::ProblemPanel(Document& document, Selection& selection, const Probl
     rows->addWidget(makeBar());
     rows->addWidget(m_view, 1);
     setFocusProxy(m_view);
-    connect(m_runner, &QuickFixRunner::changed, this, &ProblemPanel::update);
+    connect(m_runner, &QuickFixRunner::changed, this, &ProblemPanel::refreshButtons);
     connect(m_runner, &QuickFixRunner::statusMessage, this, &ProblemPanel::statusMessage);
     connect(&watch, &ProblemWatch::changed, this, &ProblemPanel::refresh);
     connect(&watch, &ProblemWatch::statusMessage, this, &ProblemPanel::statusMessage);
     connect(&selection, &Selection::assetChanged, this, &ProblemPanel::refresh);
     connect(m_isActiveOnly, &QCheckBox::toggled, this, &ProblemPanel::refresh);
-    connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ProblemPanel::update);
+    connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ProblemPanel::refreshButtons);
     refresh();
 }
 
@@ -149,7 +149,7 @@ void ProblemPanel::refresh() {
     }
     widenColumns();
     emit countChanged(static_cast<int>(m_watch.all().size()));
-    update();
+    refreshButtons();
 }
 
 const Diagnostic& ProblemPanel::problem(const QModelIndex& viewIndex) const {
@@ -164,7 +164,7 @@ std::vector<Diagnostic> ProblemPanel::selected() const {
     return problems;
 }
 
-void ProblemPanel::update() {
+void ProblemPanel::refreshButtons() {
     const std::vector<Diagnostic> problems = selected();
     for (const Button& button : m_fixes) {
         const auto isApplicable = [&](const Diagnostic& problem) {

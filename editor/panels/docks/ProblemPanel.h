@@ -39,7 +39,7 @@ private:
     QWidget* makeBar();
     void refresh();
     void widenColumns();
-    void update();
+    void refreshButtons();
     QWidget* makeCancel();
     QString summary(std::size_t selected) const;
     std::vector<Diagnostic> selected() const;
