@@ -4,6 +4,7 @@
 #include "core/play/analysis/StrengthRequirement.h"
 #include "editor/background/SwapAuditRunner.h"
 #include "editor/document/Selection.h"
+#include "editor/widgets/numbers/Units.h"
 
 #include <QWidget>
 
