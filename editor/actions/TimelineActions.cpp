@@ -6,6 +6,7 @@
 #include "editor/views/Views.h"
 #include "editor/widgets/Action.h"
 #include "editor/widgets/Icon.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "editor/workspace/Workspace.h"
 
 #include <QLocale>
@@ -65,13 +66,13 @@ void TimelineActions::fillBranches() {
     m_branches->clear();
     if (!controller().frame()) return;
     const double dt = controller().thread().stepLength();
-    const auto seconds = [dt](std::uint64_t step) {
-        return QLocale().toString(static_cast<double>(step) * dt, 'f', 2);
+    const auto timeOf = [dt](std::uint64_t step) {
+        return fixedQuantity(static_cast<double>(step) * dt, 2, Units::seconds());
     };
     for (const PlayBranch& branch : controller().frame()->branches) {
         const QString breaks = tr("%Ln break(s)", nullptr, static_cast<int>(branch.breaks));
         QAction* action =
-            m_branches->addAction(tr("%1 s to %2 s: %3").arg(seconds(branch.fork), seconds(branch.length), breaks));
+            m_branches->addAction(tr("%1 to %2: %3").arg(timeOf(branch.fork), timeOf(branch.length), breaks));
         action->setToolTip(tr("Return to this timeline, where it leaves the current one"));
         action->setStatusTip(action->toolTip());
         connect(action, &QAction::triggered, &controller(), [this, id = branch.id] { controller().switchTo(id); });

@@ -8,6 +8,8 @@
 #include "editor/view3d/SceneView.h"
 #include "editor/views/Views.h"
 #include "editor/widgets/Action.h"
+#include "editor/widgets/Buttons.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "editor/workspace/Workspace.h"
 #include "viewport/widget/ViewportWidget.h"
 
@@ -42,7 +44,7 @@ VideoSubject subjectOf(Workspace& workspace) {
 
 /// The remaining time of an export, rounded.
 QString durationText(double seconds) {
-    if (seconds < 60.0) return VideoActions::tr("%1 s").arg(std::ceil(seconds));
+    if (seconds < 60.0) return fixedQuantity(std::ceil(seconds), 0, Units::seconds());
     return VideoActions::tr("%1 min").arg(std::round(seconds / 60.0));
 }
 

@@ -35,21 +35,11 @@ constexpr int kShownRows = 8;     // of the table, likewise
 
 enum PrismColumn { kName, kSize, kDepth, kAxis, kTolerance, kColumns };
 
-QString metresText(double metres) { return localizedQuantity(QuantityKind::Length, metres); }
+QString lengthText(double metres, const Units& units) { return localizedQuantity(QuantityKind::Length, metres, units); }
 
-/// A small distance, rounded up to thousandths of a millimetre, or ten-thousandths of an inch where feet are preferred.
-QString smallDistanceText(double metres, const Units& units) {
-    const bool isFoot = units.length == LengthUnit::Foot;
-    const double unit = isFoot ? 0.0254 : 0.001, digits = isFoot ? 1e4 : 1e3;  // m, and steps in one of them
-    const QString name = isFoot ? ImportDialog::tr("in") : ImportDialog::tr("mm");
-    constexpr double kRounding = 1e-9;  // steps
-    const double shown = std::ceil(metres / unit * digits - kRounding) / digits;
-    return QLocale().toString(shown, 'g', 6) + QChar::Nbsp + name;
-}
-
-QString sizeText(const PrismFit& prism) {
+QString sizeText(const PrismFit& prism, const Units& units) {
     const Vec2 size = boundsOf(prism.outline.outer).size();
-    return metresText(size.x) + " × " + metresText(size.y);
+    return lengthText(size.x, units) + " × " + lengthText(size.y, units);
 }
 
 /// A fallback, and the number of refused objects that it imports.
@@ -261,9 +251,10 @@ double ImportDialog::fileUnit() const {
 void ImportDialog::showSummary() {
     std::size_t triangles = 0;
     for (const SourceObject& object : m_scene->objects) triangles += object.triangles.size();
-    const QString unit = m_scene->metresPerUnit > 0.0
-                             ? tr("The unit of the file is %1.").arg(metresText(m_scene->metresPerUnit))
-                             : tr("The file has no unit; metres are used unless you select another unit.");
+    const QString unit =
+        m_scene->metresPerUnit > 0.0
+            ? tr("The unit of the file is %1.").arg(localizedQuantity(QuantityKind::Length, m_scene->metresPerUnit))
+            : tr("The file has no unit; metres are used unless you select another unit.");
     m_summary->setText(tr("%Ln object(s)", nullptr, static_cast<int>(m_scene->objects.size())) + ", " +
                        tr("%Ln triangle(s)", nullptr, static_cast<int>(triangles)) + ". " + unit);
 }
@@ -363,9 +354,9 @@ void ImportDialog::fillTable() {
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const ImportedAsset& imported = m_outcome->assets[static_cast<std::size_t>(row)];
         const QStringList cells = {nameText(findAsset(m_outcome->project, imported.asset)->name),
-                                   sizeText(imported.prism), metresText(imported.prism.depth),
+                                   sizeText(imported.prism, m_units), lengthText(imported.prism.depth, m_units),
                                    QString::fromStdString(axisText(imported.prism.axis)),
-                                   smallDistanceText(imported.tolerance, m_units)};
+                                   smallLengthText(imported.tolerance, m_units)};
         for (int column = 0; column < kColumns; ++column) {
             m_table->setItem(row, column, new QTableWidgetItem(cells[column]));
         }
@@ -391,7 +382,7 @@ void ImportDialog::showRow(int row) {
     const double deviation = imported.prism.deviation;
     if (!imported.usesFallback && deviation == 0.0) notes.append(tr("The mesh is exactly this prism."));
     if (!imported.usesFallback && deviation > 0.0) {
-        notes.append(tr("The mesh deviates from this prism by up to %1.").arg(smallDistanceText(deviation, m_units)));
+        notes.append(tr("The mesh deviates from this prism by up to %1.").arg(smallLengthText(deviation, m_units)));
     }
     m_notes->setText(notes.join('\n'));
     m_notes->setVisible(!notes.isEmpty());

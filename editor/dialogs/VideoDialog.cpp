@@ -9,6 +9,7 @@
 #include "editor/widgets/ComboBox.h"
 #include "editor/widgets/NumberField.h"
 #include "editor/widgets/ProjectRange.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "editor/widgets/TypedFields.h"
 #include "viewport/render/OffscreenRenderer.h"
 #include "viewport/video/Video.h"
@@ -257,10 +258,10 @@ QString VideoDialog::error(const VideoOptions& options, int frames) const {
 }
 
 QString VideoDialog::summary(const VideoOptions& options, int frames) const {
-    const auto seconds = [](double time) { return QLocale().toString(time, 'f', 1); };
+    const auto seconds = [](double time) { return fixedQuantity(time, 1, Units::seconds()); };
     const double simulated = static_cast<double>(options.last - options.first) * m_subject.stepLength;
     const ImageSize size = options.frameSize();
-    QString text = tr("%Ln frame(s) of %1 × %2 pixels: %3 s of video from %4 s of simulation.", nullptr, frames)
+    QString text = tr("%Ln frame(s) of %1 × %2 pixels: %3 of video from %4 of simulation.", nullptr, frames)
                        .arg(size.width)
                        .arg(size.height)
                        .arg(seconds(static_cast<double>(frames) / options.frameRate), seconds(simulated));

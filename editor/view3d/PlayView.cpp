@@ -11,7 +11,12 @@ namespace {
 
 constexpr int kMilliseconds = 16;  // between frames
 
-QString number(double value, int digits) { return QLocale().toString(value, 'f', digits); }
+QString playTimeText(double seconds) { return fixedQuantity(seconds, 2, Units::seconds()); }
+
+QString millisecondsText(double milliseconds, int decimals) {
+    constexpr int kDecimalsOfSecond = 3;
+    return fixedQuantity(1e-3 * milliseconds, kDecimalsOfSecond + decimals, Units::milliseconds());
+}
 
 }  // namespace
 
@@ -90,12 +95,12 @@ QStringList PlayView::statisticsLines() const {
     const QString rate = m_framesPerSecond ? tr("%L1 fps").arg(*m_framesPerSecond) : tr("– fps");
     const QString last = breaks.empty()
                              ? tr("no breaks")
-                             : tr("%Ln break(s), the last computed in %1 ms", nullptr, static_cast<int>(breaks.size()))
-                                   .arg(number(breaks.back().milliseconds, 3));
+                             : tr("%Ln break(s), the last computed in %1", nullptr, static_cast<int>(breaks.size()))
+                                   .arg(millisecondsText(breaks.back().milliseconds, 3));
     const QString separator = QStringLiteral(" · ");
     return {
-        tr("%1 s · step %L2").arg(number(static_cast<double>(frame.step) * dt, 2)).arg(frame.step) + separator +
-            tr("%1 ms per step").arg(number(statistics.cost.total(), 2)) + separator + rate,
+        tr("%1 · step %L2").arg(playTimeText(static_cast<double>(frame.step) * dt)).arg(frame.step) + separator +
+            tr("%1 per step").arg(millisecondsText(statistics.cost.total(), 2)) + separator + rate,
         tr("bodies: %L1, asleep: %L2").arg(statistics.bodies).arg(statistics.asleep) + separator +
             tr("pairs: %L1, contact points: %L2").arg(statistics.candidatePairs).arg(statistics.contactPoints),
         last + separator + tr("energy %1").arg(localizedQuantity(QuantityKind::Energy, statistics.energy)),
@@ -137,7 +142,7 @@ PlayHud::Content PlayView::content() const {
     content.hasHeat = m_controller.overlays().hasHeat;
     content.isForecast = frame->hasForecast;
     content.charge = m_tool.charge();
-    if (content.charge && frame->aimed) content.chargeText = tr("%1 m/s").arg(number(frame->aimed->speed, 1));
+    if (content.charge && frame->aimed) content.chargeText = fixedQuantity(frame->aimed->speed, 1, Units::speeds());
     if (frame->grabbed) setGrab(content, *frame->grabbed);
     if (!frame->trajectory) return content;
     for (const Vec3& position : frame->trajectory->points) {

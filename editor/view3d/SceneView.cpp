@@ -138,6 +138,7 @@ void SceneView::applyPreferences(const Preferences& preferences) {
 void SceneView::addViews() {
     const auto add = [this](const ActionDefinition& definition, const std::function<void()>& act) {
         QAction* action = makeAction(this, definition);
+    m_placementTool->setUnits(units);
         connect(action, &QAction::triggered, this, act);
         addAction(action);
     };

@@ -3,6 +3,7 @@
 #include "editor/document/ShownText.h"
 #include "editor/play/PlayController.h"
 #include "editor/widgets/AccessibleRole.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "editor/widgets/numbers/RoundStep.h"
 
 #include <QHelpEvent>
@@ -31,7 +32,7 @@ constexpr int kMaxTipLines = 8;
 const QColor kBreak(214, 69, 48);
 const QColor kLoop(242, 140, 40);
 
-QString timeText(double seconds) { return TimelineBar::tr("%1 s").arg(QLocale().toString(seconds, 'f', 2)); }
+QString timeText(double seconds) { return fixedQuantity(seconds, 2, Units::seconds()); }
 
 }  // namespace
 
@@ -107,9 +108,9 @@ double TimelineBar::stepAt(double x) const {
 std::optional<std::uint64_t> TimelineBar::breakAt(double x) const {
     std::optional<std::uint64_t> nearest;
     const auto distance = [&](std::uint64_t step) { return std::abs(positionOf(static_cast<double>(step)) - x); };
-    for (const ImpactRecord& one : m_controller.impacts()) {
-        if (!one.isBreak() || distance(one.step) > kMarkTolerance) continue;
-        if (!nearest || distance(one.step) < distance(*nearest)) nearest = one.step;
+    for (const ImpactRecord& impact : m_controller.impacts()) {
+        if (!impact.isBreak() || distance(impact.step) > kMarkTolerance) continue;
+        if (!nearest || distance(impact.step) < distance(*nearest)) nearest = impact.step;
     }
     return nearest;
 }
@@ -287,8 +288,8 @@ bool TimelineBar::event(QEvent* event) {
         if (!broken.isBreak() || !isHere(broken.step) || lines.size() == kMaxTipLines) continue;
         lines << tr("%1 broke at %2").arg(nameText(broken.name), timeText(static_cast<double>(broken.step) * dt));
     }
-    const auto forks =
-        std::ranges::count_if(m_controller.frame()->branches, [&](const PlayBranch& one) { return isHere(one.fork); });
+    const auto forks = std::ranges::count_if(m_controller.frame()->branches,
+                                             [&](const PlayBranch& branch) { return isHere(branch.fork); });
     if (forks > 0) lines << tr("%Ln earlier timeline(s) from here", nullptr, static_cast<int>(forks));
     QToolTip::showText(help->globalPos(), toolTipText(lines.join('\n')), this);
     return true;

@@ -13,6 +13,13 @@ struct ButtonTexts {
     Q_DECLARE_TR_FUNCTIONS(rubble::Buttons)
 };
 
+QToolButton* flatButton(QWidget* parent) {
+    auto* button = new QToolButton(parent);
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setAutoRaise(true);
+    return button;
+}
+
 }  // namespace
 
 QAction* menuAction(QMenu& menu, const QString& icon, const QString& text, const QString& hint,
@@ -24,14 +31,19 @@ QAction* menuAction(QMenu& menu, const QString& icon, const QString& text, const
 }
 
 QToolButton* panelButton(const QString& icon, const QString& text, const QString& hint, QWidget* parent) {
-    auto* button = new QToolButton(parent);
+    QToolButton* button = flatButton(parent);
     button->setIcon(iconNamed(icon));
     button->setText(text);
     button->setToolTip(hint);
     button->setStatusTip(hint);
     button->setAccessibleName(text);
-    button->setFocusPolicy(Qt::StrongFocus);
-    button->setAutoRaise(true);
+    return button;
+}
+
+QToolButton* panelButton(QAction* action, QWidget* parent) {
+    QToolButton* button = flatButton(parent);
+    button->setDefaultAction(action);
+    button->setAccessibleName(action->iconText());
     return button;
 }
 

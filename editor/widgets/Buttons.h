@@ -19,6 +19,8 @@ QAction* menuAction(QMenu& menu, const QString& icon, const QString& text, const
                     const std::function<void()>& function);
 /// A flat tool button with an icon, or its text if there is no such icon.
 QToolButton* panelButton(const QString& icon, const QString& text, const QString& hint, QWidget* parent);
+/// A flat tool button of an action, with its icon.
+QToolButton* panelButton(QAction* action, QWidget* parent);
 
 /// A button of an action, as wide as its panel, with icon and text.
 QToolButton* actionButton(QAction* action);

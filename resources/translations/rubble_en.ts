@@ -252,10 +252,10 @@
 <context>
     <name>rubble::PlayView</name>
     <message numerus="yes">
-        <source>%Ln break(s), the last computed in %1 ms</source>
+        <source>%Ln break(s), the last computed in %1</source>
         <translation>
-            <numerusform>%Ln break, the last computed in %1 ms</numerusform>
-            <numerusform>%Ln breaks, the last computed in %1 ms</numerusform>
+            <numerusform>%Ln break, the last computed in %1</numerusform>
+            <numerusform>%Ln breaks, the last computed in %1</numerusform>
         </translation>
     </message>
 </context>
@@ -377,10 +377,10 @@
 <context>
     <name>rubble::VideoDialog</name>
     <message numerus="yes">
-        <source>%Ln frame(s) of %1 × %2 pixels: %3 s of video from %4 s of simulation.</source>
+        <source>%Ln frame(s) of %1 × %2 pixels: %3 of video from %4 of simulation.</source>
         <translation>
-            <numerusform>%Ln frame of %1 × %2 pixels: %3 s of video from %4 s of simulation.</numerusform>
-            <numerusform>%Ln frames of %1 × %2 pixels: %3 s of video from %4 s of simulation.</numerusform>
+            <numerusform>%Ln frame of %1 × %2 pixels: %3 of video from %4 of simulation.</numerusform>
+            <numerusform>%Ln frames of %1 × %2 pixels: %3 of video from %4 of simulation.</numerusform>
         </translation>
     </message>
 </context>

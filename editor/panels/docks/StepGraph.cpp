@@ -1,6 +1,7 @@
 #include "editor/panels/docks/StepGraph.h"
 
 #include "editor/widgets/AccessibleRole.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "editor/widgets/numbers/RoundStep.h"
 
 #include <QLocale>
@@ -33,7 +34,7 @@ constexpr double kMinHeight = 0.2;  // ms
 constexpr int kGraphMargin = 6;
 constexpr int kLegendColumns = 2;
 
-QString milliseconds(double value) { return StepGraph::tr("%1 ms").arg(QLocale().toString(value, 'f', 2)); }
+QString costText(double milliseconds) { return fixedQuantity(1e-3 * milliseconds, 5, Units::milliseconds()); }
 
 }  // namespace
 
@@ -46,7 +47,7 @@ StepGraph::StepGraph(QWidget* parent) : QWidget(parent) {
 void StepGraph::setCosts(const std::vector<StepCost>& costs, std::size_t capacity) {
     m_costs = costs;
     m_capacity = capacity;
-    if (!costs.empty()) setAccessibleDescription(milliseconds(costs.back().total()));
+    if (!costs.empty()) setAccessibleDescription(costText(costs.back().total()));
     update();
 }
 
@@ -69,7 +70,7 @@ void StepGraph::paintEvent(QPaintEvent*) {
     const double top = highest();
     paintStages(painter, QRectF(graph).adjusted(1, 1, -1, -1), top);
     painter.setPen(palette().color(QPalette::Text));
-    painter.drawText(graph.adjusted(4, 1, -4, 0), Qt::AlignTop | Qt::AlignLeft, milliseconds(top));
+    painter.drawText(graph.adjusted(4, 1, -4, 0), Qt::AlignTop | Qt::AlignLeft, costText(top));
     paintLegend(painter, QRect(inside.left(), graph.bottom() + 4, inside.width(), kLegendRows * line));
 }
 

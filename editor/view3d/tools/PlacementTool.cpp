@@ -5,6 +5,7 @@
 #include "editor/document/DraggedAsset.h"
 #include "editor/view3d/tools/GizmoPainting.h"
 #include "editor/view3d/tools/TransformTool.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QCursor>
@@ -59,7 +60,9 @@ void PlacementTool::begin(Id asset) {
 }
 
 void PlacementTool::emitHint() {
-    emit hintChanged(tr("Click: place · Ctrl: snap to 0.1 m · R: rotate by 15° · Esc or right click: end"));
+    emit hintChanged(tr("Click: place · Ctrl: snap to %1 · R: rotate by %2 · Esc or right click: end")
+                         .arg(localizedQuantity(QuantityKind::Length, TransformTool::kStep, m_units),
+                              roundedQuantity(TransformTool::kStepDegrees, Units::angles())));
 }
 
 void PlacementTool::end() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/asset/placement/InstancePlacement.h"
+#include "editor/widgets/numbers/Units.h"
 #include "editor/workspace/Workspace.h"
 #include "viewport/widget/ViewportTool.h"
 
@@ -20,6 +21,7 @@ public:
     PlacementTool(Workspace& workspace, ViewportWidget& viewport);
 
     void setOn(bool isOn);
+    void setUnits(const Units& units) { m_units = units; }
     /// Starts placing an asset: an instance follows the pointer, each click places one, R rotates it by 15° about the
     /// vertical, with Shift the other way. Esc and the right button end it.
     void begin(Id asset);
@@ -60,6 +62,7 @@ private:
     QPointF m_pointer;
     AssetHulls m_hulls;
     std::vector<std::array<Vec3, 2>> m_preview;
+    Units m_units;
 };
 
 }  // namespace rubble

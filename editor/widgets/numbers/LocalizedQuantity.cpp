@@ -33,6 +33,19 @@ QString roundedQuantity(double value, const NumberFormat& format, const QLocale&
     return withUnit(roundedText(value, format, locale), format);
 }
 
+QString fixedQuantity(double value, int decimals, const NumberFormat& format, const QLocale& locale) {
+    return withUnit(fixedText(value, decimals, format, locale), format);
+}
+
+QString smallLengthText(double metres, const Units& units, const QLocale& locale) {
+    const bool isFoot = units.length == LengthUnit::Foot;
+    const double unit = isFoot ? 0.0254 : 0.001, stepsPerUnit = isFoot ? 1e4 : 1e3;
+    constexpr double kRounding = 1e-9;  // steps
+    const double shown = std::ceil(metres / unit * stepsPerUnit - kRounding) / stepsPerUnit;
+    constexpr int kDigits = 6;
+    return withUnit(locale.toString(shown, 'g', kDigits), {isFoot ? QStringLiteral("in") : QStringLiteral("mm")});
+}
+
 QString localizedQuantity(QuantityKind kind, double value, const Units& units, const QLocale& locale) {
     return roundedQuantity(value, quantityFormat(kind, value, units), locale);
 }

@@ -41,6 +41,17 @@ private slots:
         QCOMPARE(quantityFormat(QuantityKind::Mass, 0.05).unit, "g");
         QCOMPARE(roundedQuantity(0.002, quantityFormat(QuantityKind::Mass, 0.05), QLocale::c()), QString("2\u00a0g"));
     }
+    void runningNumbersKeepTheirDecimals() {
+        QCOMPARE(fixedQuantity(0.5, 2, Units::seconds(), QLocale::c()), QString("0.50\u00a0s"));
+        QCOMPARE(fixedQuantity(0.01234, 5, Units::milliseconds(), QLocale::c()), QString("12.34\u00a0ms"));
+    }
+    /// A tolerance that is rounded down would be too small.
+    void smallLengthsAreRoundedUp() {
+        QCOMPARE(smallLengthText(0.0000021, {}, QLocale::c()), QString("0.003\u00a0mm"));
+        QCOMPARE(smallLengthText(0.001, {}, QLocale::c()), QString("1\u00a0mm"));
+        QCOMPARE(smallLengthText(0.0254, {LengthUnit::Foot}, QLocale::c()), QString("1\u00a0in"));
+        QCOMPARE(smallLengthText(0.0254 * 0.00011, {LengthUnit::Foot}, QLocale::c()), QString("0.0002\u00a0in"));
+    }
     void digitsAreThoseOfTheLocale() {
         const QLocale german(QLocale::German, QLocale::Germany);
         QCOMPARE(plainText(QuantityKind::Length, 1.25, LengthUnit::Metre, german), "1,25 m");
