@@ -94,7 +94,7 @@ void VideoActions::addProgress() {
     m_progress->setObjectName("video-progress");
     m_progress->setMaximumWidth(kProgressWidth);
     m_progress->setAccessibleName(tr("Video export"));
-    auto* cancel = new QToolButton;
+    QToolButton* cancel = panelButton({}, tr("Cancel"), tr("Cancel the video and delete its files"), &m_views.window());
     cancel->setObjectName("video-cancel");
     cancel->setText(tr("Cancel"));
     cancel->setToolTip(tr("Cancel the video and delete its files"));

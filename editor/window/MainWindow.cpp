@@ -19,6 +19,7 @@
 #include "editor/view3d/SceneView.h"
 #include "editor/views/FirstSteps.h"
 #include "editor/views/Views.h"
+#include "editor/widgets/Buttons.h"
 #include "editor/window/StartPage.h"
 #include "viewport/widget/ViewportWidget.h"
 
@@ -176,10 +177,8 @@ void MainWindow::addStatusBar() {
     m_bakeProgress->setMaximumWidth(kProgressWidth);
     m_bakeProgress->setTextVisible(false);
     m_bakeProgress->setAccessibleName(tr("Baking"));
-    m_cancelBake = new QToolButton;
-    m_cancelBake->setText(tr("Cancel"));
-    m_cancelBake->setToolTip(tr("Cancel baking and keep the last result"));
-    m_cancelBake->setAutoRaise(true);
+    m_cancelBake = panelButton({}, tr("Cancel"), tr("Cancel baking and keep the last result"), this);
+    m_cancelBake->setFocusPolicy(Qt::TabFocus);  // the view keeps the focus
     connect(m_cancelBake, &QToolButton::clicked, this, [this] { m_workspace.baker().cancel(); });
     statusBar()->addWidget(m_hint, 1);
     for (QWidget* widget : QWidgetList{m_bakeProgress, m_cancelBake}) {

@@ -1,6 +1,7 @@
 #include "editor/window/StartPage.h"
 
 #include "editor/document/ShownText.h"
+#include "editor/widgets/Buttons.h"
 #include "editor/widgets/Icon.h"
 #include "editor/widgets/Theme.h"
 #include "editor/workspace/InstalledData.h"
@@ -173,12 +174,9 @@ void StartPage::fillRecent() {
         m_recentRows->addWidget(placeholder);
     }
     for (const QString& path : paths) {
-        auto* button = new QToolButton;
-        button->setText(menuText(fileNameText(path)));
-        button->setIcon(iconNamed("file-project"));
+        QToolButton* button =
+            panelButton("file-project", menuText(fileNameText(path)), toolTipText(pathText(path)), this);
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-        button->setAutoRaise(true);
-        button->setToolTip(toolTipText(pathText(path)));
         connect(button, &QToolButton::clicked, this, [this, path] { emit recentRequested(path); });
         m_recentRows->addWidget(button);
     }

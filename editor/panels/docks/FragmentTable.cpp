@@ -77,7 +77,7 @@ FragmentTable::FragmentTable(Document& document, Selection& selection, const Bak
     head->addWidget(m_filter, 1);
     head->addLayout(m_buttons);
     m_buttons->setSpacing(2);
-    m_buttons->addWidget(newButton(m_invert));
+    m_buttons->addWidget(panelButton(m_invert, this));
     layout->addLayout(head);
     auto* parts = new QSplitter(Qt::Horizontal);
     parts->addWidget(m_view);
@@ -146,19 +146,10 @@ void FragmentTable::buildActions() {
     m_view->installEventFilter(this);
 }
 
-QToolButton* FragmentTable::newButton(QAction* action) {
-    auto* button = new QToolButton(this);
-    button->setDefaultAction(action);
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::StrongFocus);
-    button->setAccessibleName(action->iconText());
-    return button;
-}
-
 void FragmentTable::setFragmentActions(const QList<QAction*>& visibility, const QList<QAction*>& others) {
     m_visibilityActions = visibility;
     m_fragmentActions = others;
-    for (int k = 0; k < visibility.size(); ++k) m_buttons->insertWidget(k, newButton(visibility[k]));
+    for (int k = 0; k < visibility.size(); ++k) m_buttons->insertWidget(k, panelButton(visibility[k], this));
 }
 
 void FragmentTable::connectAll() {

@@ -53,7 +53,6 @@ private:
     void buildView();
     void buildFilter();
     void buildActions();
-    QToolButton* newButton(QAction* action);
     void connectAll();
     void widenColumns();
     void showMenu(const QPoint& position);

@@ -1,5 +1,6 @@
 #include "editor/panels/docks/MessagesPanel.h"
 
+#include "editor/widgets/Buttons.h"
 #include "editor/widgets/Icon.h"
 
 #include <QAction>
@@ -81,10 +82,7 @@ QBoxLayout* MessagesPanel::makeBar() {
                  makeFilter(Severity::Error, "message-error", tr("Show errors"))};
     for (QToolButton* filter : m_filters) bar->addWidget(filter);
     bar->addStretch(1);
-    auto* clear = new QToolButton;
-    clear->setText(tr("Clear"));
-    clear->setToolTip(tr("Clear all messages"));
-    clear->setAutoRaise(true);
+    QToolButton* clear = panelButton({}, tr("Clear"), tr("Clear all messages"), this);
     connect(clear, &QToolButton::clicked, &m_messages, &Messages::clear);
     bar->addWidget(clear);
     return bar;
@@ -95,14 +93,11 @@ const Message& MessagesPanel::message(const QModelIndex& viewIndex) const {
 }
 
 QToolButton* MessagesPanel::makeFilter(Severity severity, const QString& iconName, const QString& tip) {
-    auto* button = new QToolButton;
-    button->setIcon(iconNamed(iconName));
+    QToolButton* button = panelButton(iconName, {}, tip, this);
+    button->setAccessibleName(tip);  // its text is a count
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setCheckable(true);
     button->setChecked(true);
-    button->setAutoRaise(true);
-    button->setToolTip(tip);
-    button->setAccessibleName(tip);
     connect(button, &QToolButton::toggled, this,
             [this, severity](bool isVisible) { m_filtered->setVisible(severity, isVisible); });
     return button;

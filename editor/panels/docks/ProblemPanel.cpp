@@ -105,14 +105,8 @@ QWidget* ProblemPanel::makeBar() {
     row->addWidget(makeCancel());
     row->addStretch(1);
     for (const QuickFix fix : kQuickFixes) {
-        auto* button = new QToolButton;
-        button->setText(textOf(fix));
-        button->setIcon(iconNamed(iconOf(fix)));
+        QToolButton* button = panelButton(iconOf(fix), textOf(fix), descriptionOf(fix), this);
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-        button->setAutoRaise(true);
-        button->setToolTip(descriptionOf(fix));
-        button->setStatusTip(button->toolTip());
-        button->setFocusPolicy(Qt::StrongFocus);
         connect(button, &QToolButton::clicked, this, [this, fix] { m_runner->start(selected(), fix); });
         row->addWidget(button);
         m_fixes.push_back({fix, button});
@@ -123,12 +117,8 @@ QWidget* ProblemPanel::makeBar() {
 }
 
 QWidget* ProblemPanel::makeCancel() {
-    m_cancel = new QToolButton;
+    m_cancel = panelButton({}, tr("Cancel"), tr("Cancel without changing the project"), this);
     m_cancel->setObjectName("fix-cancel");
-    m_cancel->setText(tr("Cancel"));
-    m_cancel->setAutoRaise(true);
-    m_cancel->setToolTip(tr("Cancel without changing the project"));
-    m_cancel->setFocusPolicy(Qt::StrongFocus);
     connect(m_cancel, &QToolButton::clicked, m_runner, &QuickFixRunner::cancel);
     return m_cancel;
 }
