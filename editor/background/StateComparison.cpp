@@ -55,25 +55,25 @@ void StateComparison::compare() {
     const auto baked = m_bakes.find(m_selection.asset());
     const bool isBaked = asset && baked && baked->bake && *baked->asset == *asset;
     if (!isOn() || !isBaked) return;
-    const Asset* was = earlierOf(*asset, *m_earlier, m_document.project());
+    const Asset* earlierAsset = earlierOf(*asset, *m_earlier, m_document.project());
     auto compared = std::make_shared<ComparedAsset>();
-    compared->wasThere = was != nullptr;
+    compared->existedBefore = earlierAsset != nullptr;
     compared->after = baked->bake;
-    if (was) {
-        compared->recipe = assetChanges(*m_earlier, *was, m_document.project(), *asset);
-        if (m_bakedId == was->id) compared->before = m_before;
+    if (earlierAsset) {
+        compared->recipe = assetChanges(*m_earlier, *earlierAsset, m_document.project(), *asset);
+        if (m_bakedId == earlierAsset->id) compared->before = m_before;
     }
     m_job.start(
-        [compared, earlier = m_earlier, was](const TaskContext& task) -> Status {
-            if (was && !compared->before) {
-                Result<Bake> made = bake(*was, {.cancel = task.cancel});
+        [compared, earlier = m_earlier, earlierAsset](const TaskContext& task) -> Status {
+            if (earlierAsset && !compared->before) {
+                Result<Bake> made = bake(*earlierAsset, {.cancel = task.cancel});
                 if (!made) return made.error();
                 compared->before = std::make_shared<const Bake>(std::move(*made));
             }
             if (compared->before) compared->fragments = differenceOf(*compared->before, *compared->after);
             return success();
         },
-        [this, compared, id = was ? was->id : 0](const Status& status) {
+        [this, compared, id = earlierAsset ? earlierAsset->id : 0](const Status& status) {
             if (!status) return emit statusMessage(QString::fromStdString(status.error().message));
             m_before = compared->before;
             m_bakedId = id;

@@ -1,23 +1,12 @@
 #pragma once
 
-#include "core/asset/compare/AssetDifference.h"
+#include "editor/background/ComparedAsset.h"
 #include "editor/document/Bakes.h"
 #include "editor/document/Document.h"
 #include "editor/document/Selection.h"
 #include "editor/document/jobs/BackgroundJob.h"
 
 namespace rubble {
-
-/// The active asset in an earlier state of the project and now.
-struct ComparedAsset {
-    bool wasThere = false;  // in the earlier state; else the following three are empty
-    std::vector<RecipeChange> recipe;
-    BakeDifference fragments;
-    std::shared_ptr<const Bake> before;
-    std::shared_ptr<const Bake> after;
-
-    bool isEmpty() const { return wasThere && recipe.empty() && fragments.isEmpty(); }
-};
 
 /// Compares the active asset with an earlier state of the project, and updates the result as both change. Bakes the
 /// earlier state in the background, once per asset.

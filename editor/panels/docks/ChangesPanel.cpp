@@ -81,7 +81,7 @@ void ChangesPanel::refresh() {
 }
 
 void ChangesPanel::fill(const ComparedAsset& compared) {
-    if (!compared.wasThere) return add("change-added", tr("The asset is new."));
+    if (!compared.existedBefore) return add("change-added", tr("The asset is new."));
     if (compared.isEmpty()) return add({}, tr("No changes"));
     for (const RecipeChange& change : compared.recipe) {
         add("change-recipe", QString::fromStdString(sentenceOf(change)));

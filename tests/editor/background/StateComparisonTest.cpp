@@ -70,7 +70,7 @@ private slots:
         QVERIFY(fixture.comparison.isOn());
         QCOMPARE(fixture.comparison.name(), QString("an earlier state"));
         QTRY_VERIFY_WITH_TIMEOUT(fixture.compared(), kPatience);
-        QVERIFY(fixture.compared()->isEmpty() && fixture.compared()->wasThere);
+        QVERIFY(fixture.compared()->isEmpty() && fixture.compared()->existedBefore);
         QVERIFY(fixture.compared()->before->input == fixture.compared()->after->input);
     }
     void updatesAfterEditsAreBaked() {
@@ -118,7 +118,7 @@ private slots:
         earlier.assets.erase(earlier.assets.begin());
         fixture.begin(std::move(earlier));
         QTRY_VERIFY_WITH_TIMEOUT(fixture.compared(), kPatience);
-        QVERIFY(!fixture.compared()->wasThere && !fixture.compared()->before && !fixture.compared()->isEmpty());
+        QVERIFY(!fixture.compared()->existedBefore && !fixture.compared()->before && !fixture.compared()->isEmpty());
         QVERIFY(fixture.compared()->recipe.empty() && fixture.compared()->fragments.fragments.empty());
     }
     void matchesRenamedAssetsById() {
@@ -127,7 +127,7 @@ private slots:
         earlier.assets[0].name = "wall of old";
         fixture.begin(std::move(earlier));
         QTRY_VERIFY_WITH_TIMEOUT(fixture.compared(), kPatience);
-        QVERIFY(fixture.compared()->wasThere && fixture.compared()->fragments.isEmpty());
+        QVERIFY(fixture.compared()->existedBefore && fixture.compared()->fragments.isEmpty());
     }
     void reportsWhenTheEarlierStateCannotBeBaked() {
         Fixture fixture;
