@@ -107,9 +107,9 @@ void CompareActions::reveal(const FragmentDifference& fragment) {
     selection.setEnteredFragment({});
     const Vec2 place{bake.fragment(exists ? fragment.after : fragment.before).solid.offset()};
     if (exists) {
-        FragmentSet one(bake.fragmentCount(), false);
-        one[fragment.after] = true;
-        selection.setFragments(selectionOf(one, bake));
+        FragmentSet marked(bake.fragmentCount(), false);
+        marked[fragment.after] = true;
+        selection.setFragments(selectionOf(marked, bake));
         showSelected(selection, bake);
     } else {
         selection.setSeeds({});

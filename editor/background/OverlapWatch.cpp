@@ -47,7 +47,8 @@ void OverlapWatch::report(std::vector<InstanceOverlap> overlaps) {
     const auto isGone = [&](Id id) {
         return id != 0 && std::ranges::find(project.instances, id, &Instance::id) == project.instances.end();
     };
-    std::erase_if(overlaps, [&](const InstanceOverlap& one) { return isGone(one.first) || isGone(one.second); });
+    std::erase_if(overlaps,
+                  [&](const InstanceOverlap& overlap) { return isGone(overlap.first) || isGone(overlap.second); });
     m_overlaps = std::move(overlaps);
     std::vector<Message> messages;
     for (std::size_t k = 0; k < std::min(m_overlaps.size(), kMaxReported); ++k) {

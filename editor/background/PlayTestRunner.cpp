@@ -34,7 +34,8 @@ const PlayTestOutcome* PlayTestRunner::outcomeOf(Id test) const {
 }
 
 int PlayTestRunner::passed() const {
-    return static_cast<int>(std::ranges::count_if(m_outcomes, [](const auto& one) { return one.second.isPassed(); }));
+    return static_cast<int>(
+        std::ranges::count_if(m_outcomes, [](const auto& entry) { return entry.second.isPassed(); }));
 }
 
 int PlayTestRunner::failed() const { return static_cast<int>(m_outcomes.size()) - passed(); }

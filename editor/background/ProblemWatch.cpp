@@ -14,9 +14,10 @@ constexpr int kProblemDelayMilliseconds = 120;  // a dragged seed bakes many tim
 std::vector<std::vector<Diagnostic>> search(const std::vector<std::shared_ptr<const BakedAsset>>& baked,
                                             const TaskContext& task) {
     std::vector<std::vector<Diagnostic>> problems;
-    for (const std::shared_ptr<const BakedAsset>& one : baked) {
+    for (const std::shared_ptr<const BakedAsset>& bakedAsset : baked) {
         if (task.isCancelled()) return {};
-        problems.push_back(one->bake ? problemsOf(*one->asset, *one->bake, {}, task) : outlineProblems(*one->asset));
+        problems.push_back(bakedAsset->bake ? problemsOf(*bakedAsset->asset, *bakedAsset->bake, {}, task)
+                                            : outlineProblems(*bakedAsset->asset));
     }
     return problems;
 }

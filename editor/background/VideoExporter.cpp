@@ -31,7 +31,7 @@ Result<std::vector<SessionPlayback>> playbacksOf(const VideoRequest& request) {
     };
     if (request.isCompared) {
         std::erase_if(inputs,
-                      [](const TimedInput& one) { return std::holds_alternative<DestructionInput>(one.input); });
+                      [](const TimedInput& timed) { return std::holds_alternative<DestructionInput>(timed.input); });
         settings.hasDestruction = false;
         if (const Status added = add(); !added) return added.error();
         settings.hasDestruction = true;

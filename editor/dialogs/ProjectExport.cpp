@@ -134,7 +134,8 @@ ExportSummary exportProject(Workspace& workspace, const ExportOptions& options, 
     if (outcome) {
         const QString sentence = summary(*outcome, options.folder, messages, parent);
         messages.add({.text = sentence});
-        return {sentence, std::ranges::any_of(*outcome, [](const AssetExport& one) { return one.status.hasValue(); })};
+        return {sentence,
+                std::ranges::any_of(*outcome, [](const AssetExport& exported) { return exported.status.hasValue(); })};
     }
     if (outcome.error().code == ErrorCode::Cancelled) {
         return {ExportTexts::tr("Export cancelled. No incomplete files were left."), false};

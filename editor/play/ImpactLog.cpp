@@ -63,8 +63,8 @@ void ImpactLog::addWithstood(const Session& session, const PlayImpact& impact) {
 
 void ImpactLog::discardAfter(std::uint64_t step) {
     m_steps = std::min(m_steps, step);
-    std::erase_if(m_impacts, [step](const ImpactRecord& one) { return one.step > step; });
-    std::erase_if(m_lastWithstood, [step](const auto& one) { return one.second.step > step; });
+    std::erase_if(m_impacts, [step](const ImpactRecord& impact) { return impact.step > step; });
+    std::erase_if(m_lastWithstood, [step](const auto& entry) { return entry.second.step > step; });
 }
 
 }  // namespace rubble

@@ -112,8 +112,8 @@ void PlayController::toggleLoop() {
     if (!hasSession()) return;
     if (m_frame->loop) return endLoop();
     const std::vector<ImpactRecord> all = breaks();
-    const auto distance = [this](const ImpactRecord& one) {
-        return std::max(one.step, m_frame->step) - std::min(one.step, m_frame->step);
+    const auto distance = [this](const ImpactRecord& impact) {
+        return std::max(impact.step, m_frame->step) - std::min(impact.step, m_frame->step);
     };
     const auto nearest = std::ranges::min_element(all, {}, distance);
     if (nearest != all.end()) return loopAround(nearest->step);
@@ -206,7 +206,7 @@ void PlayController::release() {
 std::vector<ImpactRecord> PlayController::breaks(std::uint64_t last) const {
     std::vector<ImpactRecord> breaks;
     std::ranges::copy_if(m_impacts, std::back_inserter(breaks),
-                         [last](const ImpactRecord& one) { return one.isBreak() && one.step <= last; });
+                         [last](const ImpactRecord& impact) { return impact.isBreak() && impact.step <= last; });
     return breaks;
 }
 
@@ -307,8 +307,8 @@ void PlayController::applyUpdate() {
     }
     const bool haveImpactsChanged = !update.impacts.empty() || update.discardAfter;
     if (update.discardAfter) {
-        std::erase_if(m_impacts, [&](const ImpactRecord& one) { return one.step > *update.discardAfter; });
-        std::erase_if(m_costs, [&](const StepCost& one) { return one.step > *update.discardAfter; });
+        std::erase_if(m_impacts, [&](const ImpactRecord& impact) { return impact.step > *update.discardAfter; });
+        std::erase_if(m_costs, [&](const StepCost& cost) { return cost.step > *update.discardAfter; });
     }
     m_impacts.insert(m_impacts.end(), update.impacts.begin(), update.impacts.end());
     m_costs.insert(m_costs.end(), update.costs.begin(), update.costs.end());
@@ -317,7 +317,8 @@ void PlayController::applyUpdate() {
     m_frame = std::move(update.frame);
     if (m_soughtStep == m_frame->step) m_soughtStep.reset();
     applyDestruction(*m_frame);
-    for (const Diagnostic& one : update.diagnostics) emit statusMessage(QString::fromStdString(one.message));
+    for (const Diagnostic& diagnostic : update.diagnostics)
+        emit statusMessage(QString::fromStdString(diagnostic.message));
     if (update.isBranchKept)
         emit statusMessage(tr("The earlier timeline is kept: see Play ▸ Timeline ▸ Earlier Timelines."));
     if (haveImpactsChanged) emit impactsChanged();

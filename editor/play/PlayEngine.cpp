@@ -94,9 +94,9 @@ PlayEngine::PlayEngine(const std::shared_ptr<const PlayScene>& scene, Timeline t
     : m_scene(scene), m_timeline(std::move(timeline)), m_builder(scene), m_hashes(std::move(hashes)) {}
 
 bool PlayEngine::hasDestruction() const {
-    for (const TimedInput& one : std::views::reverse(m_timeline.inputs())) {
-        const auto* input = std::get_if<DestructionInput>(&one.input);
-        if (input != nullptr && one.step <= session().stepsDone()) return input->isOn;
+    for (const TimedInput& timed : std::views::reverse(m_timeline.inputs())) {
+        const auto* input = std::get_if<DestructionInput>(&timed.input);
+        if (input != nullptr && timed.step <= session().stepsDone()) return input->isOn;
     }
     return m_startsWithDestruction;
 }
@@ -148,8 +148,8 @@ void PlayEngine::recordStep() {
 void PlayEngine::discardRecordsAfter(std::uint64_t step) {
     m_log.discardAfter(step);
     m_update.discardAfter = std::min(m_update.discardAfter.value_or(step), step);
-    std::erase_if(m_update.impacts, [step](const ImpactRecord& one) { return one.step > step; });
-    std::erase_if(m_update.costs, [step](const StepCost& one) { return one.step > step; });
+    std::erase_if(m_update.impacts, [step](const ImpactRecord& impact) { return impact.step > step; });
+    std::erase_if(m_update.costs, [step](const StepCost& cost) { return cost.step > step; });
 }
 
 void PlayEngine::add(const PlayInput& input) {
@@ -160,8 +160,8 @@ void PlayEngine::add(const PlayInput& input) {
     }
     if (m_timeline.currentId() != course) {
         m_branchLogs[course] = m_log;
-        std::erase_if(m_branchLogs, [this](const auto& one) {  // of branches that were dropped
-            return std::ranges::find(m_timeline.branches(), one.first, &TimelineBranch::id) ==
+        std::erase_if(m_branchLogs, [this](const auto& log) {  // of branches that were dropped
+            return std::ranges::find(m_timeline.branches(), log.first, &TimelineBranch::id) ==
                    m_timeline.branches().end();
         });
         m_update.isBranchKept = true;
@@ -181,7 +181,7 @@ void PlayEngine::switchTo(std::uint32_t branch) {
     discardRecordsAfter(fork);
     m_log = m_branchLogs.extract(branch).mapped();
     std::ranges::copy_if(m_log.impacts(), std::back_inserter(m_update.impacts),
-                         [fork](const ImpactRecord& one) { return one.step > fork; });
+                         [fork](const ImpactRecord& impact) { return impact.step > fork; });
     if (m_hashes.size() > fork) m_hashes.resize(fork);
     m_scriptSteps = 0;
     m_loop.reset();
@@ -190,8 +190,8 @@ void PlayEngine::switchTo(std::uint32_t branch) {
 
 std::vector<PlayBranch> PlayEngine::branches() const {
     std::vector<PlayBranch> branches;
-    for (const TimelineBranch& one : m_timeline.branches()) {
-        branches.push_back({one.id, m_timeline.forkOf(one), one.length, m_branchLogs.at(one.id).breaks()});
+    for (const TimelineBranch& branch : m_timeline.branches()) {
+        branches.push_back({branch.id, m_timeline.forkOf(branch), branch.length, m_branchLogs.at(branch.id).breaks()});
     }
     return branches;
 }

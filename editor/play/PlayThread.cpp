@@ -16,8 +16,8 @@ void merge(PlayUpdate& update, PlayUpdate&& newer) {
     if (newer.discardAfter) {
         const std::uint64_t last = *newer.discardAfter;
         update.discardAfter = std::min(update.discardAfter.value_or(last), last);
-        std::erase_if(update.impacts, [last](const ImpactRecord& one) { return one.step > last; });
-        std::erase_if(update.costs, [last](const StepCost& one) { return one.step > last; });
+        std::erase_if(update.impacts, [last](const ImpactRecord& impact) { return impact.step > last; });
+        std::erase_if(update.costs, [last](const StepCost& cost) { return cost.step > last; });
     }
     const auto append = [](auto& to, auto& from) {
         to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));

@@ -346,9 +346,9 @@ void Views::reveal(const Diagnostic& problem) {
     selection.setEnteredFragment({});
     const std::shared_ptr<const Bake> bake = m_workspace.problems().bakeOf(problem.place.asset);
     if (bake && problem.place.fragment < bake->fragmentCount()) {
-        FragmentSet one(bake->fragmentCount(), false);
-        one[problem.place.fragment] = true;
-        selection.setFragments(selectionOf(one, *bake));
+        FragmentSet affected(bake->fragmentCount(), false);
+        affected[problem.place.fragment] = true;
+        selection.setFragments(selectionOf(affected, *bake));
         showSelected(selection, *bake);
     } else {
         const std::optional<SeedId> seed = seedOf(problem.place);

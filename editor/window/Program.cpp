@@ -235,7 +235,8 @@ Program::Unsaved Program::askForUnsaved(const QList<MainWindow*>& modified) {
     if (answer == kDiscardAll) return Unsaved::Discard;
     if (answer == kReview) return Unsaved::Ask;
     if (answer == kCancel) return Unsaved::Cancel;
-    const bool areSaved = std::ranges::all_of(modified, [](MainWindow* one) { return one->fileActions().save(); });
+    const bool areSaved =
+        std::ranges::all_of(modified, [](MainWindow* window) { return window->fileActions().save(); });
     return areSaved ? Unsaved::Ask : Unsaved::Cancel;
 }
 

@@ -66,8 +66,8 @@ private:
 
 Image contactSheetPage(const std::vector<NumberedImage>& images, Theme theme) {
     int width = 1, height = 1;
-    for (const NumberedImage& one : images) {
-        if (one.image) width = one.image->width, height = one.image->height;
+    for (const NumberedImage& numbered : images) {
+        if (numbered.image) width = numbered.image->width, height = numbered.image->height;
     }
     const auto count = static_cast<int>(images.size());
     int columns = 1;
@@ -76,9 +76,9 @@ Image contactSheetPage(const std::vector<NumberedImage>& images, Theme theme) {
     Page page(columns * (width + kGap) + kGap, rows * (height + kGap) + kGap, theme == Theme::Dark ? 40 : 220);
     for (int k = 0; k < count; ++k) {
         const int x = kGap + k % columns * (width + kGap), y = kGap + k / columns * (height + kGap);
-        const NumberedImage& one = images[static_cast<std::size_t>(k)];
-        if (one.image) page.place(x, y, *one.image);
-        page.number(x, y, one.number, theme);
+        const NumberedImage& numbered = images[static_cast<std::size_t>(k)];
+        if (numbered.image) page.place(x, y, *numbered.image);
+        page.number(x, y, numbered.number, theme);
     }
     return std::move(page).finished();
 }

@@ -80,8 +80,8 @@ std::string textOf(const NamedAudit& named) {
     text += "  relative change in flight: mass " + roundedText(audit.massDrift, 2) + ", momentum " +
             roundedText(audit.momentumDrift, 2) + ", angular momentum " + roundedText(audit.angularDrift, 2) +
             ", energy " + roundedText(audit.energyGain, 2) + "\n";
-    for (const Diagnostic& one : audit.diagnostics) {
-        if (one.severity == Severity::Note) text += "  " + one.message + "\n";
+    for (const Diagnostic& diagnostic : audit.diagnostics) {
+        if (diagnostic.severity == Severity::Note) text += "  " + diagnostic.message + "\n";
     }
     return text;
 }
@@ -91,9 +91,9 @@ Status statusOf(std::span<const NamedAudit> audits) {
     std::string message;
     for (const NamedAudit& named : audits) {
         if (!named.audit) continue;
-        for (const Diagnostic& one : named.audit->diagnostics) {
-            if (one.severity == Severity::Note) continue;
-            message += (message.empty() ? "" : "\n") + shownName(named.name) + ": " + one.message;
+        for (const Diagnostic& diagnostic : named.audit->diagnostics) {
+            if (diagnostic.severity == Severity::Note) continue;
+            message += (message.empty() ? "" : "\n") + shownName(named.name) + ": " + diagnostic.message;
         }
     }
     if (!message.empty()) return Error{ErrorCode::BadInput, message};

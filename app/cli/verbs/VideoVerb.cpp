@@ -53,8 +53,8 @@ Result<std::vector<SessionPlayback>> playbacksOf(const PreparedProject& play, co
         plays.insert(plays.begin(), options.play);
         plays.front().isWithoutDestruction = true;
     }
-    for (const PlayOptions& one : plays) {
-        Result<Session> session = createSession(play, one, options.threads);
+    for (const PlayOptions& playOptions : plays) {
+        Result<Session> session = createSession(play, playOptions, options.threads);
         if (!session) return session.error();
         playbacks.emplace_back(play.scene, std::move(*session), std::vector<TimedInput>(),
                                sceneOptions(options.picture), playOverlays(options.picture));

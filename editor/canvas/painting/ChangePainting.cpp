@@ -48,9 +48,9 @@ void drawGhost(QPainter& painter, const QPainterPath& ghost, const QColor& colou
     painter.setPen(ghostPen(colour));
     for (const QPolygonF& ring : ghost.toSubpathPolygons()) {
         for (qsizetype k = 0; k + 1 < ring.size(); ++k) {
-            const QPointF &one = ring[k], &other = ring[k + 1];
-            const bool isForward = std::pair(one.x(), one.y()) < std::pair(other.x(), other.y());
-            painter.drawLine(isForward ? one : other, isForward ? other : one);
+            const QPointF &from = ring[k], &to = ring[k + 1];
+            const bool isForward = std::pair(from.x(), from.y()) < std::pair(to.x(), to.y());
+            painter.drawLine(isForward ? from : to, isForward ? to : from);
         }
     }
 }

@@ -364,8 +364,8 @@ void StrengthPanel::refreshAudit() {
         return m_auditText->setText(tr("Not checked since the last change"));
     }
     QStringList lines{audit->isClean() ? tr("<b>Passed</b>") : tr("<b>Failed</b>")};
-    for (const Diagnostic& one : audit->diagnostics) {
-        if (one.severity != Severity::Note) lines << QString::fromStdString(one.message).toHtmlEscaped();
+    for (const Diagnostic& diagnostic : audit->diagnostics) {
+        if (diagnostic.severity != Severity::Note) lines << QString::fromStdString(diagnostic.message).toHtmlEscaped();
     }
     lines << tr("%Ln fragment(s), touching pairs: %L1, deepest overlap: %2", nullptr,
                 static_cast<int>(audit->fragments))

@@ -90,8 +90,8 @@ void FragmentSection::refresh() {
                             : tr("None of the selected fragments breaks further. Fracture them, or add a level."));
     if (!doBreak) return;
     m_form.refresh();
-    m_threshold->setEnabled(
-        std::ranges::all_of(fragments, [](const BreakingFragment& one) { return one.threshold.has_value(); }));
+    m_threshold->setEnabled(std::ranges::all_of(
+        fragments, [](const BreakingFragment& fragment) { return fragment.threshold.has_value(); }));
 }
 
 }  // namespace rubble
