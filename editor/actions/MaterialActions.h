@@ -15,7 +15,9 @@ class MaterialActions : public QObject {
 public:
     explicit MaterialActions(Views& views);
 
-    /// The library comes first.
+    QAction* library() const { return m_library; }
+    /// Saves the selected material as a preset.
+    QAction* save() const { return m_save; }
     QList<QAction*> actions() const { return {m_library, m_save}; }
 
 private:

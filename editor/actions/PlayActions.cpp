@@ -98,12 +98,14 @@ void PlayActions::addRun() {
 /// The view handles their keys, with the pointer and the charge of a throw.
 void PlayActions::addTools() {
     PlayTool& tool = m_views.scene().playView().tool();
-    m_tools = {makeAction(this, {"play-throw", tr("T&hrow\tF"), tr("Throw the projectile at the pointer")}),
-               makeAction(this, {"play-hammer", tr("Ha&mmer\tH"), tr("Hit what is at the pointer with a hammer")}),
-               makeAction(this, {"play-blast", tr("B&last\tX"), tr("Set off an explosion at the pointer")})};
-    connect(m_tools[0], &QAction::triggered, &tool, &PlayTool::throwAtPointer);
-    connect(m_tools[1], &QAction::triggered, &tool, &PlayTool::hammerAtPointer);
-    connect(m_tools[2], &QAction::triggered, &tool, &PlayTool::explodeAtPointer);
+    QAction* throwing = makeAction(this, {"play-throw", tr("T&hrow\tF"), tr("Throw the projectile at the pointer")});
+    QAction* hammering =
+        makeAction(this, {"play-hammer", tr("Ha&mmer\tH"), tr("Hit what is at the pointer with a hammer")});
+    QAction* blasting = makeAction(this, {"play-blast", tr("B&last\tX"), tr("Set off an explosion at the pointer")});
+    connect(throwing, &QAction::triggered, &tool, &PlayTool::throwAtPointer);
+    connect(hammering, &QAction::triggered, &tool, &PlayTool::hammerAtPointer);
+    connect(blasting, &QAction::triggered, &tool, &PlayTool::explodeAtPointer);
+    m_tools = {throwing, hammering, blasting};
     m_menu->addActions(m_tools);
 }
 

@@ -33,7 +33,8 @@ namespace rubble {
 
 namespace {
 
-constexpr int kSamples[] = {0, 8, 32};  // of each quality
+enum Output { kVideoOutput, kImagesOutput };  // the items of the box
+constexpr int kSamples[] = {0, 8, 32};        // of each quality
 constexpr const char* kVideoSuffix = ".mp4";
 constexpr int kMinVideoDialogWidth = 480;  // pixels, so that a path fits
 constexpr int kMinImageSide = 16;          // pixels
@@ -167,7 +168,7 @@ void VideoDialog::restoreOptions() {
     const auto stored = [&](const QString& key, const QVariant& otherwise = {}) {
         return settings.value("video/" + key, settings.value("film/" + key, otherwise));  // of version 0.1
     };
-    restoreIndex(*m_kind, m_hasFfmpeg ? stored("pictures", 0).toInt() : 1);
+    restoreIndex(*m_kind, m_hasFfmpeg ? stored("pictures", kVideoOutput).toInt() : kImagesOutput);
     m_width->setValue(std::clamp(stored("width", 1280).toInt(), kMinImageSide, kMaxImageSide));
     m_height->setValue(std::clamp(stored("height", 720).toInt(), kMinImageSide, kMaxImageSide));
     restoreIndex(*m_quality, stored("quality", 1).toInt());
@@ -192,7 +193,7 @@ FieldRange VideoDialog::stepRange() const {
 
 VideoOptions VideoDialog::options() const {
     VideoOptions options{.path = QDir::fromNativeSeparators(m_path->text()),
-                         .isVideo = m_kind->currentIndex() == 0,
+                         .isVideo = m_kind->currentIndex() == kVideoOutput,
                          .size = {static_cast<int>(m_width->value()), static_cast<int>(m_height->value())},
                          .samples = kSamples[m_quality->currentIndex()],
                          .frameRate = m_frameRate->value(),
@@ -220,14 +221,14 @@ void VideoDialog::accept() {
 
 void VideoDialog::updateSuffix() {
     const QString base = withoutVideoSuffix(m_path->text());
-    m_path->setText(m_kind->currentIndex() == 0 ? base + kVideoSuffix : base);
+    m_path->setText(m_kind->currentIndex() == kVideoOutput ? base + kVideoSuffix : base);
     updateSummary();
 }
 
 void VideoDialog::browse() {
     const QString title = windowTitle();
     const QString path =
-        m_kind->currentIndex() == 0
+        m_kind->currentIndex() == kVideoOutput
             ? QFileDialog::getSaveFileName(this, title, m_path->text(), tr("Videos (*.mp4 *.mkv *.mov *.webm)"))
             : QFileDialog::getExistingDirectory(this, title, QFileInfo(m_path->text()).path());
     if (!path.isEmpty()) m_path->setText(QDir::toNativeSeparators(path));

@@ -30,9 +30,20 @@ namespace rubble {
 namespace {
 
 constexpr QSize kBarIcon{18, 18};
-constexpr std::array kColourings = {SceneColouring::Material, SceneColouring::Fragment, SceneColouring::Level,
-                                    SceneColouring::Volume,   SceneColouring::Mass,     SceneColouring::Aspect,
-                                    SceneColouring::Threshold};
+enum Scope { kWholeScene, kActiveAsset };  // the items of the box
+
+struct ColouringItem {
+    SceneColouring colouring;
+    const char* text;
+};
+constexpr std::array kColourings{
+    ColouringItem{SceneColouring::Material, QT_TRANSLATE_NOOP("rubble::SceneView", "Material")},
+    ColouringItem{SceneColouring::Fragment, QT_TRANSLATE_NOOP("rubble::SceneView", "Fragment")},
+    ColouringItem{SceneColouring::Level, QT_TRANSLATE_NOOP("rubble::SceneView", "Level")},
+    ColouringItem{SceneColouring::Volume, QT_TRANSLATE_NOOP("rubble::SceneView", "Volume")},
+    ColouringItem{SceneColouring::Mass, QT_TRANSLATE_NOOP("rubble::SceneView", "Mass")},
+    ColouringItem{SceneColouring::Aspect, QT_TRANSLATE_NOOP("rubble::SceneView", "Aspect")},
+    ColouringItem{SceneColouring::Threshold, QT_TRANSLATE_NOOP("rubble::SceneView", "Threshold")}};
 constexpr double kInstanceMargin = 0.25;  // of its size, on each side
 constexpr double kFragmentMargin = 1.5;   // of its size, on each side
 
@@ -47,6 +58,7 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
       m_legend(new SceneLegend(m_viewport)),
       m_playView(new PlayView(workspace.play(), *m_viewport)),
       m_measureTool(new SurfaceMeasureTool(*m_viewport)),
+      m_precedingKeys(new ActionKeys(m_viewport)),
       m_picker(new ScenePicker(workspace, *m_viewport)),
       m_timeline(new TimelinePanel(workspace.play())) {
     setFocusProxy(m_viewport);
@@ -58,7 +70,6 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
     addToggles();
     addSeparator();
     addMeasure();
-      m_precedingKeys(new ActionKeys(m_viewport)),
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(0);
@@ -88,7 +99,7 @@ void SceneView::frameAll() {
     m_viewport->frameAll();
 }
 
-void SceneView::showWholeScene() { m_scope->setCurrentIndex(0); }
+void SceneView::showWholeScene() { m_scope->setCurrentIndex(kWholeScene); }
 
 void SceneView::frameSelected() {
     showWholeScene();
@@ -127,18 +138,20 @@ void SceneView::applyPreferences(const Preferences& preferences) {
     rubble::applyPreferences(*m_viewport, preferences);
     const Units units{preferences.unit};
     m_transformTool->setUnits(units);
+    m_placementTool->setUnits(units);
     m_measureTool->setUnits(units);
     m_legend->setUnits(units);
     m_playView->tool().setUnits(units);
     m_playView->setStatisticsShown(preferences.hasStatistics);
 }
 
+void SceneView::setPrecedingActions(const QList<QAction*>& actions) { m_precedingKeys->setActions(actions); }
+
 /// Actions for the viewport's own keys, so that menus and the search list them. The keys are part of their texts, not
 /// shortcuts.
 void SceneView::addViews() {
     const auto add = [this](const ActionDefinition& definition, const std::function<void()>& act) {
         QAction* action = makeAction(this, definition);
-    m_placementTool->setUnits(units);
         connect(action, &QAction::triggered, this, act);
         addAction(action);
     };
@@ -146,8 +159,6 @@ void SceneView::addViews() {
         [this] { m_viewport->frameSelected(); });
     add({"view-home", tr("Frame &All\tHome"), tr("Frame everything; Home in the 3D view")},
         [this] { m_viewport->frameAll(); });
-void SceneView::setPrecedingActions(const QList<QAction*>& actions) { m_precedingKeys->setActions(actions); }
-
     add({"view-front", tr("F&ront\t1"), tr("Look from the front; 1 in the 3D view")},
         [this] { m_viewport->alignTo(StandardView::Front); });
     add({"view-right", tr("R&ight\t3"), tr("Look from the right; 3 in the 3D view")},
@@ -220,18 +231,18 @@ QWidget* SceneView::makeBar() {
     m_scope->setObjectName("scope");
     m_scope->setAccessibleName(tr("Scope"));
     connect(m_scope, &QComboBox::currentIndexChanged, this, [this](int index) {
-        m_isAssetOnly = index == 1;
+        m_isAssetOnly = index == kActiveAsset;
         m_picker->setAssetOnly(m_isAssetOnly);
         updateEditing();
         frameAll();
     });
-    auto* colouring =
-        comboBox({tr("Material"), tr("Fragment"), tr("Level"), tr("Volume"), tr("Mass"), tr("Aspect"), tr("Threshold")},
-                 tr("Colour the fragments by this property"));
+    QStringList colourings;
+    for (const ColouringItem& item : kColourings) colourings << tr(item.text);
+    auto* colouring = comboBox(colourings, tr("Colour the fragments by this property"));
     colouring->setObjectName("colouring");
     colouring->setAccessibleName(tr("Colouring"));
     connect(colouring, &QComboBox::currentIndexChanged, this, [this](int index) {
-        m_options.colouring = kColourings[static_cast<std::size_t>(index)];
+        m_options.colouring = kColourings[static_cast<std::size_t>(index)].colouring;
         invalidate();
     });
     auto* explode = new ExplodeSlider;

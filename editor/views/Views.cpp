@@ -318,9 +318,9 @@ void Views::limitShortcutToViews(QAction& action) {
 
 void Views::setAddActions(const QList<QAction*>& actions) { m_tree->setAddActions(actions); }
 
-void Views::setMaterialActions(const QList<QAction*>& actions) {
-    m_tree->setMaterialActions(actions);
-    m_inspector->setMaterialActions(actions);
+void Views::setMaterialActions(QAction* library, QAction* save) {
+    m_tree->setMaterialActions({library, save});
+    m_inspector->setMaterialActions(library, save);
 }
 
 /// Selects and frames what a message is about.

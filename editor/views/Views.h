@@ -79,8 +79,8 @@ public:
     void setFragmentActions(const FragmentActionGroups& groups);
     /// Adds actions to the Add menu of the project tree.
     void setAddActions(const QList<QAction*>& actions);
-    /// Adds actions on materials to the project tree and the inspector; the first one opens the library.
-    void setMaterialActions(const QList<QAction*>& actions);
+    /// Adds the actions on materials to the project tree and the inspector: opening the library and saving a preset.
+    void setMaterialActions(QAction* library, QAction* save);
     /// The context menu of selected fragments in the 3D view.
     QMenu& fragmentMenu() { return *m_fragmentMenu; }
     /// Limits an action's shortcut to the canvas and the 3D view.

@@ -109,9 +109,9 @@ void MainWindow::addActions() {
     auto* help = new HelpActions(*this);
     m_assetActions->menu()->addSeparator();
     m_assetActions->menu()->addActions(materials->actions());
-    m_views->setMaterialActions(materials->actions());
+    m_views->setMaterialActions(materials->library(), materials->save());
     m_views->setAddActions(m_assetActions->additions() +
-                           QList{m_assetActions->addInstanceAction(), materials->actions().front()});
+                           QList{m_assetActions->addInstanceAction(), materials->library()});
     m_views->setFragmentActions({.navigation = fragments->navigationActions(),
                                  .editing = fragments->editingActions(),
                                  .selection = select->relatedActions(),

@@ -1,6 +1,7 @@
 #include "editor/canvas/tools/ShapeDrawing.h"
 
 #include "core/asset/project/OutlineEdit.h"
+#include "core/base/Assert.h"
 #include "core/geometry/polygon/PolygonFaults.h"
 #include "editor/canvas/tools/Snapping.h"
 #include "editor/commands/ProjectEdits.h"
@@ -17,50 +18,59 @@ constexpr double kDefaultDepth = 0.5;  // m, of a new asset
 
 }  // namespace
 
+OutlineDraft& ShapeDrawing::draft() {
+    RUBBLE_ASSERT(m_draft);
+    return *m_draft;
+}
+
+const OutlineDraft& ShapeDrawing::draft() const {
+    RUBBLE_ASSERT(m_draft);
+    return *m_draft;
+}
+
 void ShapeDrawing::begin(Purpose purpose, DraftShape shape) {
     cancel();
     if (purpose == Purpose::NewAsset) exitToFragment(m_state.selection, {});
     if (purpose != Purpose::NewAsset && (!m_state.asset() || m_state.isInFragment())) return;
     m_purpose = purpose;
     m_fault.clear();
-    m_draft.emplace(shape);
-    m_draft->movePen(m_state.view.centre);
+    m_draft.emplace(shape).movePen(m_state.view.centre);
     emit changed();
 }
 
 void ShapeDrawing::press(const CanvasPointer& pointer) {
     m_pressed = pointer.pixels;
     m_fault.clear();
-    m_draft->movePen(snapped(m_state, pointer, outlineTargets(m_state)));
-    if (m_draft->closesAt(kCloseRadius / m_state.view.scale)) return close();
+    draft().movePen(snapped(m_state, pointer, outlineTargets(m_state)));
+    if (draft().closesAt(kCloseRadius / m_state.view.scale)) return close();
     add();
 }
 
 /// Adds a point at the pen; the last one of a rectangle or a circle closes it.
 void ShapeDrawing::add() {
-    m_draft->add();
-    if (m_draft->isComplete()) close();
+    draft().add();
+    if (draft().isComplete()) close();
     emit changed();
 }
 
 void ShapeDrawing::move(const CanvasPointer& pointer) {
-    m_draft->movePen(snapped(m_state, pointer, outlineTargets(m_state)));
+    draft().movePen(snapped(m_state, pointer, outlineTargets(m_state)));
     emit changed();
 }
 
 /// A rectangle or a circle can also be dragged from its first point to the second.
 void ShapeDrawing::release(const CanvasPointer& pointer) {
-    if (m_draft->shape() == DraftShape::Polygon || m_draft->points().empty()) return;
+    if (draft().shape() == DraftShape::Polygon || draft().points().empty()) return;
     if ((pointer.pixels - m_pressed).manhattanLength() >= QApplication::startDragDistance()) add();
 }
 
 void ShapeDrawing::doubleClick(const CanvasPointer& pointer) {
-    if (m_draft->shape() == DraftShape::Polygon) return close();
+    if (draft().shape() == DraftShape::Polygon) return close();
     press(pointer);
 }
 
 void ShapeDrawing::close() {
-    const Polygon drawn{m_draft->ring(), {}};
+    const Polygon drawn{draft().ring(), {}};
     const auto outline = [&] { return m_state.asset()->prism.outline; };
     bool isDone = false;
     switch (m_purpose) {
@@ -75,8 +85,8 @@ void ShapeDrawing::close() {
     }
     if (isDone) {
         m_draft.reset();
-    } else if (m_draft->isComplete()) {
-        m_draft->removeLast();
+    } else if (draft().isComplete()) {
+        draft().removeLast();
     }
     emit changed();
 }
@@ -88,7 +98,7 @@ bool ShapeDrawing::refuse(const Error& error) {
 }
 
 bool ShapeDrawing::pushNewAsset() {
-    const Result<Polygon> outline = validated(Polygon{m_draft->ring(), {}});
+    const Result<Polygon> outline = validated(Polygon{draft().ring(), {}});
     if (!outline) return refuse(outline.error());
     Addition addition = addAsset(m_state.document.project(), tr("shape").toStdString(), {*outline, kDefaultDepth});
     if (!m_state.push(std::move(addition.edit))) return false;
@@ -111,14 +121,14 @@ bool ShapeDrawing::cancel() {
 bool ShapeDrawing::key(const QKeyEvent& event) {
     m_fault.clear();
     if (const std::optional<Vec2> by = nudgeStep(event, m_state)) {
-        m_draft->movePen(m_draft->pen() + *by);
+        draft().movePen(draft().pen() + *by);
         emit changed();
         return true;
     }
     switch (event.key()) {
         case Qt::Key_Return:
         case Qt::Key_Enter:
-            if (m_draft->shape() == DraftShape::Polygon) {
+            if (draft().shape() == DraftShape::Polygon) {
                 close();
             } else {
                 add();
@@ -126,7 +136,7 @@ bool ShapeDrawing::key(const QKeyEvent& event) {
             return true;
         case Qt::Key_Backspace:
         case Qt::Key_Delete:
-            if (!m_draft->removeLast()) cancel();
+            if (!draft().removeLast()) cancel();
             emit changed();
             return true;
         case Qt::Key_Insert: add(); return true;
@@ -135,14 +145,14 @@ bool ShapeDrawing::key(const QKeyEvent& event) {
 }
 
 void ShapeDrawing::paint(QPainter& painter, const CanvasColours& colours) const {
-    m_draft->paint(painter, m_state.view, colours);
+    draft().paint(painter, m_state.view, colours);
 }
 
 QString ShapeDrawing::hint() const { return m_fault.isEmpty() ? nextStep() : m_fault + ' ' + nextStep(); }
 
 QString ShapeDrawing::nextStep() const {
-    const std::size_t count = m_draft->points().size();
-    switch (m_draft->shape()) {
+    const std::size_t count = draft().points().size();
+    switch (draft().shape()) {
         case DraftShape::Polygon:
             if (count == 0) return tr("Click the first corner · Esc: cancel");
             if (count < 3) return tr("Click the next corner · Backspace: remove the last one · Esc: cancel");
@@ -161,7 +171,7 @@ QString ShapeDrawing::nextStep() const {
 
 void ShapeDrawing::fillMenu(QMenu& menu, const CanvasPointer&) {
     QAction* close = menu.addAction(tr("&Close Shape"), this, &ShapeDrawing::close);
-    close->setEnabled(m_draft->shape() == DraftShape::Polygon && m_draft->points().size() > 2);
+    close->setEnabled(draft().shape() == DraftShape::Polygon && draft().points().size() > 2);
     menu.addAction(tr("C&ancel"), this, &ShapeDrawing::cancel);
 }
 

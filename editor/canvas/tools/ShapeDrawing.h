@@ -9,6 +9,7 @@
 namespace rubble {
 
 /// Draws a shape that becomes an outline, or is added to or cut from the active asset's outline. Each is one undo step.
+/// All functions but begin(), isActive() and cancel() require that it is active; this is asserted.
 class ShapeDrawing : public CanvasTool {
     Q_OBJECT
 public:
@@ -40,6 +41,8 @@ public:
     void fillMenu(QMenu& menu, const CanvasPointer& pointer) override;
 
 private:
+    OutlineDraft& draft();
+    const OutlineDraft& draft() const;
     void add();
     void close();
     QString nextStep() const;

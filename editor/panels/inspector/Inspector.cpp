@@ -56,12 +56,18 @@ void Inspector::setCollapsedSections(const QStringList& names) {
 
 QWidget& Inspector::page() { return *static_cast<QScrollArea*>(m_pages->currentWidget())->widget(); }
 
+QWidget& Inspector::pageOf(Part subject) {
+    switch (subject) {
+        case Part::Asset: return *m_asset;
+        case Part::Material: return *m_material;
+        case Part::Instance: return *m_instance;
+        default: return *m_scene;
+    }
+}
+
 void Inspector::showPage() {
-    switch (m_selection.subject()) {
-        case Part::Asset: m_pages->setCurrentIndex(0); break;
-        case Part::Material: m_pages->setCurrentIndex(1); break;
-        case Part::Instance: m_pages->setCurrentIndex(2); break;
-        default: m_pages->setCurrentIndex(3); break;
+    for (auto* area : m_pages->findChildren<QScrollArea*>(Qt::FindDirectChildrenOnly)) {
+        if (area->widget() == &pageOf(m_selection.subject())) m_pages->setCurrentWidget(area);
     }
     showSubject();
 }
@@ -74,17 +80,16 @@ void Inspector::showSubject() {
 
 /// Refreshes the visible page only; the others are refreshed when they are shown.
 void Inspector::refresh() {
-    switch (m_pages->currentIndex()) {
-        case 0: return m_asset->refresh();
-        case 1: return m_material->refresh();
-        case 2: return m_instance->refresh();
-        default: return m_scene->refresh();
-    }
+    const QWidget* shown = &page();
+    if (shown == m_asset) m_asset->refresh();
+    if (shown == m_material) m_material->refresh();
+    if (shown == m_instance) m_instance->refresh();
+    if (shown == m_scene) m_scene->refresh();
 }
 
-void Inspector::setMaterialActions(const QList<QAction*>& actions) {
-    m_material->setActions(actions);
-    m_asset->setLibraryAction(actions.front());
+void Inspector::setMaterialActions(QAction* library, QAction* save) {
+    m_material->setActions({library, save});
+    m_asset->setLibraryAction(library);
 }
 
 void Inspector::setUnits(const Units& units) {

@@ -27,9 +27,8 @@ public:
     Inspector(Document& document, Selection& selection, const Bakes& bakes, QWidget* parent = nullptr);
 
     void setUnits(const Units& units);
-    /// Sets the actions shown as buttons: all on a material's page, the first (the material library) on an asset's
-    /// page.
-    void setMaterialActions(const QList<QAction*>& actions);
+    /// Sets the actions shown as buttons: both on a material's page, that for the library on an asset's page.
+    void setMaterialActions(QAction* library, QAction* save);
     /// The object names of the collapsed sections, to be saved with the window's layout.
     QStringList collapsedSections() const;
     void setCollapsedSections(const QStringList& names);
@@ -41,6 +40,7 @@ signals:
     void refused(const QString& sentence);
 
 private:
+    QWidget& pageOf(Part subject);
     void showPage();
     void showSubject();
     void refresh();
