@@ -3,6 +3,7 @@
 #include "editor/canvas/widget/PatternCanvas.h"
 #include "editor/dialogs/MessageBoxes.h"
 #include "editor/dialogs/PictureDialog.h"
+#include "editor/dialogs/PictureFile.h"
 #include "editor/document/ShownText.h"
 #include "editor/view3d/SceneView.h"
 #include "editor/views/Views.h"
@@ -13,7 +14,6 @@
 
 #include <QFileInfo>
 #include <QMainWindow>
-#include <QStandardPaths>
 
 #include <algorithm>
 #include <cmath>
@@ -57,12 +57,7 @@ ImageSize pixelsOf(const QWidget& widget) {
 
 /// The visible views, the defaults, and which view is in focus.
 PictureSubject subjectOf(Views& views) {
-    const DocumentFile& file = views.workspace().file();
-    const QFileInfo info(file.path());
-    PictureSubject subject{.name = file.path().isEmpty() ? file.name() : info.completeBaseName(),
-                           .folder = file.path().isEmpty()
-                                         ? QStandardPaths::writableLocation(QStandardPaths::PicturesLocation)
-                                         : info.absolutePath()};
+    PictureSubject subject{.defaults = outputDefaults(views.workspace().file(), QStandardPaths::PicturesLocation)};
     const ViewportWidget& viewport = views.scene().viewport();
     if (viewport.isVisible()) subject.views.push_back({PictureActions::tr("3D view"), viewport.imageSize()});
     if (const PatternCanvas& canvas = views.canvas(); canvas.isVisible()) {

@@ -16,7 +16,6 @@
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QProgressBar>
-#include <QStandardPaths>
 #include <QStatusBar>
 #include <QToolButton>
 
@@ -29,11 +28,8 @@ namespace {
 constexpr int kProgressWidth = 200;  // pixels
 
 VideoSubject subjectOf(Workspace& workspace) {
-    const QString path = workspace.file().path();
     const auto& frame = workspace.play().frame();
-    VideoSubject subject{.name = path.isEmpty() ? workspace.file().name() : QFileInfo(path).completeBaseName(),
-                         .folder = path.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::MoviesLocation)
-                                                  : QFileInfo(path).absolutePath(),
+    VideoSubject subject{.defaults = outputDefaults(workspace.file(), QStandardPaths::MoviesLocation),
                          .length = workspace.play().hasSession() && frame ? frame->length : 0,
                          .stepLength = workspace.play().timeStep(),
                          .speed = workspace.play().timeScale()};
@@ -96,9 +92,7 @@ void VideoActions::addProgress() {
     m_progress->setAccessibleName(tr("Video export"));
     QToolButton* cancel = panelButton({}, tr("Cancel"), tr("Cancel the video and delete its files"), &m_views.window());
     cancel->setObjectName("video-cancel");
-    cancel->setText(tr("Cancel"));
-    cancel->setToolTip(tr("Cancel the video and delete its files"));
-    cancel->setAutoRaise(true);
+    cancel->setFocusPolicy(Qt::TabFocus);  // the view keeps the focus
     connect(cancel, &QToolButton::clicked, this, [this] {
         m_workspace.videos().cancel();
         m_views.showStatus(tr("Cancelled the video and deleted its files."));

@@ -1,12 +1,19 @@
 #include "editor/dialogs/OutputPath.h"
 
 #include "core/io/system/FileName.h"
+#include "editor/document/DocumentFile.h"
 #include "editor/document/FilePath.h"
 
 #include <QCoreApplication>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileInfo>
+#include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QVariant>
 
 #include <utility>
 
@@ -18,7 +25,15 @@ struct OutputPathTexts {
     Q_DECLARE_TR_FUNCTIONS(OutputPath)
 };
 
+constexpr int kMinDialogWidth = 480;  // pixels, so that a path fits
+
 }  // namespace
+
+OutputDefaults outputDefaults(const DocumentFile& file, QStandardPaths::StandardLocation folder) {
+    if (file.path().isEmpty()) return {file.name(), QStandardPaths::writableLocation(folder)};
+    const QFileInfo info(file.path());
+    return {info.completeBaseName(), info.absolutePath()};
+}
 
 QString unusedPath(const QString& folder, const QString& name, const QString& suffix) {
     const std::string ending = std::string(" 99") + suffix.toStdString();
@@ -30,6 +45,40 @@ QString unusedPath(const QString& folder, const QString& name, const QString& su
     }
     return path + suffix;
 }
+
+QString unusedPathIn(const QVariant& setting, const QString& folder, const QString& name, const QString& suffix) {
+    const QString stored = pathOf(setting);
+    const bool exists = is_directory(statusOf(stored));
+    return QDir::toNativeSeparators(unusedPath(exists ? stored : folder, name, suffix));
+}
+
+QLabel* buddyLabel(const QString& text, QWidget* buddy) {
+    auto* label = new QLabel(text);
+    label->setBuddy(buddy);
+    return label;
+}
+
+QLabel* addSummary(QFormLayout& form, const QString& objectName) {
+    auto* summary = new QLabel;
+    summary->setObjectName(objectName);
+    summary->setWordWrap(true);
+    summary->setTextFormat(Qt::PlainText);
+    form.addRow(summary);
+    return summary;
+}
+
+QPushButton* addOutputButtons(QDialog& dialog, QFormLayout& form, const QString& accept) {
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    QPushButton* button = buttons->addButton(accept, QDialogButtonBox::AcceptRole);
+    QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    form.addRow(buttons);
+    button->setFocusPolicy(Qt::TabFocus);  // a click leaves the focus in a field, so that its text can be refused
+    button->setDefault(true);              // after the button was added to the dialog
+    return button;
+}
+
+void fitPath(QDialog& dialog) { dialog.resize(dialog.sizeHint().expandedTo({kMinDialogWidth, 0})); }
 
 QHBoxLayout* createPathRow(QLineEdit& path, std::function<void()> browse) {
     auto* button = new QPushButton(OutputPathTexts::tr("Browse…"));

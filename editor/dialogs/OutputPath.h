@@ -1,16 +1,49 @@
 #pragma once
 
+#include <QStandardPaths>
 #include <QString>
 
 #include <functional>
 
+class QDialog;
+class QFormLayout;
 class QHBoxLayout;
+class QLabel;
 class QLineEdit;
+class QPushButton;
+class QVariant;
 
 namespace rubble {
 
+class DocumentFile;
+
+// What dialogs share that ask for a file to write: pictures and videos.
+
+/// The name of a file that is written, without a suffix, and its folder.
+struct OutputDefaults {
+    QString name;
+    QString folder;
+};
+/// The name of the project and its folder; for a project without a file, a folder of the user.
+OutputDefaults outputDefaults(const DocumentFile& file, QStandardPaths::StandardLocation folder);
+
 /// Returns "<folder>/<name><suffix>", with a number if that exists with or without the suffix.
 QString unusedPath(const QString& folder, const QString& name, const QString& suffix);
+
+/// Returns unusedPath() in native notation, in the folder of a setting if that exists, else in `folder`.
+QString unusedPathIn(const QVariant& setting, const QString& folder, const QString& name, const QString& suffix);
+
+/// Returns a label whose mnemonic leads to a control.
+QLabel* buddyLabel(const QString& text, QWidget* buddy);
+
+/// Adds a row with a plain text of several lines, which says what will be written or what is wrong.
+QLabel* addSummary(QFormLayout& form, const QString& objectName);
+
+/// Adds Cancel and the default button that accepts the dialog, which is returned.
+QPushButton* addOutputButtons(QDialog& dialog, QFormLayout& form, const QString& accept);
+
+/// Makes a dialog wide enough for a path.
+void fitPath(QDialog& dialog);
 
 /// Returns a row with the field of a path and a Browse button.
 QHBoxLayout* createPathRow(QLineEdit& path, std::function<void()> browse);

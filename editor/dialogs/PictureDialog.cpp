@@ -1,19 +1,15 @@
 #include "editor/dialogs/PictureDialog.h"
 
-#include "core/io/system/AtomicFile.h"
-#include "editor/dialogs/OutputPath.h"
+#include "editor/dialogs/PictureFile.h"
 #include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/ComboBox.h"
 #include "viewport/render/OffscreenRenderer.h"
 
-#include <QBuffer>
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QImageWriter>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -26,16 +22,7 @@ namespace rubble {
 
 namespace {
 
-constexpr int kMinPictureDialogWidth = 480;  // pixels, so that a path fits
-constexpr int kJpegQuality = 95;             // of 100: no visible loss
 constexpr const char* kPictureSuffix = ".png";
-
-/// The format of a picture's suffix; empty for another one.
-QByteArray formatOf(const QString& path) {
-    const QString suffix = QFileInfo(path).suffix().toLower();
-    if (suffix == "png") return "png";
-    return suffix == "jpg" || suffix == "jpeg" ? "jpg" : QByteArray();
-}
 
 /// The sizes that can be selected for a view.
 std::array<ImageSize, 4> sizesOf(ImageSize view) {
@@ -50,7 +37,6 @@ PictureDialog::PictureDialog(const PictureSubject& subject, QWidget* parent) : Q
     setWindowTitle(tr("Save Picture"));
     auto* form = new QFormLayout(this);
     addFields(*form);
-    addButtons(*form);
     updateSizes();
     restoreOptions();
     connect(m_view, &QComboBox::currentIndexChanged, this, &PictureDialog::updateSizes);
@@ -59,7 +45,7 @@ PictureDialog::PictureDialog(const PictureSubject& subject, QWidget* parent) : Q
     });
     connect(m_path, &QLineEdit::textChanged, this, &PictureDialog::updateSummary);
     updateSummary();
-    resize(sizeHint().expandedTo({kMinPictureDialogWidth, 0}));
+    fitPath(*this);
 }
 
 void PictureDialog::addFields(QFormLayout& form) {
@@ -73,33 +59,18 @@ void PictureDialog::addFields(QFormLayout& form) {
     m_path = new QLineEdit;
     m_path->setObjectName("picture-path");
     m_path->setToolTip(tr("Set the file: .png or .jpg"));
-    auto* label = new QLabel(tr("&File:"));
-    label->setBuddy(m_path);
-    form.addRow(label, createPathRow(*m_path, [this] { browse(); }));
-    m_summary = new QLabel;
-    m_summary->setObjectName("picture-summary");
-    m_summary->setWordWrap(true);
-    m_summary->setTextFormat(Qt::PlainText);
-    form.addRow(m_summary);
-}
-
-void PictureDialog::addButtons(QFormLayout& form) {
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-    m_save = buttons->addButton(tr("Save"), QDialogButtonBox::AcceptRole);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    form.addRow(buttons);
-    m_save->setDefault(true);  // after the button was added to the dialog
+    form.addRow(buddyLabel(tr("&File:"), m_path), createPathRow(*m_path, [this] { browse(); }));
+    m_summary = addSummary(form, "picture-summary");
+    m_save = addOutputButtons(*this, form, tr("Save"));
 }
 
 /// Shows the options of the last picture.
 void PictureDialog::restoreOptions() {
     const QSettings settings;
     restoreIndex(*m_size, settings.value("picture/size", 0).toInt());
-    const QString folder = pathOf(settings.value("picture/folder"));
-    const bool exists = is_directory(statusOf(folder));
     const QString suffix = settings.value("picture/suffix", kPictureSuffix).toString();
-    m_path->setText(QDir::toNativeSeparators(unusedPath(exists ? folder : m_subject.folder, m_subject.name, suffix)));
+    m_path->setText(
+        unusedPathIn(settings.value("picture/folder"), m_subject.defaults.folder, m_subject.defaults.name, suffix));
 }
 
 PictureTarget PictureDialog::options() const {
@@ -155,21 +126,8 @@ QString PictureDialog::error() const {
     const ImageSize size = options().size;
     if (std::max(size.width, size.height) > kMaxImageSide)
         return tr("Pictures have at most %L1 pixels a side. Select a smaller size.").arg(kMaxImageSide);
-    if (!formatOf(path).isEmpty()) return {};
+    if (!pictureFormat(path).isEmpty()) return {};
     return tr("Pictures are saved as .png or .jpg; \"%1\" is neither.").arg(fileNameText(path));
-}
-
-Status writePicture(const QString& path, const QImage& picture) {
-    const QByteArray format = formatOf(path);
-    if (format.isEmpty()) return Error{ErrorCode::BadInput, "Pictures are saved as .png or .jpg."};
-    QBuffer bytes;
-    bytes.open(QIODevice::WriteOnly);
-    QImageWriter writer(&bytes, format);
-    if (format == "jpg") writer.setQuality(kJpegQuality);
-    if (!writer.write(picture)) {
-        return Error{ErrorCode::Limit, "The picture could not be encoded: " + writer.errorString().toStdString() + '.'};
-    }
-    return writeFileAtomically(toPath(path), bytes.data().toStdString());
 }
 
 }  // namespace rubble

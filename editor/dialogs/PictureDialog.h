@@ -1,10 +1,9 @@
 #pragma once
 
-#include "core/base/Result.h"
+#include "editor/dialogs/OutputPath.h"
 #include "viewport/scene/Camera.h"
 
 #include <QDialog>
-#include <QImage>
 #include <QString>
 
 #include <vector>
@@ -28,8 +27,7 @@ struct PictureView {
 struct PictureSubject {
     std::vector<PictureView> views;  // at least one
     int view = 0;                    // the index of the view in focus
-    QString name;                    // of the project; the default file name
-    QString folder;                  // the default folder, if no picture was saved before
+    OutputDefaults defaults;         // of the file, if no picture was saved before
 };
 
 struct PictureTarget {
@@ -51,7 +49,6 @@ public:
 private:
     const PictureView& selectedView() const;
     void addFields(QFormLayout& form);
-    void addButtons(QFormLayout& form);
     void restoreOptions();
     void browse();
     void updateSizes();
@@ -65,10 +62,5 @@ private:
     QLabel* m_summary;
     QPushButton* m_save = nullptr;
 };
-
-/// Encodes a picture in the format of a path, .png or .jpg, and writes it atomically.
-///
-/// Errors: BadInput for another suffix; Limit if it cannot be encoded; those of writeFileAtomically().
-Status writePicture(const QString& path, const QImage& picture);
 
 }  // namespace rubble

@@ -3,19 +3,17 @@
 #include "core/asset/project/Ranges.h"
 #include "core/io/media/PictureSequence.h"
 #include "core/io/media/VideoFile.h"
-#include "editor/dialogs/OutputPath.h"
 #include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/ComboBox.h"
 #include "editor/widgets/NumberField.h"
 #include "editor/widgets/ProjectRange.h"
-#include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "editor/widgets/TypedFields.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "viewport/render/OffscreenRenderer.h"
 #include "viewport/video/Video.h"
 
 #include <QCheckBox>
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -36,20 +34,13 @@ namespace {
 enum Output { kVideoOutput, kImagesOutput };  // the items of the box
 constexpr int kSamples[] = {0, 8, 32};        // of each quality
 constexpr const char* kVideoSuffix = ".mp4";
-constexpr int kMinVideoDialogWidth = 480;  // pixels, so that a path fits
-constexpr int kMinImageSide = 16;          // pixels
-constexpr double kDefaultDuration = 3.0;   // s, of a saved throw
+constexpr int kMinImageSide = 16;         // pixels
+constexpr double kDefaultDuration = 3.0;  // s, of a saved throw
 
 QHBoxLayout* createRow(const QList<QWidget*>& widgets) {
     auto* row = new QHBoxLayout;
     for (QWidget* widget : widgets) row->addWidget(widget);
     return row;
-}
-
-QLabel* createLabel(const QString& text, QWidget* buddy) {
-    auto* label = new QLabel(text);
-    label->setBuddy(buddy);
-    return label;
 }
 
 NumberField* createField(const FieldRange& range, const QString& unit, const QString& name, const QString& hint) {
@@ -77,16 +68,12 @@ VideoDialog::VideoDialog(const VideoSubject& subject, QWidget* parent)
     addTarget(*form);
     addFrames(*form);
     addTime(*form);
-    m_summary = new QLabel;
-    m_summary->setObjectName("video-summary");
-    m_summary->setWordWrap(true);
-    m_summary->setTextFormat(Qt::PlainText);
-    form->addRow(m_summary);
-    addButtons(*form);
+    m_summary = addSummary(*form, "video-summary");
+    m_export = addOutputButtons(*this, *form, tr("Export"));
     restoreOptions();
     connectFields();
     updateSummary();
-    resize(sizeHint().expandedTo({kMinVideoDialogWidth, 0}));
+    fitPath(*this);
 }
 
 void VideoDialog::addTarget(QFormLayout& form) {
@@ -103,7 +90,7 @@ void VideoDialog::addTarget(QFormLayout& form) {
     m_path = new QLineEdit;
     m_path->setObjectName("video-path");
     m_path->setToolTip(tr("Set the file of the video or the folder for the images"));
-    form.addRow(createLabel(tr("&Target:"), m_path), createPathRow(*m_path, [this] { browse(); }));
+    form.addRow(buddyLabel(tr("&Target:"), m_path), createPathRow(*m_path, [this] { browse(); }));
 }
 
 void VideoDialog::addFrames(QFormLayout& form) {
@@ -112,7 +99,7 @@ void VideoDialog::addFrames(QFormLayout& form) {
     m_height = createField(sides, tr("px"), tr("Height"), tr("Set the height of the frames"));
     auto* row = createRow({m_width, new QLabel("×"), m_height});
     row->addStretch(1);
-    form.addRow(createLabel(tr("&Size:"), m_width), row);
+    form.addRow(buddyLabel(tr("&Size:"), m_width), row);
     m_quality = comboBox({tr("As in the 3D view"), tr("Soft light"), tr("Softest light (slow)")},
                          tr("Select the quality of light and edges"));
     m_quality->setObjectName("video-quality");
@@ -133,7 +120,7 @@ void VideoDialog::addTime(QFormLayout& form) {
     m_last->setValue(m_subject.length > 0 ? steps.max : std::round(kDefaultDuration / m_subject.stepLength));
     auto* row = createRow({m_first, new QLabel(tr("to")), m_last});
     row->addStretch(1);
-    form.addRow(createLabel(tr("St&eps:"), m_first), row);
+    form.addRow(buddyLabel(tr("St&eps:"), m_first), row);
     m_frameRate = createField(fieldRange(ProjectNumber::FrameRate), tr("fps"), tr("Frame rate"),
                               tr("Set the frames per second; 24 to 60 look smooth"));
     form.addRow(tr("Frame &rate:"), m_frameRate);
@@ -141,16 +128,6 @@ void VideoDialog::addTime(QFormLayout& form) {
                           tr("Set the playback speed; values below 1 give slow motion"));
     m_speed->setValue(m_subject.speed);
     form.addRow(tr("S&peed:"), m_speed);
-}
-
-void VideoDialog::addButtons(QFormLayout& form) {
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-    m_export = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    form.addRow(buttons);
-    m_export->setFocusPolicy(Qt::TabFocus);  // a click leaves the focus in a field, so that its text can be refused
-    m_export->setDefault(true);              // after the button was added to the dialog
 }
 
 void VideoDialog::connectFields() {
@@ -173,11 +150,8 @@ void VideoDialog::restoreOptions() {
     m_height->setValue(std::clamp(stored("height", 720).toInt(), kMinImageSide, kMaxImageSide));
     restoreIndex(*m_quality, stored("quality", 1).toInt());
     m_frameRate->setValue(stored("rate", 30.0).toDouble());
-    const QString folder = pathOf(stored("folder"));
-    const bool exists = is_directory(statusOf(folder));
-    const QString path =
-        unusedPath(exists ? folder : m_subject.folder, tr("%1 video").arg(m_subject.name), kVideoSuffix);
-    m_path->setText(QDir::toNativeSeparators(path));
+    m_path->setText(unusedPathIn(stored("folder"), m_subject.defaults.folder,
+                                 tr("%1 video").arg(m_subject.defaults.name), kVideoSuffix));
     updateSuffix();
 }
 

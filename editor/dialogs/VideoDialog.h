@@ -1,5 +1,6 @@
 #pragma once
 
+#include "editor/dialogs/OutputPath.h"
 #include "viewport/scene/Camera.h"
 
 #include <QDialog>
@@ -21,8 +22,7 @@ struct FieldRange;
 
 /// The simulation that is to be exported.
 struct VideoSubject {
-    QString name;              // of the project; the default file name
-    QString folder;            // the default folder, if no video was exported before
+    OutputDefaults defaults;   // of the target, if no video was exported before
     std::uint64_t length = 0;  // steps that were simulated; 0: none, a saved throw is to be simulated
     QStringList throws;        // the names of the saved throws
     double stepLength = 0.0;   // s
@@ -58,7 +58,6 @@ private:
     void addTarget(QFormLayout& form);
     void addFrames(QFormLayout& form);
     void addTime(QFormLayout& form);
-    void addButtons(QFormLayout& form);
     void connectFields();
     void restoreOptions();
     void updateSuffix();

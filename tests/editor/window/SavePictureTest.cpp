@@ -1,4 +1,4 @@
-// Tests editor/actions/PictureActions.cpp and editor/dialogs/PictureDialog.cpp.
+// Tests editor/actions/PictureActions.cpp, editor/dialogs/PictureDialog.cpp and editor/dialogs/PictureFile.cpp.
 #include "editor/dialogs/PictureDialog.h"
 #include "editor/help/ActionSearch.h"
 #include "tests/support/TestProgram.h"

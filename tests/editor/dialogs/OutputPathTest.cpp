@@ -1,0 +1,75 @@
+#include "editor/dialogs/OutputPath.h"
+
+#include "editor/document/FilePath.h"
+#include "tests/support/TestProgram.h"
+
+#include <QApplication>
+#include <QDialog>
+#include <QDir>
+#include <QFile>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QVariant>
+
+using namespace rubble;
+
+class OutputPathTest : public QObject {
+    Q_OBJECT
+private slots:
+    void existingFilesAndFoldersAreNotProposed() {
+        const QTemporaryDir folder;
+        QCOMPARE(unusedPath(folder.path(), "wall", ".png"), folder.filePath("wall.png"));
+        touch(folder.filePath("wall.png"));
+        QCOMPARE(unusedPath(folder.path(), "wall", ".png"), folder.filePath("wall 2.png"));
+        QVERIFY(QDir(folder.path()).mkdir("wall 2"));  // the images of a video
+        QCOMPARE(unusedPath(folder.path(), "wall", ".png"), folder.filePath("wall 3.png"));
+    }
+    void folderOfTheSettingIsUsedIfItExists() {
+        const QTemporaryDir stored, other;
+        const auto proposed = [&](const QString& setting) {
+            return unusedPathIn(settingOf(setting), other.path(), "wall", ".png");
+        };
+        QCOMPARE(proposed(stored.path()), QDir::toNativeSeparators(stored.filePath("wall.png")));
+        QCOMPARE(proposed(stored.filePath("gone")), QDir::toNativeSeparators(other.filePath("wall.png")));
+    }
+    void buttonAcceptsAndKeepsTheFocusInTheField() {
+        QDialog dialog;
+        auto* form = new QFormLayout(&dialog);
+        QPushButton* button = addOutputButtons(dialog, *form, "Export");
+        const QSignalSpy accepted(&dialog, &QDialog::accepted);
+        QVERIFY(button->isDefault());
+        QVERIFY(!(button->focusPolicy() & Qt::ClickFocus));
+        button->click();
+        QCOMPARE(accepted.count(), 1);
+    }
+    void pathsFit() {
+        QDialog dialog;
+        auto* form = new QFormLayout(&dialog);
+        QLabel* summary = addSummary(*form, "summary");
+        fitPath(dialog);
+        QVERIFY(dialog.width() >= 480);
+        QVERIFY(summary->wordWrap());
+        QCOMPARE(summary->textFormat(), Qt::PlainText);
+    }
+    void browseButtonIsBesideTheField() {
+        QWidget page;
+        auto* path = new QLineEdit;
+        int browsed = 0;
+        page.setLayout(createPathRow(*path, [&] { ++browsed; }));
+        page.findChild<QPushButton*>()->click();
+        QCOMPARE(browsed, 1);
+    }
+
+private:
+    static void touch(const QString& path) {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+    }
+};
+
+RUBBLE_TEST_WITH(OutputPathTest, QApplication)
+#include "OutputPathTest.moc"
