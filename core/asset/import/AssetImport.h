@@ -3,6 +3,7 @@
 #include "core/asset/project/Project.h"
 #include "core/base/TaskContext.h"
 #include "core/geometry/mesh/SourceScene.h"
+#include "core/geometry/mesh/UpAxis.h"
 #include "core/geometry/prism/PrismFit.h"
 
 #include <optional>
@@ -10,8 +11,6 @@
 #include <vector>
 
 namespace rubble {
-
-enum class UpAxis { Y, Z };
 
 /// The options for importing a mesh file.
 struct ImportOptions {

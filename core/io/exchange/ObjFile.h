@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/asset/import/AssetImport.h"
+#include "core/geometry/mesh/UpAxis.h"
 #include "core/io/exchange/MeshPart.h"
 
 #include <span>
