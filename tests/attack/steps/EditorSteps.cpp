@@ -5,6 +5,7 @@
 #include "editor/views/Views.h"
 #include "editor/window/MainWindow.h"
 #include "editor/window/Program.h"
+#include "tests/support/editor/Windows.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -25,14 +26,6 @@ constexpr int kLookMilliseconds = 20;
 constexpr int kSettlingLooks = 15;  // after a sentence
 constexpr int kMostLooks = 3000;    // in a step: it hangs
 constexpr std::uint64_t kPlayedSteps = 20;
-
-MainWindow* visibleWindow() {
-    for (QWidget* widget : QApplication::topLevelWidgets()) {
-        auto* window = qobject_cast<MainWindow*>(widget);
-        if (window != nullptr && window->isVisible()) return window;
-    }
-    return nullptr;
-}
 
 bool isSentence(const QString& text) { return text.endsWith('.') || text.endsWith('?'); }
 
@@ -97,7 +90,7 @@ void EditorSteps::edit() {
 
 /// Runs between the events of the editor, also while a dialog waits for an answer.
 void EditorSteps::look() {
-    if (!m_window) m_window = visibleWindow();
+    if (!m_window) m_window = test::visibleWindow();
     if (!m_hasBegun) return begin();
     ++m_looksInStep;
     if (QWidget* dialog = QApplication::activeModalWidget()) answerDialog(*dialog);

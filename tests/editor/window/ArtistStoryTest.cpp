@@ -10,6 +10,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Dialogs.h"
 #include "tests/support/editor/EditorStory.h"
+#include "tests/support/editor/Windows.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -123,7 +124,7 @@ private slots:
     void contactSheetAppliesAVariant() {
         act("contact sheet");
         ContactSheetWindow* sheet = nullptr;
-        QTRY_VERIFY_WITH_TIMEOUT((sheet = shownSheet()), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT((sheet = test::visibleWindow<ContactSheetWindow>()), kPatience);
         QTRY_VERIFY_WITH_TIMEOUT(!sheet->generator().isBusy() && sheet->list().count() == 12, kPatience);
         const Pattern before = wall().pattern;
         QListWidget& list = sheet->list();
@@ -138,7 +139,7 @@ private slots:
         QTest::keyClick(&list, Qt::Key_Return);
         QVERIFY(wall().pattern != before);
         QVERIFY(!wall().fragmentLevels.empty());
-        if (shownSheet()) QTest::keyClick(sheet, Qt::Key_Escape);
+        if (test::visibleWindow<ContactSheetWindow>()) QTest::keyClick(sheet, Qt::Key_Escape);
     }
     void everythingIsUndone() {
         window().activateWindow();
@@ -165,13 +166,6 @@ private:
         auto* line = search->findChild<QLineEdit*>();
         QTest::keyClicks(line, query);
         QTest::keyClick(line, Qt::Key_Return);
-    }
-    static ContactSheetWindow* shownSheet() {
-        for (QWidget* widget : QApplication::topLevelWidgets()) {
-            auto* sheet = qobject_cast<ContactSheetWindow*>(widget);
-            if (sheet && sheet->isVisible()) return sheet;
-        }
-        return nullptr;
     }
 
     std::uint32_t m_fragments = 0;

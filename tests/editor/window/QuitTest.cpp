@@ -11,6 +11,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Dialogs.h"
 #include "tests/support/editor/TestSettings.h"
+#include "tests/support/editor/Windows.h"
 
 #include <QMessageBox>
 #include <QStandardPaths>
@@ -28,7 +29,7 @@ private slots:
     }
     void init() { m_program = std::make_unique<Program>(); }
     void cleanup() {
-        for (MainWindow* window : windows()) delete window;
+        for (MainWindow* window : test::windows()) delete window;
         m_program.reset();
     }
 
@@ -37,16 +38,16 @@ private slots:
         trigger(*window, "file-new");
         QVERIFY(!window->isPristine() && window->isUntouched());
         trigger(*window, "file-new");
-        QCOMPARE(windows().size(), 1);
+        QCOMPARE(test::windows().size(), 1);
         QVERIFY(m_program->open(savedProject(), window) == window);
         QVERIFY(!window->isUntouched());
         trigger(*window, "file-new");
-        QCOMPARE(windows().size(), 2);
+        QCOMPARE(test::windows().size(), 2);
     }
     void editedWindowIsKept() {
         MainWindow* window = edited();
         trigger(*window, "file-new");
-        QCOMPARE(windows().size(), 2);
+        QCOMPARE(test::windows().size(), 2);
         QVERIFY(window->workspace().document().isModified());
     }
     void oneQuestionForAllWindows_data() {
@@ -102,15 +103,8 @@ private:
         return window;
     }
     static void trigger(MainWindow& window, const char* name) { window.findChild<QAction*>(name)->trigger(); }
-    static QList<MainWindow*> windows() {
-        QList<MainWindow*> windows;
-        for (QWidget* widget : QApplication::topLevelWidgets()) {
-            if (auto* window = qobject_cast<MainWindow*>(widget)) windows << window;
-        }
-        return windows;
-    }
     static int shownWindows() {
-        return static_cast<int>(std::ranges::count_if(windows(), [](MainWindow* one) { return one->isVisible(); }));
+        return static_cast<int>(std::ranges::count_if(test::windows(), &MainWindow::isVisible));
     }
 
     QTemporaryDir m_folder;

@@ -13,6 +13,7 @@
 #include "tests/support/editor/Dialogs.h"
 #include "tests/support/editor/EventLoop.h"
 #include "tests/support/editor/TestSettings.h"
+#include "tests/support/editor/Windows.h"
 #include "tests/support/files/FileLimits.h"
 
 #include <QAction>
@@ -85,7 +86,7 @@ private slots:
         m_question.clear();
     }
     void cleanup() {
-        qDeleteAll(windows());
+        qDeleteAll(test::windows());
         m_program.reset();
     }
 
@@ -95,7 +96,7 @@ private slots:
         m_program->start({});
         QTRY_VERIFY(restored());
         QVERIFY(m_question.contains(m_path));
-        QCOMPARE(windows().size(), 1);
+        QCOMPARE(test::windows().size(), 1);
         QCOMPARE(restored()->workspace().file().path(), m_path);
         QVERIFY(restored()->windowTitle().startsWith("wall.rubble[*] – "));
         QVERIFY(restored()->fileActions().save());
@@ -107,7 +108,7 @@ private slots:
         answer("Restore");
         m_program->start({m_path});
         QTRY_VERIFY(restored());
-        QCOMPARE(windows().size(), 1);
+        QCOMPARE(test::windows().size(), 1);
         QCOMPARE(restored()->workspace().file().path(), m_path);
         QVERIFY(!restored()->workspace().file().isReadOnly());
         QVERIFY(restored()->fileActions().save());
@@ -170,10 +171,10 @@ private slots:
             press(box, "Restore");
         });
         m_program->start({m_path});
-        QTRY_COMPARE(windows().size(), 2);
+        QTRY_COMPARE(test::windows().size(), 2);
         QTRY_VERIFY(!QApplication::activeModalWidget());
         QStringList paths;
-        for (MainWindow* window : windows()) {
+        for (MainWindow* window : test::windows()) {
             QVERIFY(window->workspace().document().isModified());
             paths.append(window->workspace().file().path());
         }
@@ -265,7 +266,7 @@ private slots:
         writeForeignLock();
         answer("Cancel");
         QVERIFY(!m_program->open(m_path));
-        QVERIFY(windows().isEmpty());
+        QVERIFY(test::windows().isEmpty());
     }
 
     void unreadableFileOpensNoWindow() {
@@ -275,14 +276,14 @@ private slots:
         file.close();
         bool isShownOverWindow = true;
         test::onNextDialog<QMessageBox>([&](QMessageBox& box) {
-            isShownOverWindow = !windows().isEmpty();
+            isShownOverWindow = !test::windows().isEmpty();
             press(box, "OK");
         });
         QVERIFY(!m_program->open(m_path));
-        QVERIFY(!isShownOverWindow && windows().isEmpty());
+        QVERIFY(!isShownOverWindow && test::windows().isEmpty());
         test::onNextDialog<QMessageBox>([](QMessageBox& box) { press(box, "OK"); });
         QVERIFY(!m_program->openCopy(m_path));
-        QVERIFY(windows().isEmpty());
+        QVERIFY(test::windows().isEmpty());
     }
     void quittingClosesTheManual() {
         MainWindow* window = m_program->showStartPage();
@@ -436,16 +437,9 @@ private:
         setHeight(window->workspace().document(), kEditedHeight);
         return window;
     }
-    static QList<MainWindow*> windows() {
-        QList<MainWindow*> windows;
-        for (QWidget* widget : QApplication::topLevelWidgets()) {
-            if (auto* window = qobject_cast<MainWindow*>(widget)) windows.append(window);
-        }
-        return windows;
-    }
     /// The window with the restored project; null before that.
     static MainWindow* restored() {
-        for (MainWindow* window : windows()) {
+        for (MainWindow* window : test::windows()) {
             const double height = window->workspace().project().ground.height;
             if (window->workspace().document().isModified() && height >= kBackupHeight) return window;
         }
