@@ -25,6 +25,26 @@ private slots:
         QCOMPARE(overrides[0].position, Vec2(2.0, 1.0));
         QVERIFY(overrides[1].isDeleted && overrides[1].position == Vec2(0.0, 0.0));
     }
+    void resizingStretchesOutlineSeedsAndUvs() {
+        const Asset wall = fullProject().assets[0];
+        const Vec3 size = sizeOf(wall);
+        const Asset wide = resized(wall, {size.x * 2.0, size.y, size.z});
+        QCOMPARE(sizeOf(wide).x, size.x * 2.0);
+        QVERIFY(validated(wide.prism).hasValue());
+        const auto uOf = [](const Asset& asset, Vec2 at) {
+            const auto& c = asset.surface->front.map.coefficients;
+            return c[0] * at.x + c[1] * at.y + c[2];
+        };
+        for (std::size_t k = 0; k < wall.prism.outline.outer.size(); ++k) {
+            QCOMPARE(uOf(wide, wide.prism.outline.outer[k]), uOf(wall, wall.prism.outline.outer[k]));
+        }
+        const auto placedSeeds = [](const Asset& asset) {
+            return std::get<PlacedSeeds>(asset.pattern.layers[2].parameters).seeds;
+        };
+        const double middle = sizeOf(wall).x / 2.0 + boundsOf(wall.prism.outline.outer).min.x;
+        QCOMPARE(placedSeeds(wide)[0].position.x - middle, 2.0 * (placedSeeds(wall)[0].position.x - middle));
+        QCOMPARE(resized(wall, size), wall);
+    }
 };
 
 RUBBLE_TEST(ResizingTest)

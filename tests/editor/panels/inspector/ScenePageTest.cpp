@@ -1,0 +1,23 @@
+#include "editor/panels/inspector/ScenePage.h"
+
+#include "tests/support/TestProgram.h"
+#include "tests/support/editor/InspectorDesk.h"
+
+using namespace rubble;
+using test::InspectorDesk;
+
+class ScenePageTest : public QObject {
+    Q_OBJECT
+private slots:
+    void sceneSettingsAreEdited() {
+        InspectorDesk desk;
+        desk.selection.setSubject(Part::Scene);
+        desk.type("Gravity along y", "-3.7");
+        QCOMPARE(desk.document.project().gravity.y, -3.7);
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
+};
+
+RUBBLE_TEST_WITH(ScenePageTest, QApplication)
+#include "ScenePageTest.moc"
