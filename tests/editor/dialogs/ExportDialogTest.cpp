@@ -1,3 +1,4 @@
+// Tests editor/dialogs/ExportDialog.cpp and editor/dialogs/ProjectExport.cpp.
 #include "editor/dialogs/ExportDialog.h"
 
 #include "core/asset/library/StarterProject.h"

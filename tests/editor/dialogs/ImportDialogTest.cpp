@@ -1,3 +1,4 @@
+// Tests editor/dialogs/ImportDialog.cpp, editor/dialogs/ImportView.cpp and editor/dialogs/MeshReading.cpp.
 #include "editor/dialogs/ImportDialog.h"
 
 #include "core/asset/library/StarterProject.h"

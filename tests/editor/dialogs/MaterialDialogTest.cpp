@@ -1,3 +1,4 @@
+// Tests editor/dialogs/MaterialDialog.cpp and editor/dialogs/MaterialSummary.cpp.
 #include "editor/dialogs/MaterialDialog.h"
 
 #include "core/asset/library/StarterProject.h"

@@ -1,3 +1,4 @@
+// Tests editor/document/DocumentFile.cpp and editor/document/ProjectAccess.cpp.
 #include "editor/document/DocumentFile.h"
 
 #include "core/asset/library/StarterProject.h"

@@ -1,3 +1,4 @@
+// Tests editor/play/PlayController.cpp and editor/play/ImpactLog.cpp.
 #include "editor/play/PlayController.h"
 
 #include "editor/commands/ProjectEdits.h"

@@ -1,3 +1,4 @@
+// Tests editor/view3d/PlayHud.cpp and viewport/widget/ScaleBarItem.cpp.
 #include "editor/view3d/PlayHud.h"
 
 #include "tests/support/TestProgram.h"

@@ -1,3 +1,5 @@
+// Tests editor/widgets/NumberField.cpp, editor/widgets/RandomSeedField.cpp, editor/widgets/SliderField.cpp,
+// editor/widgets/TypedFields.cpp and editor/widgets/numbers/NumberText.cpp.
 #include "editor/widgets/RandomSeedField.h"
 #include "editor/widgets/SliderField.h"
 #include "editor/widgets/TypedFields.h"

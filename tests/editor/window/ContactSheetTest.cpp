@@ -1,4 +1,6 @@
-// Tests editor/dialogs/sheet/ContactSheetWindow.cpp and editor/actions/CompareActions.cpp.
+// Tests editor/dialogs/sheet/ContactSheetWindow.cpp, editor/actions/CompareActions.cpp,
+// editor/dialogs/sheet/VariationTree.cpp, editor/dialogs/sheet/VariantDelegate.cpp,
+// editor/background/ContactSheetGenerator.cpp and editor/panels/docks/ChangesPanel.cpp.
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "editor/actions/CompareActions.h"

@@ -1,4 +1,4 @@
-// Tests editor/actions/FragmentActions.cpp and editor/actions/SelectActions.cpp.
+// Tests editor/actions/FragmentActions.cpp, editor/actions/SelectActions.cpp and editor/canvas/widget/Breadcrumb.cpp.
 #include "core/asset/bake/FragmentLookup.h"
 #include "editor/canvas/widget/Breadcrumb.h"
 #include "editor/panels/docks/FragmentTable.h"

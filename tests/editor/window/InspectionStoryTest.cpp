@@ -1,4 +1,4 @@
-// Tests editor/actions/SelectActions.cpp and editor/views/Views.cpp.
+// Tests editor/actions/SelectActions.cpp, editor/views/Views.cpp and editor/view3d/tools/SurfaceMeasureTool.cpp.
 #include "editor/panels/docks/FragmentTable.h"
 #include "editor/panels/docks/ProblemPanel.h"
 #include "editor/panels/docks/VolumeHistogram.h"

@@ -1,4 +1,5 @@
-// Tests editor/actions/InstanceActions.cpp and editor/dialogs/ArrayDialogs.cpp.
+// Tests editor/actions/InstanceActions.cpp, editor/dialogs/ArrayDialogs.cpp, editor/view3d/tools/TransformTool.cpp,
+// editor/view3d/tools/PlacementTool.cpp and editor/background/OverlapWatch.cpp.
 #include "editor/commands/InstanceEdits.h"
 #include "editor/dialogs/ArrayDialogs.h"
 #include "editor/document/DraggedAsset.h"

@@ -1,4 +1,4 @@
-// Tests editor/actions/SelectActions.cpp and editor/actions/ViewActions.cpp.
+// Tests editor/actions/SelectActions.cpp, editor/actions/ViewActions.cpp and editor/document/CellSelection.cpp.
 #include "core/fracture/pattern/PatternPartition.h"
 #include "editor/canvas/tools/BrushTool.h"
 #include "tests/support/TestProgram.h"

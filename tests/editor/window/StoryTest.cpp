@@ -1,4 +1,5 @@
-// Tests editor/window/MainWindow.cpp, editor/window/Program.cpp and editor/actions/FileActions.cpp.
+// Tests editor/window/MainWindow.cpp, editor/window/Program.cpp, editor/actions/FileActions.cpp,
+// editor/view3d/SceneView.cpp and editor/workspace/Workspace.cpp.
 #include "core/asset/library/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
 #include "editor/canvas/widget/PatternCanvas.h"

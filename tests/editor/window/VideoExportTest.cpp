@@ -1,4 +1,4 @@
-// Tests editor/actions/VideoActions.cpp and editor/dialogs/VideoDialog.cpp.
+// Tests editor/actions/VideoActions.cpp, editor/dialogs/VideoDialog.cpp and editor/background/VideoExporter.cpp.
 #include "editor/dialogs/VideoDialog.h"
 #include "editor/widgets/NumberField.h"
 #include "tests/support/TestProgram.h"

@@ -1,3 +1,4 @@
+// Tests viewport/render/LightBuffer.cpp, viewport/render/Lighting.cpp and viewport/render/SkyMaps.cpp.
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/StarterScene.h"
 #include "viewport/render/Lighting.h"

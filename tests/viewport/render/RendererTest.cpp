@@ -1,3 +1,4 @@
+// Tests viewport/render/Renderer.cpp and viewport/render/SceneBuffers.cpp.
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Sessions.h"
 #include "tests/support/editor/StarterScene.h"

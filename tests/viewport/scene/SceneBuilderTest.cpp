@@ -1,3 +1,5 @@
+// Tests viewport/scene/SceneBuilder.cpp, viewport/scene/AssetModel.cpp, viewport/scene/BodyColours.cpp,
+// viewport/scene/BondLines.cpp, viewport/scene/SolidBuilder.cpp and viewport/scene/SceneGeometry.cpp.
 #include "core/asset/library/StarterProject.h"
 #include "core/asset/project/FragmentColours.h"
 #include "core/geometry/hull/AspectRatio.h"

@@ -1,3 +1,4 @@
+// Tests viewport/scene/SessionSceneBuilder.cpp and viewport/scene/RenderScene.cpp.
 #include "tests/support/TestProgram.h"
 #include "viewport/scene/SessionSceneBuilder.h"
 

@@ -1,3 +1,4 @@
+// Tests viewport/widget/ViewportWidget.cpp, viewport/scene/BodiesWithin.cpp and viewport/widget/ViewportCanvas.cpp.
 #include "core/asset/library/StarterProject.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/EventLoop.h"

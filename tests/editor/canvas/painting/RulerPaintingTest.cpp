@@ -1,3 +1,4 @@
+// Tests editor/canvas/painting/RulerPainting.cpp and editor/canvas/painting/GridPainting.cpp.
 #include "editor/canvas/painting/GridPainting.h"
 #include "editor/canvas/painting/RulerPainting.h"
 #include "tests/support/TestProgram.h"

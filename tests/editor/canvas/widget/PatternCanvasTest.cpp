@@ -1,3 +1,5 @@
+// Tests editor/canvas/widget/PatternCanvas.cpp, editor/canvas/widget/CanvasContentsUpdater.cpp and
+// editor/canvas/painting/CanvasBackingStore.cpp.
 #include "core/asset/project/FragmentColours.h"
 #include "core/base/Random.h"
 #include "tests/support/TestProgram.h"

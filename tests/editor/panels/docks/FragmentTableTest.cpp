@@ -1,3 +1,6 @@
+// Tests editor/panels/docks/FragmentTable.cpp, editor/panels/models/FragmentModel.cpp,
+// editor/panels/models/FragmentProxyModel.cpp, editor/panels/models/FragmentMetrics.cpp,
+// editor/panels/models/FragmentFilter.cpp and editor/document/FragmentSeeds.cpp.
 #include "editor/document/FragmentSeeds.h"
 #include "editor/document/FragmentVisibility.h"
 #include "editor/panels/docks/FragmentTable.h"

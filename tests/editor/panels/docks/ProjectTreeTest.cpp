@@ -1,3 +1,5 @@
+// Tests editor/panels/docks/ProjectTree.cpp, editor/panels/docks/InstanceIconDelegate.cpp and
+// editor/panels/models/ProjectModel.cpp.
 #include "core/asset/checks/VerifyProject.h"
 #include "core/asset/library/StarterProject.h"
 #include "core/geometry/polygon/OutlineShapes.h"

@@ -1,3 +1,5 @@
+// Tests editor/panels/docks/StrengthPanel.cpp, editor/panels/docks/RequirementPresets.cpp and
+// editor/background/SwapAuditRunner.cpp.
 #include "editor/panels/docks/StrengthPanel.h"
 
 #include "editor/widgets/NumberField.h"

@@ -1,0 +1,62 @@
+#include "editor/widgets/Section.h"
+
+#include "tests/support/TestProgram.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QWheelEvent>
+
+using namespace rubble;
+
+class SectionTest : public QObject {
+    Q_OBJECT
+private slots:
+    void rowsNameTheirControls() {
+        Section section("shape", "Shape");
+        const auto* line = section.addRow("Name", new QLineEdit, "Name of the asset");
+        QCOMPARE(line->accessibleName(), "Name");
+        QCOMPARE(line->toolTip(), "Name of the asset");
+        QCOMPARE(line->statusTip(), "Name of the asset");
+    }
+    void collapsedSectionHidesItsRows() {
+        Section section("shape", "Shape");
+        auto* line = section.addRow("Name", new QLineEdit, "Name of the asset");
+        section.show();
+        QVERIFY(line->isVisible());
+        section.findChild<QToolButton*>()->click();
+        QVERIFY(section.isCollapsed() && !line->isVisible());
+        section.setCollapsed(false);
+        QVERIFY(line->isVisible());
+    }
+    void rowIsHiddenWithItsLabelAndRenamed() {
+        Section section("shape", "Shape");
+        auto* line = section.addRow("Width", new QLineEdit, "Width");
+        section.setRowLabel(line, "Diameter");
+        QCOMPARE(line->accessibleName(), "Diameter");
+        const auto* label = section.findChild<QLabel*>();
+        QCOMPARE(label->text(), "Diameter");
+        section.setRowVisible(line, false);
+        QVERIFY(line->isHidden() && label->isHidden());
+    }
+    void wheelScrollsThePanelUnlessTheBoxHasTheFocus() {
+        Section section("shape", "Shape");
+        auto* box = section.addRow("Kind", new QComboBox, "Kind");
+        box->addItems({"a", "b", "c"});
+        box->setCurrentIndex(1);
+        section.show();
+        QWheelEvent wheel({}, {}, {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(box, &wheel);
+        QCOMPARE(box->currentIndex(), 1);
+        QVERIFY(!wheel.isAccepted());
+    }
+    void pageScrollsVerticallyOnly() {
+        const std::unique_ptr<QScrollArea> area(verticalScrollArea(new QWidget));
+        QVERIFY(area->widgetResizable());
+        QCOMPARE(area->horizontalScrollBarPolicy(), Qt::ScrollBarAlwaysOff);
+    }
+};
+
+RUBBLE_TEST_WITH(SectionTest, QApplication)
+#include "SectionTest.moc"
