@@ -126,37 +126,18 @@ std::vector<Mat4> GltfShapes::jointTransforms(std::uint32_t index) {
     return transforms;
 }
 
-void GltfShapes::addPrimitive(const GltfPrimitive& primitive, const std::vector<double>& weights, const GltfNode& node,
-                              const Mat4& toScene, SourceObject& object) {
-    Source source = sourceOf(primitive);
-    if (source.draco) source.positions = &source.draco->positions;
-    if (source.triangles.empty()) return;
-    m_triangles += source.triangles.size();
-    if (m_triangles > kMaxTriangles)
-        throw MeshError(ErrorCode::Limit, "contains more than " + std::to_string(kMaxTriangles) + " triangles");
-    const std::vector<std::uint32_t> used = usedPoints(source.triangles);
-    if (used.back() >= source.positions->count())
-        throw MeshError(ErrorCode::BadInput, "has a face that refers to point " + std::to_string(used.back()) + " of " +
-                                                 std::to_string(source.positions->count()));
+/// What moves the points of a primitive, before its node does: targets of morphing and joints of a skin.
+struct GltfShapes::Deformation {
+    std::vector<std::pair<const GltfNumbers*, double>> morphs;                  // with their weights
+    std::vector<Mat4> joints;                                                   // to the scene
+    std::vector<std::pair<const GltfNumbers*, const GltfNumbers*>> influences;  // joints of points, and weights
 
-    std::vector<const GltfNumbers*> morphs;
-    for (std::size_t i = 0; i < primitive.targets.size(); ++i) {
-        const auto found = primitive.targets[i].find("POSITION");
-        const bool isUsed = found != primitive.targets[i].end() && i < weights.size() && weights[i] != 0.0;
-        morphs.push_back(isUsed ? &m_accessors.numbers(found->second, 3) : nullptr);
-        if (isUsed && morphs.back()->count() < source.positions->count()) failGltf("a morph target has too few points");
+    Vec3 morphed(Vec3 position, std::size_t point) const {
+        for (const auto& [target, weight] : morphs) position += weight * target->vec3(point);
+        return position;
     }
-    std::vector<Mat4> joints;
-    std::vector<std::pair<const GltfNumbers*, const GltfNumbers*>> influences;
-    if (node.skin) {
-        joints = jointTransforms(*node.skin);
-        for (const char* set : {"0", "1"}) {
-            const GltfNumbers* of = source.other(primitive, std::string("JOINTS_") + set, 4, m_accessors);
-            const GltfNumbers* by = source.other(primitive, std::string("WEIGHTS_") + set, 4, m_accessors);
-            if (of != nullptr && by != nullptr) influences.emplace_back(of, by);
-        }
-    }
-    const auto transformAt = [&](std::size_t point) {
+    /// That of the node where no joint moves the point.
+    Mat4 transformAt(std::size_t point, const Mat4& toScene) const {
         Mat4 sum(0.0);
         double total = 0.0;
         for (const auto& [of, by] : influences) {
@@ -170,24 +151,61 @@ void GltfShapes::addPrimitive(const GltfPrimitive& primitive, const std::vector<
             }
         }
         return total > 0.0 ? sum / total : toScene;
-    };
-
-    const auto first = static_cast<std::uint32_t>(object.points.size());
-    for (const std::uint32_t point : used) {
-        Vec3 position = source.positions->vec3(point);
-        for (std::size_t i = 0; i < morphs.size(); ++i)
-            if (morphs[i] != nullptr) position += weights[i] * morphs[i]->vec3(point);
-        object.points.push_back(Vec3(transformAt(point) * glm::dvec4(position, 1.0)));
     }
-    const bool hasMaterial = primitive.material.has_value();
-    if (hasMaterial && *primitive.material >= m_document.materials.size())
+};
+
+GltfShapes::Deformation GltfShapes::deformationOf(const GltfPrimitive& primitive, const Source& source,
+                                                  const std::vector<double>& weights, const GltfNode& node) {
+    Deformation deformation;
+    for (std::size_t i = 0; i < primitive.targets.size() && i < weights.size(); ++i) {
+        const auto found = primitive.targets[i].find("POSITION");
+        if (found == primitive.targets[i].end() || weights[i] == 0.0) continue;
+        const GltfNumbers& target = m_accessors.numbers(found->second, 3);
+        if (target.count() < source.positions->count()) failGltf("a morph target has too few points");
+        deformation.morphs.emplace_back(&target, weights[i]);
+    }
+    if (!node.skin) return deformation;
+    deformation.joints = jointTransforms(*node.skin);
+    for (const char* set : {"0", "1"}) {
+        const GltfNumbers* of = source.other(primitive, std::string("JOINTS_") + set, 4, m_accessors);
+        const GltfNumbers* by = source.other(primitive, std::string("WEIGHTS_") + set, 4, m_accessors);
+        if (of != nullptr && by != nullptr) deformation.influences.emplace_back(of, by);
+    }
+    return deformation;
+}
+
+/// The material of a primitive; null if it has none.
+const GltfMaterial* GltfShapes::materialOf(const GltfPrimitive& primitive) const {
+    if (!primitive.material) return nullptr;
+    if (*primitive.material >= m_document.materials.size())
         throw MeshError(ErrorCode::BadInput, "refers to material " + std::to_string(*primitive.material) + " of " +
                                                  std::to_string(m_document.materials.size()));
-    const GltfMaterial* material = hasMaterial ? &m_document.materials[*primitive.material] : nullptr;
+    return &m_document.materials[*primitive.material];
+}
+
+void GltfShapes::addPrimitive(const GltfPrimitive& primitive, const std::vector<double>& weights, const GltfNode& node,
+                              const Mat4& toScene, SourceObject& object) {
+    Source source = sourceOf(primitive);
+    if (source.draco) source.positions = &source.draco->positions;
+    if (source.triangles.empty()) return;
+    m_triangles += source.triangles.size();
+    if (m_triangles > kMaxTriangles)
+        throw MeshError(ErrorCode::Limit, "contains more than " + std::to_string(kMaxTriangles) + " triangles");
+    const std::vector<std::uint32_t> used = usedPoints(source.triangles);
+    if (used.back() >= source.positions->count())
+        throw MeshError(ErrorCode::BadInput, "has a face that refers to point " + std::to_string(used.back()) + " of " +
+                                                 std::to_string(source.positions->count()));
+    const Deformation deformation = deformationOf(primitive, source, weights, node);
+    const auto first = static_cast<std::uint32_t>(object.points.size());
+    for (const std::uint32_t point : used) {
+        const Vec3 position = deformation.morphed(source.positions->vec3(point), point);
+        object.points.push_back(Vec3(deformation.transformAt(point, toScene) * glm::dvec4(position, 1.0)));
+    }
+    const GltfMaterial* material = materialOf(primitive);
     const std::string uvSet = "TEXCOORD_" + std::to_string(material == nullptr ? 0 : material->uvSet);
     const GltfNumbers* uvs = source.other(primitive, uvSet, 2, m_accessors);
     object.hasUvs |= uvs != nullptr;
-    const bool isMirrored = influences.empty() && glm::determinant(Mat3(toScene)) < 0.0;
+    const bool isMirrored = deformation.influences.empty() && glm::determinant(Mat3(toScene)) < 0.0;
     for (const Corners& corners : source.triangles) {
         SourceTriangle& triangle = object.triangles.emplace_back();
         triangle.material = primitive.material.value_or(static_cast<std::uint32_t>(m_document.materials.size()));

@@ -19,10 +19,14 @@ public:
 
 private:
     struct Source;
+    struct Deformation;
 
     Source sourceOf(const GltfPrimitive& primitive);
     void addPrimitive(const GltfPrimitive& primitive, const std::vector<double>& weights, const GltfNode& node,
                       const Mat4& toScene, SourceObject& object);
+    Deformation deformationOf(const GltfPrimitive& primitive, const Source& source, const std::vector<double>& weights,
+                              const GltfNode& node);
+    const GltfMaterial* materialOf(const GltfPrimitive& primitive) const;
     std::vector<Mat4> jointTransforms(std::uint32_t skin);
 
     const GltfDocument& m_document;

@@ -27,22 +27,8 @@ inline Project boxProject(LayerParameters parameters) {
     return project;
 }
 
-/// A project with every kind of element, in which no member has its default value.
-inline Project fullProject() {
-    Project project;
-    project.nextId = 40;
-    project.materials = {{.id = 1, .name = "brick"},
-                         {.id = 2,
-                          .name = "gl\xc3\xa4ss \"2\"\n",
-                          .density = 2500.1,
-                          .friction = 0.1,
-                          .restitution = 0.3,
-                          .tensileStrength = 4.5e7,
-                          .fractureToughness = 1.0 / 3.0,
-                          .youngsModulus = 7.1e10,
-                          .outside = {0.1, 0.2, 0.3},
-                          .inside = {1.0, 0.0, 1.0 / 3.0}}};
-
+/// Levels, and layers of every kind, in which no member has its default value.
+inline Asset layeredWall() {
     Asset wall{.id = 3, .name = "wall", .material = 1};
     wall.prism = {squareRing(), 0.25};
     wall.pattern.layers = {
@@ -69,6 +55,12 @@ inline Project fullProject() {
          .parameters = CrackLines{{{2, {{-2.0, 0.1}, {0.0, 0.05}, {2.0, -0.2}}}, {5, {{0.1, -2.0}, {-0.1, 2.0}}}}}},
         {.id = 37, .parameters = Grain{0.7, 4.0}},
         {.id = 38, .parameters = WeightedLloyd{2}}};
+    return wall;
+}
+
+/// The same with everything else that an asset has.
+inline Asset fullWall() {
+    Asset wall = layeredWall();
     wall.shaping = {.smallPieces = {SmallPieceRule::Merge, PieceMeasure::FractionOfWhole, 0.01},
                     .gap = 1.0 / 512.0,
                     .roughness = {.amplitude = 0.003, .frequency = 12.5, .octaves = 4, .randomSeed = 77}};
@@ -95,7 +87,45 @@ inline Project fullProject() {
     wall.surface = std::make_shared<Surface>(Surface{.materials = {"plaster", "edge"},
                                                      .front = {true, {{1.0, 0.0, 0.5, 0.0, 1.0, 0.25}}, 1},
                                                      .triangles = {triangle, triangle}});
-    project.assets = {wall, boxAsset(9, 10, UniformScatter{}), boxAsset(11, 12, PlacedSeeds{})};
+    return wall;
+}
+
+inline std::vector<Shot> everyShot() {
+    return {
+        {.id = 30, .name = "box", .time = 0.5, .action = Throw{.size = {1.0, 2.0, 3.0}, .mass = 5.0, .speed = 12.0}},
+        {.id = 31, .name = "pane", .action = Throw{.kind = ProjectileKind::Asset, .asset = 11}},
+        {.id = 32, .name = "hammer", .action = Hammer{{1.0, 2.0, 3.0}, {0.0, -5.0, 0.0}, 0.25}},
+        {.id = 33, .name = "bomb", .action = Explosion{{4.0, 5.0, 6.0}, 250.0, 3.5}}};
+}
+
+inline std::vector<PlayTest> everyPlayTest() {
+    return {{.id = 34, .name = "stands"},
+            {.id = 35,
+             .name = "falls",
+             .shots = {30, 33},
+             .duration = 2.5,
+             .expectations = {{.kind = ExpectationKind::StandsUntouched, .value = 1.0},
+                              {.kind = ExpectationKind::BreaksIntoAtLeast, .instance = 21, .value = 4.0},
+                              {.kind = ExpectationKind::NothingFaster, .value = 30.0}}}};
+}
+
+/// A project with every kind of element, in which no member has its default value.
+inline Project fullProject() {
+    Project project;
+    project.nextId = 40;
+    project.materials = {{.id = 1, .name = "brick"},
+                         {.id = 2,
+                          .name = "gl\xc3\xa4ss \"2\"\n",
+                          .density = 2500.1,
+                          .friction = 0.1,
+                          .restitution = 0.3,
+                          .tensileStrength = 4.5e7,
+                          .fractureToughness = 1.0 / 3.0,
+                          .youngsModulus = 7.1e10,
+                          .outside = {0.1, 0.2, 0.3},
+                          .inside = {1.0, 0.0, 1.0 / 3.0}}};
+
+    project.assets = {fullWall(), boxAsset(9, 10, UniformScatter{}), boxAsset(11, 12, PlacedSeeds{})};
     project.assets[2].name = "pane";
 
     project.instances = {{.id = 20, .name = "left", .asset = 3},
@@ -113,19 +143,8 @@ inline Project fullProject() {
     project.gravity = {0.1, -1.62, std::numeric_limits<double>::denorm_min()};
     project.damage = {.rule = DamageRule::Momentum, .isThesis = true, .thesisThreshold = 1500.0};
     project.debris = {.lifetime = 12.5, .fade = 0.75, .maxFragments = 300};
-    project.shots = {
-        {.id = 30, .name = "box", .time = 0.5, .action = Throw{.size = {1.0, 2.0, 3.0}, .mass = 5.0, .speed = 12.0}},
-        {.id = 31, .name = "pane", .action = Throw{.kind = ProjectileKind::Asset, .asset = 11}},
-        {.id = 32, .name = "hammer", .action = Hammer{{1.0, 2.0, 3.0}, {0.0, -5.0, 0.0}, 0.25}},
-        {.id = 33, .name = "bomb", .action = Explosion{{4.0, 5.0, 6.0}, 250.0, 3.5}}};
-    project.playTests = {{.id = 34, .name = "stands"},
-                         {.id = 35,
-                          .name = "falls",
-                          .shots = {30, 33},
-                          .duration = 2.5,
-                          .expectations = {{.kind = ExpectationKind::StandsUntouched, .value = 1.0},
-                                           {.kind = ExpectationKind::BreaksIntoAtLeast, .instance = 21, .value = 4.0},
-                                           {.kind = ExpectationKind::NothingFaster, .value = 30.0}}}};
+    project.shots = everyShot();
+    project.playTests = everyPlayTest();
     return project;
 }
 
