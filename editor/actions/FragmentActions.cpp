@@ -18,18 +18,6 @@ namespace rubble {
 
 namespace {
 
-/// The fragments of a set that have no ancestor in it.
-std::vector<std::uint32_t> rootsOf(const FragmentSet& set, const Bake& bake) {
-    std::vector<std::uint32_t> roots;
-    for (std::uint32_t k = 0; k < set.size(); ++k) {
-        if (!set[k]) continue;
-        std::uint32_t ancestor = bake.fragment(k).parent;
-        while (ancestor != kNone && !set[ancestor]) ancestor = bake.fragment(ancestor).parent;
-        if (ancestor == kNone) roots.push_back(k);
-    }
-    return roots;
-}
-
 bool haveOneParent(const std::vector<SelectedFragment>& fragments) {
     return std::ranges::all_of(fragments, [&](const SelectedFragment& fragment) {
         return parentOf(fragment.path) == parentOf(fragments.front().path);
@@ -154,7 +142,7 @@ void FragmentActions::enterSelected() {
     }
     const Bake& bake = *baked->bake;
     const FragmentSet set = fragmentsOf(selection.fragments(), bake);
-    std::vector<std::uint32_t> roots = rootsOf(set, bake);
+    std::vector<std::uint32_t> roots = rootsOf(bake, set);
     const auto pathTo = [&](std::uint32_t fragment) { return bake.fragmentPath(fragment); };
     if (roots.size() > 1) {
         std::erase_if(roots, [&](std::uint32_t root) {

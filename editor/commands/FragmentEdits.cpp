@@ -4,6 +4,7 @@
 #include "core/fracture/pattern/PatternPartition.h"
 #include "core/geometry/polygon/AreaMoments.h"
 #include "editor/commands/ProjectEdits.h"
+#include "editor/document/CellSelection.h"
 
 #include <QCoreApplication>
 
@@ -60,14 +61,11 @@ std::vector<SelectedFragment> selectedFragments(Id asset, const Partition& parti
                                                 const FragmentSelection& selection, const FragmentPath& parent,
                                                 Vec2 offset) {
     const std::string prefix = parent.empty() ? std::string() : parent + "/";
-    const std::string ofAsset = std::to_string(asset) + "/";
-    const FragmentSelection::Seeds cells = selection.seedsOf(parent);
+    const std::vector<bool> isSelected = selectedPieces(asset, partition, seeds, selection, parent);
     std::vector<SelectedFragment> fragments;
     for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
-        const SeedId cell = cellId(partition, piece, seeds.ids);
-        if (!cells.contains(cell)) continue;
+        if (!isSelected[piece]) continue;
         const FragmentPath path = prefix + pieceName(partition, piece, seeds.ids);
-        if (!selection.contains(parent, cell, ofAsset + path)) continue;
         const AreaMoments moments = momentsOf(pieceOutline(partition, piece));
         fragments.push_back({path, moments.area, {offset + partition.origin + moments.centre, minorAxisOf(moments)}});
     }
@@ -76,15 +74,11 @@ std::vector<SelectedFragment> selectedFragments(Id asset, const Partition& parti
 
 std::vector<SelectedFragment> selectedDescendants(const Bake& bake, const FragmentSelection& selection,
                                                   const FragmentPath& parent) {
-    const FragmentSet set = fragmentsOf(selection, bake);
     std::vector<SelectedFragment> fragments;
-    for (std::uint32_t k = 0; k < set.size(); ++k) {
-        if (!set[k]) continue;
-        std::uint32_t ancestor = bake.fragment(k).parent;
-        while (ancestor != kNone && !set[ancestor]) ancestor = bake.fragment(ancestor).parent;
-        const FragmentPath path = bake.fragmentPath(k);
-        if (ancestor != kNone || !isWithin(path, parent) || parentOf(path) == parent) continue;
-        const Fragment solid = bake.fragment(k).solid;
+    for (const std::uint32_t root : rootsOf(bake, fragmentsOf(selection, bake))) {
+        const FragmentPath path = bake.fragmentPath(root);
+        if (!isWithin(path, parent) || parentOf(path) == parent) continue;
+        const Fragment solid = bake.fragment(root).solid;
         fragments.push_back({path, area(solid.outline()), splitLine(solid.outline(), Vec2{solid.offset()})});
     }
     return fragments;

@@ -37,6 +37,24 @@ FragmentSelection::Seeds withNeighbourCells(const BakedPattern& pattern, const F
     return all;
 }
 
+std::vector<bool> selectedPieces(Id asset, const Partition& partition, const Seeds& seeds,
+                                 const FragmentSelection& selection, const FragmentPath& parent) {
+    const std::string prefix = std::to_string(asset) + "/" + (parent.empty() ? std::string() : parent + "/");
+    const FragmentSelection::Seeds cells = selection.seedsOf(parent);
+    std::vector<bool> isSelected(partition.pieceCount(), false);
+    for (std::uint32_t piece = 0; !cells.empty() && piece < partition.pieceCount(); ++piece) {
+        const SeedId cell = cellId(partition, piece, seeds.ids);
+        if (!cells.contains(cell)) continue;
+        const auto id = [&] { return prefix + pieceName(partition, piece, seeds.ids); };
+        isSelected[piece] = !selection.ids || selection.contains(parent, cell, id());
+    }
+    return isSelected;
+}
+
+std::vector<bool> selectedPieces(const BakedPattern& pattern, const FragmentSelection& selection) {
+    return selectedPieces(pattern.asset->id, pattern.partition, pattern.seeds, selection, pattern.parent);
+}
+
 double minimumSharedEdge(const BakedPattern& pattern) {
     return kMinSharedEdge * boundsOf(pattern.asset->prism.outline.outer).diagonal();
 }

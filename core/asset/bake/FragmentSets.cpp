@@ -69,6 +69,17 @@ FragmentSet completed(const Bake& bake, const FragmentSet& set) {
     return found;
 }
 
+std::vector<std::uint32_t> rootsOf(const Bake& bake, const FragmentSet& set) {
+    std::vector<std::uint32_t> roots;
+    for (std::uint32_t k = 0; k < set.size(); ++k) {
+        if (!set[k]) continue;
+        std::uint32_t ancestor = bake.fragment(k).parent;
+        while (ancestor != kNone && !set[ancestor]) ancestor = bake.fragment(ancestor).parent;
+        if (ancestor == kNone) roots.push_back(k);
+    }
+    return roots;
+}
+
 FragmentSet invertedFragments(const Bake& bake, const FragmentSet& set) {
     const FragmentSet covered = withDescendants(bake, set);
     FragmentSet found = leafFragments(bake);

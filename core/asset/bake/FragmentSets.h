@@ -23,6 +23,8 @@ std::uint32_t levelCount(const Bake& bake);
 FragmentSet withDescendants(const Bake& bake, const FragmentSet& set);
 /// The same, and every fragment all of whose children are in it.
 FragmentSet completed(const Bake& bake, const FragmentSet& set);
+/// The fragments of the set that have no ancestor in it, ascending.
+std::vector<std::uint32_t> rootsOf(const Bake& bake, const FragmentSet& set);
 /// The leaves that are neither in the set nor descendants of it.
 FragmentSet invertedFragments(const Bake& bake, const FragmentSet& set);
 

@@ -4,6 +4,7 @@
 #include "editor/canvas/painting/LabelPainting.h"
 #include "editor/canvas/painting/RulerPainting.h"
 #include "editor/canvas/painting/VoronoiEdges.h"
+#include "editor/document/CellSelection.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 
@@ -49,7 +50,7 @@ public:
 
     /// Fills the selected fragments, and outlines areas of them: no lines are drawn between two that are selected.
     void paintFragments(const FragmentSelection& selection) {
-        const std::vector<bool> isSelected = selectedPieces(selection);
+        const std::vector<bool> isSelected = selectedPieces(m_pattern.baked(), selection);
         QList<QLineF> border;
         m_painter.setRenderHint(QPainter::Antialiasing, false);  // the fills of neighbours would overlap
         m_painter.setPen(Qt::NoPen);
@@ -68,20 +69,6 @@ public:
 private:
     static constexpr int kFillAlpha = 70;  // of 255
     static constexpr double kBorderWidth = 2.0;
-
-    std::vector<bool> selectedPieces(const FragmentSelection& selection) const {
-        const Partition& partition = m_pattern.partition();
-        std::vector<bool> isSelected(partition.pieceCount(), false);
-        const FragmentSelection::Seeds seeds = selection.seedsOf(m_pattern.baked().parent);
-        for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
-            const SeedId cell = m_pattern.cellOf(piece);
-            isSelected[piece] = seeds.contains(cell) && (!selection.ids || isNamed(selection, cell, piece));
-        }
-        return isSelected;
-    }
-    bool isNamed(const FragmentSelection& selection, SeedId cell, std::uint32_t piece) const {
-        return selection.contains(m_pattern.baked().parent, cell, m_pattern.fragmentId(piece));
-    }
 
     /// Whether the piece is drawn from this pattern.
     bool isOwn(std::uint32_t piece) const {

@@ -1,6 +1,7 @@
 #include "editor/canvas/tools/PieceSelection.h"
 
 #include "core/asset/bake/FragmentLookup.h"
+#include "editor/document/CellSelection.h"
 
 #include <algorithm>
 #include <iterator>
@@ -58,9 +59,10 @@ bool isPieceSelected(const CanvasState& state, std::uint32_t piece) {
 
 std::vector<std::uint32_t> selectedPieces(const CanvasState& state) {
     std::vector<std::uint32_t> pieces;
-    if (!state.pattern || state.selection.seeds().empty()) return pieces;
-    for (std::uint32_t piece = 0; piece < state.pattern->partition().pieceCount(); ++piece) {
-        if (isPieceSelected(state, piece)) pieces.push_back(piece);
+    if (!state.pattern) return pieces;
+    const std::vector<bool> isSelected = selectedPieces(state.pattern->baked(), state.selection.fragments());
+    for (std::uint32_t piece = 0; piece < isSelected.size(); ++piece) {
+        if (isSelected[piece]) pieces.push_back(piece);
     }
     return pieces;
 }

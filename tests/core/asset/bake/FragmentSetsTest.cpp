@@ -143,6 +143,16 @@ private slots:
             QCOMPARE(completed(bake, set), setOf(bake, [&](std::uint32_t k) { return isFilled(bake, set, k); }));
         });
     }
+    void rootsHaveNoAncestorInTheSet() {
+        forEachBake([](const Bake& bake, const FragmentSet& set) {
+            std::vector<std::uint32_t> expected;
+            for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) {
+                const std::uint32_t parent = bake.fragment(k).parent;
+                if (set[k] && (parent == kNone || !isCovered(bake, set, parent))) expected.push_back(k);
+            }
+            QVERIFY(rootsOf(bake, set) == expected);
+        });
+    }
     void inversionGivesTheRemainingLeaves() {
         forEachBake([](const Bake& bake, const FragmentSet& set) {
             const FragmentSet rest = invertedFragments(bake, set);
