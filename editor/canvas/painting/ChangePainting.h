@@ -1,6 +1,6 @@
 #pragma once
 
-#include "editor/background/StateComparison.h"
+#include "editor/background/ComparedAsset.h"
 #include "editor/canvas/painting/CanvasColours.h"
 #include "editor/canvas/painting/CanvasView.h"
 

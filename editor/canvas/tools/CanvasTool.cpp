@@ -3,6 +3,7 @@
 #include "editor/canvas/painting/GridPainting.h"
 #include "editor/commands/AssetPatterns.h"
 #include "editor/document/EnteredFragment.h"
+#include "editor/document/ShownText.h"
 
 #include <QScopedValueRollback>
 
@@ -41,6 +42,31 @@ std::optional<FragmentPath> CanvasState::fracturedFragmentAt(Vec2 point) const {
     FragmentPath path = pattern->fragmentPath(piece);
     if (nearestFractured(*asset(), baked->bake.get(), path) != path) return std::nullopt;
     return path;
+}
+
+QString CanvasState::placeholder() const {
+    if (!asset()) {  // without any asset, the window shows the first steps
+        return document.project().assets.empty()
+                   ? QString()
+                   : CanvasTool::tr("No asset selected. Select one in the project tree, or add one.");
+    }
+    const auto shown = bakes.findPattern(selection.asset(), selection.enteredFragment());
+    return shown && shown->fault ? QString::fromStdString(shown->fault->message) : QString();
+}
+
+void addFragmentNavigation(QMenu& menu, CanvasState& state, Vec2 point) {
+    const std::optional<FragmentPath> fractured = state.fracturedFragmentAt(point);
+    if (!fractured && !state.isInFragment()) return;
+    Selection& selection = state.selection;
+    menu.addSeparator();
+    if (fractured) {
+        menu.addAction(CanvasTool::tr("&Enter Fragment %1").arg(nameText(*fractured)), &selection,
+                       [&selection, fractured] { enterFragment(selection, *fractured); });
+    }
+    if (state.isInFragment()) {
+        menu.addAction(CanvasTool::tr("E&xit Fragment"), &selection,
+                       [&selection] { exitToFragment(selection, parentOf(selection.enteredFragment())); });
+    }
 }
 
 std::optional<Vec2> nudgeStep(const QKeyEvent& event, const CanvasState& state) {

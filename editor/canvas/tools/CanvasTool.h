@@ -41,7 +41,12 @@ struct CanvasState {
     Pattern& patternIn(Asset& copy) const;
     /// The fractured fragment at a point, which can be entered; none if there is none.
     std::optional<FragmentPath> fracturedFragmentAt(Vec2 point) const;
+    /// Why no pattern is shown, as a sentence; empty if one is, or will be soon.
+    QString placeholder() const;
 };
+
+/// Adds actions that enter the fractured fragment at a point and exit the entered one to a menu, as far as possible.
+void addFragmentNavigation(QMenu& menu, CanvasState& state, Vec2 point);
 
 /// The pointer's position with the modifier keys.
 struct CanvasPointer {

@@ -61,7 +61,6 @@ void CanvasContentsUpdater::refreshPattern() {
     const DrawablePattern::Range range = m_contents.range;
     m_contents.pattern = baked && !baked->fault ? std::make_shared<const DrawablePattern>(baked) : nullptr;
     m_contents.range = scale();
-    m_state.pattern = m_contents.pattern;
     refreshShapes();
     m_movedCells = m_contents.pattern ? std::make_unique<MovedCells>(m_contents.pattern) : nullptr;
     computeMovedPart();

@@ -9,7 +9,7 @@ namespace rubble {
 /// picture that change. Each refresh…() function updates the part that it is named after.
 class CanvasContentsUpdater {
 public:
-    explicit CanvasContentsUpdater(CanvasState& state) : m_state(state) {}
+    explicit CanvasContentsUpdater(const CanvasState& state) : m_state(state) {}
 
     const CanvasContents& contents() const { return m_contents; }
     /// The painted contents, up to date; `ratio` is the device pixel ratio.
@@ -26,7 +26,6 @@ public:
     void refreshAll();
     void refreshHidden();
     void refreshMaterial();
-    /// Also sets the pattern of the state.
     void refreshPattern();
     /// The cells that moved since the pattern was baked.
     void refreshMovedPart();
@@ -43,7 +42,7 @@ private:
     bool isLocal() const;
     Box2 movedBox(const MovedPart* part) const;
 
-    CanvasState& m_state;
+    const CanvasState& m_state;
     CanvasContents m_contents;
     CanvasBackingStore m_backingStore;
     std::shared_ptr<const ComparedAsset> m_compared;  // of the whole asset; null: none

@@ -10,6 +10,7 @@
 #include "editor/canvas/tools/SeedTool.h"
 #include "editor/canvas/widget/AccessibleCanvas.h"
 #include "editor/canvas/widget/Breadcrumb.h"
+#include "editor/canvas/widget/CanvasFraming.h"
 #include "editor/commands/AssetPatterns.h"
 #include "editor/document/EnteredFragment.h"
 #include "editor/document/ShownText.h"
@@ -27,18 +28,9 @@ namespace rubble {
 
 namespace {
 
-constexpr double kFitMargin = 24.0;          // pixels around the fitted outline
-constexpr double kMinFitBesideLegend = 0.5;  // of the scale of the whole canvas
 constexpr double kZoomPerNotch = 1.2;
-constexpr double kAnglePerNotch = 120.0;   // of QWheelEvent::angleDelta()
-constexpr double kSelectionMargin = 0.75;  // around the selection, of its size
-constexpr double kMinFramedSize = 0.02;    // the smallest framed size, of the outline's
-constexpr double kMaxMargin = 0.15;        // around the framed selection, relative to the asset
-constexpr int kBreadcrumbGap = 8;          // pixels between rulers and breadcrumb
-
-QRectF pixelsOf(const Box2& box, const CanvasView& view) {
-    return QRectF(view.pixels(box.min), view.pixels(box.max)).normalized();
-}
+constexpr double kAnglePerNotch = 120.0;  // of QWheelEvent::angleDelta()
+constexpr int kBreadcrumbGap = 8;         // pixels between rulers and breadcrumb
 
 }  // namespace
 
@@ -81,6 +73,7 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
     connect(&bakes, &Bakes::patternChanged, this, [this](Id asset) {
         if (asset != m_state.selection.asset()) return;
         m_updater.refreshPattern();
+        m_state.pattern = contents().pattern;
         if (std::exchange(m_isPatternAwaited, false)) refit();  // edits do not move the view
         updateHovered();
         update();
@@ -151,25 +144,12 @@ void PatternCanvas::setView(const CanvasView& view) {
     update();
 }
 
-/// Fits the asset between the rulers, which cover two edges, and beside the legend where that leaves enough room.
 void PatternCanvas::fit() {
     m_isFitted = true;
     const Asset* shown = m_state.displayedAsset();
     if (!shown) return;
-    const Box2 box = boundsOf(shown->prism.outline.outer);
     m_state.view.size = size();
-    const QRectF area = QRectF(rect()).adjusted(kRulerWidth, kRulerWidth, 0.0, 0.0), legend = legendArea();
-    const auto fitInto = [&](const QRectF& part) { return fitted(m_state.view, part, box, kFitMargin); };
-    CanvasView view = fitInto(area);
-    if (pixelsOf(box, view).intersects(legend)) {
-        QRectF above = area, left = area;
-        above.setBottom(legend.top());
-        left.setRight(legend.left());
-        const CanvasView low = fitInto(above), narrow = fitInto(left);
-        const CanvasView& beside = narrow.scale > low.scale ? narrow : low;
-        if (beside.scale >= kMinFitBesideLegend * view.scale) view = beside;
-    }
-    m_state.view = view;
+    m_state.view = fittedBeside(m_state.view, boundsOf(shown->prism.outline.outer), legendArea());
     updatePointer();
     update();
 }
@@ -178,7 +158,7 @@ void PatternCanvas::fit() {
 void PatternCanvas::refit() {
     const Asset* shown = m_state.displayedAsset();
     if (!shown || !m_isFitted || m_isPressed) return;
-    if (pixelsOf(boundsOf(shown->prism.outline.outer), m_state.view).intersects(legendArea())) fit();
+    if (isCovered(m_state.view, boundsOf(shown->prism.outline.outer), legendArea())) fit();
 }
 
 QRectF PatternCanvas::legendArea() const {
@@ -195,10 +175,7 @@ void PatternCanvas::frameSelected(std::optional<Vec2> point) {
         if (seed != kNone) include(box, shown->boxOf(seed));
     }
     if (box.min.x > box.max.x) return fit();
-    // Keeps the size positive for a single point, and some context around it, but shows no more than the asset.
-    const double whole = boundsOf(m_state.displayedAsset()->prism.outline.outer).diagonal();
-    const Vec2 around(std::clamp(kSelectionMargin * box.diagonal(), kMinFramedSize * whole, kMaxMargin * whole));
-    setView(fitted(m_state.view, rect(), {box.min - around, box.max + around}, kFitMargin));
+    setView(framed(m_state.view, box, boundsOf(m_state.displayedAsset()->prism.outline.outer)));
 }
 
 void PatternCanvas::setCompared(std::shared_ptr<const ComparedAsset> compared) {
@@ -227,6 +204,7 @@ void PatternCanvas::refreshAsset() {
     m_tool->cancel();
     refreshFragment();
     m_updater.refreshAll();
+    m_state.pattern = contents().pattern;
     updateHovered();
     m_isPatternAwaited = !contents().pattern;
     fit();
@@ -320,7 +298,7 @@ void PatternCanvas::paintOverlays(QPainter& painter) const {
     if (showsFragmentLabel()) {
         paintFragmentLabel(painter, contents(), m_hovered, m_pointer->pixels, panels, m_state.view, m_colours);
     }
-    if (const QString message = placeholderMessage(); !message.isEmpty() && !m_outlineTool->isDrawing()) {
+    if (const QString message = m_state.placeholder(); !message.isEmpty() && !m_outlineTool->isDrawing()) {
         paintMessage(painter, message, m_state.view, m_colours,
                      m_state.asset() ? m_colours.fault : m_colours.panelEdge);
     }
@@ -348,17 +326,6 @@ bool PatternCanvas::showsFragmentLabel() const {
     if (m_hovered == kNone || !contents().pattern || !m_pointer || !contents().overlays.hasCells) return false;
     return m_toolKind != CanvasToolKind::Measure && m_toolKind != CanvasToolKind::Brush &&
            !m_outlineTool->isDrawing() && !m_crackLineTool->isDrawing() && !m_panFrom && !m_isPressed;
-}
-
-QString PatternCanvas::placeholderMessage() const {
-    if (!m_state.asset()) {  // without any asset, the window shows the first steps
-        return m_state.document.project().assets.empty()
-                   ? QString()
-                   : tr("No asset selected. Select one in the project tree, or add one.");
-    }
-    const auto pattern = m_state.bakes.findPattern(m_state.selection.asset(), m_state.selection.enteredFragment());
-    if (pattern && pattern->fault) return QString::fromStdString(pattern->fault->message);
-    return {};
 }
 
 CanvasPointer PatternCanvas::pointerAt(QPointF pixels, Qt::KeyboardModifiers modifiers) const {
@@ -508,26 +475,13 @@ void PatternCanvas::leaveEvent(QEvent*) {
     update();
 }
 
-void PatternCanvas::addFragmentNavigation(QMenu& menu, const std::optional<FragmentPath>& fractured) {
-    if (!fractured && !m_state.isInFragment()) return;
-    menu.addSeparator();
-    if (fractured) {
-        menu.addAction(tr("&Enter Fragment %1").arg(nameText(*fractured)), this,
-                       [this, fractured] { enterFragment(m_state.selection, *fractured); });
-    }
-    if (m_state.isInFragment()) {
-        menu.addAction(tr("E&xit Fragment"), this,
-                       [this] { exitToFragment(m_state.selection, parentOf(m_state.selection.enteredFragment())); });
-    }
-}
-
 /// There is no menu during a drag: it would take the release of the button.
 void PatternCanvas::contextMenuEvent(QContextMenuEvent* event) {
     if (m_isPressed) return;
     QMenu menu(this);
     const CanvasPointer pointer = pointerAt(event->pos(), event->modifiers());
     m_tool->fillMenu(menu, pointer);
-    addFragmentNavigation(menu, m_state.fracturedFragmentAt(pointer.metres));
+    addFragmentNavigation(menu, m_state, pointer.metres);
     menu.addSeparator();
     if (!m_state.selection.fragments().isEmpty()) menu.addActions(m_fragmentActions);
     menu.exec(event->globalPos());

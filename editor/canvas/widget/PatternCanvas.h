@@ -112,7 +112,6 @@ private:
     void updateTool();
     void release(const CanvasPointer& pointer);
     void endMissedRelease(const QMouseEvent& event);
-    void addFragmentNavigation(QMenu& menu, const std::optional<FragmentPath>& fractured);
     CanvasPointer pointerAt(QPointF pixels, Qt::KeyboardModifiers modifiers) const;
     void setPointer(const CanvasPointer& pointer);
     void updatePointer();
@@ -122,7 +121,6 @@ private:
     void paintOverlays(QPainter& painter) const;
     void paintHighlights(QPainter& painter) const;
     bool showsFragmentLabel() const;
-    QString placeholderMessage() const;
 
     CanvasState m_state;
     CanvasContentsUpdater m_updater;
