@@ -1,3 +1,4 @@
+// Tests editor/help/ManualPage.cpp.
 #include "editor/help/ManualPage.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/Manual.h"

@@ -1,4 +1,4 @@
-// Tests editor/actions/PlayActions.cpp.
+// Tests editor/actions/PlayActions.cpp, editor/actions/TimelineActions.cpp and editor/view3d/TimelinePanel.cpp.
 #include "core/io/play/ReplayFile.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/view3d/PlayView.h"

@@ -1,4 +1,5 @@
-// Tests editor/window/Program.cpp, editor/actions/FileActions.cpp and editor/actions/LockQuestion.cpp.
+// Tests editor/window/Program.cpp, editor/actions/FileActions.cpp, editor/actions/LockQuestion.cpp,
+// editor/help/ManualWindow.cpp and editor/actions/HelpActions.cpp.
 #include "core/asset/library/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/project/ProjectLock.h"

@@ -1,3 +1,4 @@
+// Tests viewport/render/TransparencyPass.cpp and viewport/render/gl/RenderTarget.cpp.
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Pictures.h"
 #include "tests/support/editor/StarterScene.h"

@@ -1,4 +1,5 @@
-// Tests viewport/widget/ViewportTool.h, ViewportOverlay.cpp and the event dispatch of ViewportWidget.cpp.
+// Tests viewport/widget/ViewportTool.h, viewport/widget/ViewportOverlay.cpp and the event dispatch of
+// viewport/widget/ViewportWidget.cpp.
 #include "tests/support/TestProgram.h"
 #include "viewport/widget/ViewportTool.h"
 #include "viewport/widget/ViewportWidget.h"

@@ -1,3 +1,4 @@
+// Tests editor/canvas/painting/CanvasPainting.cpp and editor/canvas/painting/CanvasContents.cpp.
 #include "editor/canvas/painting/CanvasPainting.h"
 
 #include "core/fracture/pieces/PieceGap.h"

@@ -1,3 +1,5 @@
+// Tests editor/canvas/tools/SeedTool.cpp, editor/canvas/tools/CanvasTool.cpp and
+// editor/canvas/tools/PieceSelection.cpp.
 #include "core/asset/checks/VerifyProject.h"
 #include "core/base/Random.h"
 #include "core/io/project/ProjectFile.h"

@@ -1,5 +1,5 @@
-// Tests editor/canvas/widget/PatternCanvas.cpp, editor/canvas/widget/CanvasContentsUpdater.cpp and
-// editor/canvas/painting/CanvasBackingStore.cpp.
+// Tests editor/canvas/widget/PatternCanvas.cpp, editor/canvas/widget/CanvasContentsUpdater.cpp,
+// editor/canvas/painting/CanvasBackingStore.cpp and editor/canvas/painting/DrawablePattern.cpp.
 #include "core/asset/project/FragmentColours.h"
 #include "core/base/Random.h"
 #include "tests/support/TestProgram.h"
