@@ -16,8 +16,7 @@ FragmentSelection::Seeds invertedCells(const BakedPattern& pattern, const Fragme
 FragmentSelection::Seeds withNeighbourCells(const BakedPattern& pattern, const FragmentSelection::Seeds& selected);
 
 /// Whether each piece of a partition makes a selected fragment. The partition of these seeds fractures the fragment
-/// `parent` of an asset (empty: the whole asset). O(pieces · log seeds); the names of pieces are made in selected cells
-/// only.
+/// `parent` of an asset (empty: the whole asset). O(n log n); the names of pieces are made in selected cells only.
 std::vector<bool> selectedPieces(Id asset, const Partition& partition, const Seeds& seeds,
                                  const FragmentSelection& selection, const FragmentPath& parent);
 /// The same for a pattern.
