@@ -45,17 +45,19 @@ double EdgeHierarchy::lengthOf(const PieceEdge& edge) const {
     return glm::distance(shapes.points[edge.from], shapes.points[edge.to]);
 }
 
-std::vector<PieceEdge> EdgeHierarchy::edgesOf(std::uint32_t fracture, std::uint32_t piece) const {
+std::vector<PieceEdge> EdgeHierarchy::edgesOf(FracturePiece piece) const {
     std::vector<PieceEdge> edges;
-    forEachEdge(shapesOf(fracture), piece, [&](std::uint32_t from, std::uint32_t to, std::uint32_t neighbour) {
-        edges.push_back({fracture, piece, static_cast<std::uint32_t>(edges.size()), from, to, neighbour});
-    });
+    forEachEdge(shapesOf(piece.fracture), piece.piece,
+                [&](std::uint32_t from, std::uint32_t to, std::uint32_t neighbour) {
+                    const auto number = static_cast<std::uint32_t>(edges.size());
+                    edges.push_back({piece.fracture, piece.piece, number, from, to, neighbour});
+                });
     return edges;
 }
 
 std::vector<PieceEdge> EdgeHierarchy::edgesOf(std::uint32_t fragment) const {
     const std::uint32_t fracture = m_bake.fractureContaining(fragment);
-    return edgesOf(fracture, fragmentsOf(fracture).pieceOfFragment[fragment - m_bake.fractures[fracture].first]);
+    return edgesOf({fracture, fragmentsOf(fracture).pieceOfFragment[fragment - m_bake.fractures[fracture].first]});
 }
 
 EdgeHierarchy::FragmentEdges EdgeHierarchy::indexedEdgesOf(std::uint32_t fragment) const {
@@ -113,7 +115,7 @@ void EdgeHierarchy::addIntervals(std::uint32_t fracture) {
     std::vector<std::vector<EdgeInterval>>& lists = m_intervals[fracture];
     lists.resize(m_parents[fracture]->edges.size());
     for (std::uint32_t piece = 0; piece < shapesOf(fracture).pieceCount(); ++piece) {
-        for (const PieceEdge& edge : edgesOf(fracture, piece)) {
+        for (const PieceEdge& edge : edgesOf({fracture, piece})) {
             if (edge.neighbour != kNone) continue;
             const std::vector<EdgeInterval> intervals = intervalsOf(edge);
             for (const EdgeOverlap& overlap : overlapsOf(edge)) {

@@ -9,6 +9,11 @@
 
 namespace rubble {
 
+/// A piece of a fracture.
+struct FracturePiece {
+    std::uint32_t fracture, piece;
+};
+
 /// An edge of a piece as it is extruded, the `number`th in the order of forEachEdge().
 struct PieceEdge {
     std::uint32_t fracture, piece, number;
@@ -42,7 +47,7 @@ public:
     /// The origin of the shapes' points in the asset's frame.
     Vec2 originOf(std::uint32_t fracture) const;
     double lengthOf(const PieceEdge& edge) const;
-    std::vector<PieceEdge> edgesOf(std::uint32_t fracture, std::uint32_t piece) const;
+    std::vector<PieceEdge> edgesOf(FracturePiece piece) const;
     std::vector<PieceEdge> edgesOf(std::uint32_t fragment) const;
 
     /// The overlaps with the parent's edges, in the direction of the edge; none for edges on the asset's outline.

@@ -122,7 +122,7 @@ std::vector<RoughCuts::Corner> RoughCuts::cornersOnParent(const PieceEdge& edge,
 RoughCuts::Cut RoughCuts::cutAt(const PieceEdge& edge) const {
     Cut cut{edge, m_edges->lengthOf(edge), m_gaps[edge.fracture], m_edges->intervalsOf(edge), {}};
     if (cut.gap > 0.0) return cut;
-    for (const PieceEdge& facing : m_edges->edgesOf(edge.fracture, edge.neighbour)) {
+    for (const PieceEdge& facing : m_edges->edgesOf({edge.fracture, edge.neighbour})) {
         if (facing.from != edge.to || facing.to != edge.from) continue;
         cut.behind = m_edges->intervalsOf(facing);
         if (facing.from < facing.to) {

@@ -316,7 +316,7 @@ private:
         }
         EdgeIndex index;
         for (const auto& [first, pieces] : parts) {
-            for (const std::uint32_t piece : pieces) index.add(made, first, piece);
+            for (const std::uint32_t piece : pieces) index.add(made, {.group = first, .piece = piece});
         }
         index.sort();
         for (std::uint32_t ring = 0; ring + 1 < made.cornersOfRing.size(); ++ring) {
@@ -325,7 +325,7 @@ private:
                 const auto found = parts.find(made.neighbours[corner]);
                 if (found == parts.end() || found->second.size() < 2) continue;
                 const std::uint32_t to = made.corners[corner + 1 < end ? corner + 1 : begin];
-                const std::uint32_t piece = index.find(found->first, to, made.corners[corner]);
+                const std::uint32_t piece = index.find(found->first, {to, made.corners[corner]});
                 if (piece != kNone) made.neighbours[corner] = piece;
             }
         }

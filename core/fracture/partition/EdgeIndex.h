@@ -13,11 +13,14 @@ public:
     /// The maximum size of groups that hasEdge() searches as fast as this index.
     static constexpr std::size_t kMaxLinear = 8;
 
-    void add(const Partition& partition, std::uint32_t group, std::uint32_t piece);
+    struct Member {
+        std::uint32_t group, piece;
+    };
+    void add(const Partition& partition, Member member);
     void sort();
 
-    /// The lowest piece of the group that has the edge from one point to another; kNone: none.
-    std::uint32_t find(std::uint32_t group, std::uint32_t from, std::uint32_t to) const;
+    /// The lowest piece of the group that has the edge; kNone: none.
+    std::uint32_t find(std::uint32_t group, PointEdge edge) const;
 
 private:
     struct Entry {

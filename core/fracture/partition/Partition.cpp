@@ -58,10 +58,11 @@ std::string cellText(const Partition& partition, std::uint32_t piece) {
     return seed == kNone ? "the outline" : "the cell of seed " + std::to_string(seed);
 }
 
-bool hasEdge(const Partition& partition, std::uint32_t piece, std::uint32_t from, std::uint32_t to) {
+bool hasEdge(const Partition& partition, std::uint32_t piece, PointEdge edge) {
     bool isFound = false;
-    forEachEdge(partition, piece,
-                [&](std::uint32_t a, std::uint32_t b, std::uint32_t) { isFound |= a == from && b == to; });
+    forEachEdge(partition, piece, [&](std::uint32_t from, std::uint32_t to, std::uint32_t) {
+        isFound |= from == edge.from && to == edge.to;
+    });
     return isFound;
 }
 

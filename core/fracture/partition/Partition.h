@@ -3,6 +3,7 @@
 #include "core/base/Assert.h"
 #include "core/base/Diagnostic.h"
 #include "core/base/UninitializedVector.h"
+#include "core/fracture/partition/PointEdge.h"
 #include "core/geometry/polygon/Polygon.h"
 
 #include <cstdint>
@@ -91,8 +92,8 @@ std::vector<double> pieceAreas(const Partition& partition);  // of all pieces
 /// What a piece is part of, for sentences: "the cell of seed 7", or "the outline" where it has no seed.
 std::string cellText(const Partition& partition, std::uint32_t piece);
 
-/// Whether the piece has an edge from one point to another.
-bool hasEdge(const Partition& partition, std::uint32_t piece, std::uint32_t from, std::uint32_t to);
+/// Whether the piece has an edge.
+bool hasEdge(const Partition& partition, std::uint32_t piece, PointEdge edge);
 
 /// A neighbouring piece and the length of the common boundary.
 struct PieceContact {

@@ -99,12 +99,11 @@ std::size_t partAround(const std::vector<PieceRings>& parts, const PieceRing& ho
 
 }  // namespace
 
-std::optional<RingEdge> findEdge(const PieceRings& rings, std::uint32_t from, std::uint32_t to) {
+std::optional<RingEdge> findEdge(const PieceRings& rings, PointEdge edge) {
     for (std::size_t ring = 0; ring < rings.size(); ++ring) {
         for (std::size_t corner = 0; corner < rings[ring].size(); ++corner) {
-            if (rings[ring][corner].point == from && rings[ring][nextCorner(rings[ring], corner)].point == to) {
-                return RingEdge{ring, corner};
-            }
+            const std::uint32_t end = rings[ring][nextCorner(rings[ring], corner)].point;
+            if (PointEdge{rings[ring][corner].point, end} == edge) return RingEdge{ring, corner};
         }
     }
     return std::nullopt;

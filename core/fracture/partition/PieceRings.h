@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/fracture/partition/PointEdge.h"
 #include "core/geometry/predicates/Vec.h"
 
 #include <cstdint>
@@ -28,8 +29,8 @@ struct RingEdge {
 inline std::size_t nextCorner(const PieceRing& ring, std::size_t corner) {
     return corner + 1 < ring.size() ? corner + 1 : 0;
 }
-/// The edge of a piece from one point to another; nothing if there is none. Linear in the corners.
-std::optional<RingEdge> findEdge(const PieceRings& rings, std::uint32_t from, std::uint32_t to);
+/// An edge of a piece; nothing if there is none between these points. Linear in the corners.
+std::optional<RingEdge> findEdge(const PieceRings& rings, PointEdge edge);
 
 /// Rebuilds the rings of an area whose rings may touch themselves and each other at points: one entry for each
 /// connected part of the area. Its rings do not touch themselves, and touch each other only at points that do not

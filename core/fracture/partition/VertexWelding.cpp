@@ -153,7 +153,7 @@ private:
         const std::uint32_t end = loop[(corner + 1) % loop.size()].point;
         insertAfter(loop, corner, point);
         if (start.neighbour != kNone) {
-            if (const std::optional<RingEdge> reverse = findEdge(start.neighbour, end, start.point)) {
+            if (const std::optional<RingEdge> reverse = findEdge(start.neighbour, {end, start.point})) {
                 insertAfter(m_rings[start.neighbour][reverse->ring], reverse->corner, point);
                 suspect(start.neighbour);
             }
@@ -165,9 +165,9 @@ private:
         loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(corner) + 1, {point, loop[corner].neighbour});
     }
 
-    std::optional<RingEdge> findEdge(std::uint32_t piece, std::uint32_t from, std::uint32_t to) {
+    std::optional<RingEdge> findEdge(std::uint32_t piece, PointEdge edge) {
         m_visited += cornerCount(piece);
-        return rubble::findEdge(m_rings[piece], from, to);
+        return rubble::findEdge(m_rings[piece], edge);
     }
     std::size_t cornerCount(std::uint32_t piece) const {
         std::size_t count = 0;
@@ -186,7 +186,7 @@ private:
         m_visited += count;
         if (count <= kMaxCompared)
             return findOppositeAmong(piece, [&](std::uint32_t from, std::uint32_t to) {
-                return rubble::findEdge(m_rings[piece], from, to);
+                return rubble::findEdge(m_rings[piece], {from, to});
             });
         struct Entry {
             std::uint32_t from, to;
@@ -257,7 +257,7 @@ private:
 
     void setNeighbour(std::uint32_t piece, std::uint32_t from, std::uint32_t to, std::uint32_t neighbour) {
         if (piece == kNone) return;
-        if (const std::optional<RingEdge> edge = findEdge(piece, from, to))
+        if (const std::optional<RingEdge> edge = findEdge(piece, {from, to}))
             m_rings[piece][edge->ring][edge->corner].neighbour = neighbour;
         if (piece == neighbour) suspect(piece);
     }
@@ -320,7 +320,7 @@ private:
         EdgeIndex index;
         for (std::uint32_t source = 0; source < newPiecesOf.size(); ++source) {
             if (newPiecesOf[source].size() <= EdgeIndex::kMaxLinear) continue;
-            for (const std::uint32_t piece : newPiecesOf[source]) index.add(p, source, piece);
+            for (const std::uint32_t piece : newPiecesOf[source]) index.add(p, {.group = source, .piece = piece});
         }
         index.sort();
         for (std::uint32_t ring = 0; ring + 1 < p.cornersOfRing.size(); ++ring) {
@@ -330,11 +330,11 @@ private:
                 const std::vector<std::uint32_t>& candidates = newPiecesOf[p.neighbours[corner]];
                 const std::uint32_t next = p.corners[corner + 1 < end ? corner + 1 : begin];
                 if (candidates.size() > EdgeIndex::kMaxLinear) {
-                    p.neighbours[corner] = index.find(p.neighbours[corner], next, p.corners[corner]);
+                    p.neighbours[corner] = index.find(p.neighbours[corner], {next, p.corners[corner]});
                     continue;
                 }
                 const auto found = std::find_if(candidates.begin(), candidates.end(), [&](std::uint32_t piece) {
-                    return candidates.size() == 1 || hasEdge(p, piece, next, p.corners[corner]);
+                    return candidates.size() == 1 || hasEdge(p, piece, {next, p.corners[corner]});
                 });
                 p.neighbours[corner] = found == candidates.end() ? kNone : *found;
             }

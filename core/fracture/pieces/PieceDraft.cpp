@@ -15,7 +15,7 @@ namespace {
 
 /// The edge from one point to another, which the piece has.
 RingEdge edgeOf(const PieceRings& rings, std::uint32_t from, std::uint32_t to) {
-    const std::optional<RingEdge> edge = findEdge(rings, from, to);
+    const std::optional<RingEdge> edge = findEdge(rings, {from, to});
     RUBBLE_ASSERT(edge);
     return *edge;
 }

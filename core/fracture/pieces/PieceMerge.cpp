@@ -80,7 +80,7 @@ private:
     RingEdge find(std::uint32_t piece, std::uint32_t from, std::uint32_t to) const {
         if (const auto large = m_largePieces.find(piece); large != m_largePieces.end())
             return large->second.at({from, to});
-        const std::optional<RingEdge> edge = findEdge(m_pieces[piece], from, to);
+        const std::optional<RingEdge> edge = findEdge(m_pieces[piece], {from, to});
         RUBBLE_ASSERT(edge);
         return *edge;
     }

@@ -60,7 +60,7 @@ public:
         for (std::uint32_t site = 0; site + 1 < m_firstPieces.size(); ++site) {
             if (!isIndexed(site)) continue;
             for (std::uint32_t piece = m_firstPieces[site]; piece < m_firstPieces[site + 1]; ++piece)
-                m_edges.add(m_partition, site, piece);
+                m_edges.add(m_partition, {.group = site, .piece = piece});
         }
         m_edges.sort();
         forEachIndex(m_ranges.size(), threads, [this](std::size_t k) { replaceSitesByPieces(k); });
@@ -123,19 +123,19 @@ private:
                 std::uint32_t& neighbour = m_partition.neighbours[corner];
                 if (neighbour == kNone) continue;
                 const std::uint32_t next = m_partition.corners[corner + 1 < ringEnd ? corner + 1 : ringBegin];
-                neighbour = pieceWithEdge(neighbour, next, m_partition.corners[corner]);
+                neighbour = pieceWithEdge(neighbour, {next, m_partition.corners[corner]});
             }
         }
     }
 
-    /// The piece of a site's cell that has the edge from one point to another.
-    std::uint32_t pieceWithEdge(std::uint32_t site, std::uint32_t from, std::uint32_t to) const {
+    /// The piece of a site's cell that has the edge.
+    std::uint32_t pieceWithEdge(std::uint32_t site, PointEdge edge) const {
         if (isIndexed(site)) {
-            const std::uint32_t found = m_edges.find(site, from, to);
+            const std::uint32_t found = m_edges.find(site, edge);
             return found == kNone ? m_firstPieces[site + 1] - 1 : found;
         }
         std::uint32_t piece = m_firstPieces[site];
-        while (piece + 1 < m_firstPieces[site + 1] && !hasEdge(m_partition, piece, from, to)) ++piece;
+        while (piece + 1 < m_firstPieces[site + 1] && !hasEdge(m_partition, piece, edge)) ++piece;
         return piece;
     }
     bool isIndexed(std::uint32_t site) const {
