@@ -6,8 +6,8 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Dialogs.h"
 #include "tests/support/editor/EditorStory.h"
-#include "tests/support/editor/Pictures.h"
 #include "tests/support/files/FileBytes.h"
+#include "tests/support/viewport/Pictures.h"
 
 #include <QLabel>
 #include <QMenu>
@@ -88,7 +88,7 @@ private slots:
         QTest::keyClick(&viewport(), Qt::Key_H);
         QTRY_COMPARE(button->text(), QString("Earlier Timelines (1)"));
         emit button->menu()->aboutToShow();
-        QVERIFY2(button->menu()->actions().front()->text().startsWith("0.00 s to "),
+        QVERIFY2(button->menu()->actions().front()->text().startsWith("0.00\u00a0s to "),
                  qPrintable(button->menu()->actions().front()->text()));
         button->menu()->actions().front()->trigger();
         QTRY_COMPARE_WITH_TIMEOUT(play().frame()->length, m_steps, kPatience);

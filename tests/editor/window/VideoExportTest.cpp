@@ -4,9 +4,9 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Dialogs.h"
 #include "tests/support/editor/EditorStory.h"
-#include "tests/support/editor/Pictures.h"
 #include "tests/support/files/Ffmpeg.h"
 #include "tests/support/files/FileLimits.h"
+#include "tests/support/viewport/Pictures.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -56,11 +56,11 @@ private slots:
             dialog.findChild<QLineEdit*>("video-path")->setText(m_folder->filePath("hit"));
             QCOMPARE(dialog.options().path, m_folder->filePath("hit.mp4"));
             QCOMPARE(summary(dialog),
-                     QString("46 frames of 1280 × 720 pixels: 1.5 s of video from 1.5 s of simulation."));
+                     QString("46 frames of 1280 × 720 pixels: 1.5\u00a0s of video from 1.5\u00a0s of simulation."));
             setNumber(dialog, "Frame rate", 60.0);
             setNumber(dialog, "Speed", 0.1);
             QCOMPARE(summary(dialog),
-                     QString("901 frames of 1280 × 720 pixels: 15.0 s of video from 1.5 s of simulation."));
+                     QString("901 frames of 1280 × 720 pixels: 15.0\u00a0s of video from 1.5\u00a0s of simulation."));
             setNumber(dialog, "Speed", 0.01);
             setNumber(dialog, "Frame rate", 240.0);
             QVERIFY(summary(dialog).startsWith("The video would have 36,001 frames; at most 10,000 are possible."));
