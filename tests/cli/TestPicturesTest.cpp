@@ -1,7 +1,7 @@
 // Tests app/cli/verbs/TestVerb.cpp with --pictures.
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/Pictures.h"
 #include "tests/support/files/RunProgram.h"
+#include "tests/support/viewport/Pictures.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,8 +1,8 @@
 // Tests app/cli/verbs/VideoVerb.cpp.
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/Pictures.h"
 #include "tests/support/files/Ffmpeg.h"
 #include "tests/support/files/RunProgram.h"
+#include "tests/support/viewport/Pictures.h"
 
 #include <QDir>
 #include <QProcess>

@@ -5,7 +5,7 @@
 #include "core/asset/strength/Threshold.h"
 #include "core/play/analysis/RequirementImpulse.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/Sessions.h"
+#include "tests/support/play/Sessions.h"
 
 #include <QCheckBox>
 #include <QLabel>

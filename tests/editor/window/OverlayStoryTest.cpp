@@ -2,7 +2,7 @@
 #include "editor/view3d/PlayView.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/EditorStory.h"
-#include "tests/support/editor/Pictures.h"
+#include "tests/support/viewport/Pictures.h"
 
 #include <QComboBox>
 #include <QLineEdit>

@@ -4,8 +4,8 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Dialogs.h"
 #include "tests/support/editor/EditorStory.h"
-#include "tests/support/editor/Pictures.h"
 #include "tests/support/files/FileLimits.h"
+#include "tests/support/viewport/Pictures.h"
 
 #include <QComboBox>
 #include <QDir>

@@ -1,6 +1,6 @@
 // Tests viewport/render/LightBuffer.cpp, viewport/render/Lighting.cpp and viewport/render/SkyMaps.cpp.
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/StarterScene.h"
+#include "tests/support/viewport/StarterScene.h"
 #include "viewport/render/Lighting.h"
 #include "viewport/render/OffscreenRenderer.h"
 

@@ -2,7 +2,7 @@
 #include "core/asset/library/StarterProject.h"
 #include "core/asset/project/FragmentColours.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/Pictures.h"
+#include "tests/support/viewport/Pictures.h"
 #include "viewport/render/OffscreenRenderer.h"
 #include "viewport/scene/OverlayColours.h"
 #include "viewport/scene/SceneBuilder.h"

@@ -1,7 +1,7 @@
 // Tests viewport/render/Renderer.cpp and viewport/render/SceneBuffers.cpp.
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/Sessions.h"
-#include "tests/support/editor/StarterScene.h"
+#include "tests/support/play/Sessions.h"
+#include "tests/support/viewport/StarterScene.h"
 #include "viewport/render/Renderer.h"
 #include "viewport/render/gl/RenderTarget.h"
 #include "viewport/render/gl/SurfacelessContext.h"

@@ -1,7 +1,7 @@
 // Tests viewport/render/TransparencyPass.cpp and viewport/render/gl/RenderTarget.cpp.
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/Pictures.h"
-#include "tests/support/editor/StarterScene.h"
+#include "tests/support/viewport/Pictures.h"
+#include "tests/support/viewport/StarterScene.h"
 #include "viewport/render/OffscreenRenderer.h"
 #include "viewport/render/gl/RenderTarget.h"
 

@@ -3,7 +3,7 @@
 #include "viewport/scene/PlayOverlays.h"
 
 #include "core/asset/project/FragmentColours.h"
-#include "tests/support/editor/Sessions.h"
+#include "tests/support/play/Sessions.h"
 #include "viewport/scene/ContactLines.h"
 #include "viewport/scene/SessionSceneBuilder.h"
 

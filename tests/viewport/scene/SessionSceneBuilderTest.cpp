@@ -3,8 +3,8 @@
 #include "viewport/scene/SessionSceneBuilder.h"
 
 #include "core/asset/project/FragmentColours.h"
-#include "tests/support/editor/Sessions.h"
 #include "tests/support/files/TestImages.h"
+#include "tests/support/play/Sessions.h"
 
 using namespace rubble;
 using test::addInput;

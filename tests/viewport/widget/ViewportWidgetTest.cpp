@@ -2,7 +2,7 @@
 #include "core/asset/library/StarterProject.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/EventLoop.h"
-#include "tests/support/editor/StarterScene.h"
+#include "tests/support/viewport/StarterScene.h"
 #include "viewport/scene/SceneBuilder.h"
 #include "viewport/widget/ViewportWidget.h"
 

@@ -1,4 +1,4 @@
-// Tests core/asset/bake/FragmentSets.cpp and NeighboursAcrossParents.cpp.
+// Tests core/asset/bake/FragmentSets.cpp and core/asset/bake/NeighboursAcrossParents.cpp.
 #include "core/asset/bake/FragmentSets.h"
 
 #include "core/asset/bake/NeighboursAcrossParents.h"

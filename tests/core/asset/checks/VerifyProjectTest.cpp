@@ -1,4 +1,4 @@
-// Tests core/asset/checks/VerifyProject.cpp, ValueFaults.cpp and PlayFaults.cpp.
+// Tests core/asset/checks/VerifyProject.cpp, core/asset/checks/ValueFaults.cpp and core/asset/checks/PlayFaults.cpp.
 #include "core/asset/checks/VerifyProject.h"
 #include "core/asset/project/Project.h"
 #include "tests/support/ProcessorTime.h"

@@ -1,4 +1,4 @@
-// Tests core/asset/compare/AssetDifference.cpp and RecipeDifference.cpp.
+// Tests core/asset/compare/AssetDifference.cpp and core/asset/compare/RecipeDifference.cpp.
 #include "core/asset/compare/AssetDifference.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"

@@ -1,4 +1,4 @@
-// Tests core/fracture/delaunay/Delaunay.cpp and InsertionRounds.cpp.
+// Tests core/fracture/delaunay/Delaunay.cpp and core/fracture/delaunay/InsertionRounds.cpp.
 #include "core/fracture/delaunay/Delaunay.h"
 
 #include "core/base/Random.h"

@@ -1,4 +1,5 @@
-// Tests core/fracture/kinds/BlueNoise.cpp, core/fracture/sampling/SeedGrid.cpp and VoidCells.cpp.
+// Tests core/fracture/kinds/BlueNoise.cpp, core/fracture/sampling/SeedGrid.cpp and
+// core/fracture/sampling/VoidCells.cpp.
 #include "core/fracture/pattern/Pattern.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/fracture/LayerSeeds.h"

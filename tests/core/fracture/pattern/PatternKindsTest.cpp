@@ -1,5 +1,5 @@
 // Tests core/fracture/pattern/PatternKind.cpp and core/fracture/pattern/PieceEstimate.cpp with all kinds of layers in
-// core/fracture/kinds/, with LayerParameter.cpp.
+// core/fracture/kinds/, with core/fracture/layer/LayerParameter.cpp.
 #include "core/base/Random.h"
 #include "core/base/math/Trigonometry.h"
 #include "core/fracture/cuts/CutSet.h"

@@ -1,4 +1,5 @@
-// Tests core/fracture/pieces/Fragment.cpp, Extrusion.cpp, HullParts.cpp and MassTransfer.cpp.
+// Tests core/fracture/pieces/Fragment.cpp, core/fracture/pieces/Extrusion.cpp, core/fracture/pieces/HullParts.cpp and
+// core/fracture/pieces/MassTransfer.cpp.
 #include "core/fracture/pieces/Extrusion.h"
 #include "core/fracture/pieces/Fragment.h"
 

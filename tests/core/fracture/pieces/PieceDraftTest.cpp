@@ -1,4 +1,5 @@
-// Tests core/fracture/pieces/PieceDraft.cpp, PieceMerge.cpp and PieceSplit.cpp.
+// Tests core/fracture/pieces/PieceDraft.cpp, core/fracture/pieces/PieceMerge.cpp and
+// core/fracture/pieces/PieceSplit.cpp.
 #include "core/fracture/pieces/PieceDraft.h"
 
 #include "core/fracture/verify/VerifyPartition.h"

@@ -1,4 +1,4 @@
-// Tests core/fracture/verify/VerifyPartition.cpp and VerifyNearestSeed.cpp.
+// Tests core/fracture/verify/VerifyPartition.cpp and core/fracture/verify/VerifyNearestSeed.cpp.
 #include "tests/support/TestProgram.h"
 #include "tests/support/fracture/VerifiedPartition.h"
 #include "tests/support/geometry/Outlines.h"

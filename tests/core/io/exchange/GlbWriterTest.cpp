@@ -1,4 +1,4 @@
-// Tests core/io/exchange/GlbWriter.cpp, GlbJson.cpp and GlbBuffer.cpp.
+// Tests core/io/exchange/GlbWriter.cpp, core/io/exchange/GlbJson.cpp and core/io/exchange/GlbBuffer.cpp.
 #include "core/io/exchange/GlbWriter.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/MeshParts.h"

@@ -1,4 +1,4 @@
-// Tests core/io/exchange/ObjFile.cpp and ObjWriter.cpp.
+// Tests core/io/exchange/ObjFile.cpp and core/io/exchange/ObjWriter.cpp.
 #include "core/base/Random.h"
 #include "core/io/exchange/ObjFile.h"
 #include "tests/support/TestProgram.h"

@@ -1,4 +1,4 @@
-// Tests core/io/json/JsonDocument.cpp and JsonParsing.cpp.
+// Tests core/io/json/JsonDocument.cpp and core/io/json/JsonParsing.cpp.
 #include "core/io/json/JsonDocument.h"
 #include "tests/support/ErrorText.h"
 #include "tests/support/TestProgram.h"

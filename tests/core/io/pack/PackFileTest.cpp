@@ -1,4 +1,4 @@
-// Tests core/io/pack/PackFile.cpp and PackBodyJson.cpp.
+// Tests core/io/pack/PackFile.cpp and core/io/pack/PackBodyJson.cpp.
 #include "core/io/pack/PackFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/LayeredBox.h"

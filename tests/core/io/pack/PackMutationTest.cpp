@@ -1,5 +1,5 @@
-// Tests core/io/pack/VerifyPack.cpp, VerifyPackContacts.cpp, ConvexOverlap.cpp and PackChecksum.cpp: packs in which one
-// value is wrong.
+// Tests core/io/pack/VerifyPack.cpp, core/io/pack/VerifyPackContacts.cpp, core/io/pack/ConvexOverlap.cpp and
+// core/io/pack/PackChecksum.cpp: packs in which one value is wrong.
 #include "core/base/Random.h"
 #include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"

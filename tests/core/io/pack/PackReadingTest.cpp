@@ -1,4 +1,4 @@
-// Tests core/io/pack/PackReading.cpp, VerifyPack.cpp and VerifyPackBody.cpp.
+// Tests core/io/pack/PackReading.cpp, VerifyPack.cpp and core/io/pack/VerifyPackBody.cpp.
 #include "core/base/Random.h"
 #include "tests/support/ErrorText.h"
 #include "tests/support/TestProgram.h"

@@ -2,7 +2,7 @@
 #include "core/asset/project/HammerPatch.h"
 #include "core/io/project/ProjectFile.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/Sessions.h"
+#include "tests/support/play/Sessions.h"
 
 #include <nlohmann/json.hpp>
 

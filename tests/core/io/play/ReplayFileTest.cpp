@@ -1,4 +1,4 @@
-// Tests core/io/play/ReplayFile.cpp and PlayInputJson.cpp.
+// Tests core/io/play/ReplayFile.cpp and core/io/play/PlayInputJson.cpp.
 #include "core/io/play/ReplayFile.h"
 #include "tests/support/TestProgram.h"
 

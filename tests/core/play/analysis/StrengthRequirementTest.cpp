@@ -1,4 +1,4 @@
-// Tests core/play/analysis/StrengthRequirement.cpp and RequirementImpulse.cpp.
+// Tests core/play/analysis/StrengthRequirement.cpp and core/play/analysis/RequirementImpulse.cpp.
 #include "core/play/analysis/StrengthRequirement.h"
 
 #include "core/play/analysis/RequirementImpulse.h"
@@ -6,7 +6,7 @@
 #include "tests/support/ErrorText.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/RandomAssets.h"
-#include "tests/support/editor/Sessions.h"
+#include "tests/support/play/Sessions.h"
 
 using namespace rubble;
 using test::floatingBlock;

@@ -3,7 +3,7 @@
 
 #include "core/asset/project/HammerPatch.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/Sessions.h"
+#include "tests/support/play/Sessions.h"
 
 #include <algorithm>
 

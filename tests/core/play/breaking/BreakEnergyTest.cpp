@@ -3,9 +3,9 @@
 #include "core/play/breaking/Swap.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/RandomAssets.h"
-#include "tests/support/editor/Sessions.h"
 #include "tests/support/fracture/PatternSamples.h"
 #include "tests/support/geometry/Hulls.h"
+#include "tests/support/play/Sessions.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Tests core/play/breaking/Damage.cpp, BreakImpulse.cpp and MovingMass.cpp.
+// Tests core/play/breaking/Damage.cpp, core/play/breaking/BreakImpulse.cpp and core/play/breaking/MovingMass.cpp.
 #include "core/play/breaking/Damage.h"
 
 #include "core/play/breaking/BreakImpulse.h"

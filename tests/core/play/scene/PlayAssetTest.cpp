@@ -1,4 +1,4 @@
-// Tests core/play/scene/PlayAsset.cpp, PlayScene.cpp and BodyShape.cpp.
+// Tests core/play/scene/PlayAsset.cpp, core/play/scene/PlayScene.cpp and core/play/scene/BodyShape.cpp.
 #include "core/play/scene/PlayAsset.h"
 
 #include "core/asset/strength/FragmentThreshold.h"
@@ -8,7 +8,7 @@
 #include "tests/support/Closeness.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/LayeredBox.h"
-#include "tests/support/editor/Sessions.h"
+#include "tests/support/play/Sessions.h"
 
 #include <numbers>
 

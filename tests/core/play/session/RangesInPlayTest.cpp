@@ -5,7 +5,7 @@
 #include "core/physics/world/BodyScene.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Simulated.h"
-#include "tests/support/editor/Sessions.h"
+#include "tests/support/play/Sessions.h"
 
 #include <functional>
 #include <limits>

@@ -1,11 +1,11 @@
-// Tests core/play/session/Session.cpp and SessionInputs.cpp, core/play/breaking/Swap.cpp.
+// Tests core/play/session/Session.cpp and core/play/session/SessionInputs.cpp, core/play/breaking/Swap.cpp.
 #include "core/play/session/Session.h"
 
 #include "core/asset/strength/Threshold.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/House.h"
 #include "tests/support/asset/Projects.h"
-#include "tests/support/editor/Sessions.h"
+#include "tests/support/play/Sessions.h"
 
 using namespace rubble;
 using test::addInput;

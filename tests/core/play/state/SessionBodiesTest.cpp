@@ -4,8 +4,8 @@
 
 #include "core/play/state/InputDiagnostics.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/Sessions.h"
 #include "tests/support/geometry/Hulls.h"
+#include "tests/support/play/Sessions.h"
 
 #include <cmath>
 
