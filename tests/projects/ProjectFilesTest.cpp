@@ -4,8 +4,8 @@
 #include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/House.h"
+#include "tests/support/asset/Pane.h"
 #include "tests/support/asset/WallWithOpenings.h"
-#include "tests/support/editor/Pane.h"
 
 #include <QTest>
 

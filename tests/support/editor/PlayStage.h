@@ -2,7 +2,7 @@
 
 #include "core/asset/bake/Bake.h"
 #include "editor/play/PlayController.h"
-#include "tests/support/editor/Sessions.h"
+#include "tests/support/play/Sessions.h"
 
 #include <QCoreApplication>
 

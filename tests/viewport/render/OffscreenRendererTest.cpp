@@ -1,6 +1,6 @@
 #include "core/io/project/ProjectFile.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/Pictures.h"
+#include "tests/support/viewport/Pictures.h"
 #include "viewport/render/OffscreenRenderer.h"
 #include "viewport/scene/SessionSceneBuilder.h"
 

@@ -1,5 +1,5 @@
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/StarterScene.h"
+#include "tests/support/viewport/StarterScene.h"
 #include "viewport/render/Lighting.h"
 #include "viewport/render/OffscreenRenderer.h"
 

@@ -1,7 +1,7 @@
 #include "tests/support/TestProgram.h"
 #include "viewport/scene/Dust.h"
 
-#include "tests/support/editor/Sessions.h"
+#include "tests/support/play/Sessions.h"
 
 using namespace rubble;
 using test::addInput;

@@ -1,7 +1,7 @@
 #include "tests/support/TestProgram.h"
 #include "viewport/scene/SessionPlayback.h"
 
-#include "tests/support/editor/Sessions.h"
+#include "tests/support/play/Sessions.h"
 
 using namespace rubble;
 

@@ -1,5 +1,5 @@
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/Sessions.h"
+#include "tests/support/play/Sessions.h"
 #include "viewport/video/ContactSheetPainter.h"
 
 #include <QTest>

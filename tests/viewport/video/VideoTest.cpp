@@ -2,10 +2,10 @@
 #include "viewport/video/Video.h"
 
 #include "core/io/media/VideoFile.h"
-#include "tests/support/editor/Pictures.h"
-#include "tests/support/editor/Sessions.h"
 #include "tests/support/files/Ffmpeg.h"
 #include "tests/support/files/FileLimits.h"
+#include "tests/support/play/Sessions.h"
+#include "tests/support/viewport/Pictures.h"
 
 #include <QDir>
 #include <QImage>

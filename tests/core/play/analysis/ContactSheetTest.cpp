@@ -1,6 +1,6 @@
 #include "core/play/analysis/ContactSheet.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/Sessions.h"
+#include "tests/support/play/Sessions.h"
 
 #include <QTest>
 

@@ -5,7 +5,7 @@
 #include "core/play/session/Aim.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/House.h"
-#include "tests/support/editor/Sessions.h"
+#include "tests/support/play/Sessions.h"
 
 #include <array>
 #include <cstdlib>

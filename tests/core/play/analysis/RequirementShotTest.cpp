@@ -4,7 +4,7 @@
 #include "tests/support/Closeness.h"
 #include "tests/support/ErrorText.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/Sessions.h"
+#include "tests/support/play/Sessions.h"
 
 using namespace rubble;
 

@@ -2,11 +2,11 @@
 
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/House.h"
+#include "tests/support/asset/Pane.h"
 #include "tests/support/asset/RandomAssets.h"
 #include "tests/support/asset/WallWithOpenings.h"
-#include "tests/support/editor/Pane.h"
-#include "tests/support/editor/Sessions.h"
 #include "tests/support/geometry/Hulls.h"
+#include "tests/support/play/Sessions.h"
 
 using namespace rubble;
 

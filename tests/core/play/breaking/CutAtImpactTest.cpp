@@ -2,7 +2,7 @@
 
 #include "core/base/Random.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/Sessions.h"
+#include "tests/support/play/Sessions.h"
 
 using namespace rubble;
 

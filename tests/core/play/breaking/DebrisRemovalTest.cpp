@@ -2,8 +2,8 @@
 
 #include "core/play/state/SessionBodies.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/Sessions.h"
 #include "tests/support/geometry/Hulls.h"
+#include "tests/support/play/Sessions.h"
 
 using namespace rubble;
 

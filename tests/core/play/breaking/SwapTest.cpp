@@ -1,8 +1,8 @@
 #include "core/base/Random.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/House.h"
-#include "tests/support/editor/Pane.h"
-#include "tests/support/editor/Sessions.h"
+#include "tests/support/asset/Pane.h"
+#include "tests/support/play/Sessions.h"
 
 #include <algorithm>
 #include <set>

@@ -2,7 +2,7 @@
 
 #include "core/asset/strength/Threshold.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/Sessions.h"
+#include "tests/support/play/Sessions.h"
 
 using namespace rubble;
 

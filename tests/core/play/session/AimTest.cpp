@@ -2,7 +2,7 @@
 
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/House.h"
-#include "tests/support/editor/Sessions.h"
+#include "tests/support/play/Sessions.h"
 
 #include <array>
 #include <random>

@@ -1,7 +1,7 @@
 #include "core/play/session/Timeline.h"
 
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/Sessions.h"
+#include "tests/support/play/Sessions.h"
 
 #include <map>
 #include <random>
