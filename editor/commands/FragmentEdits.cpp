@@ -100,7 +100,7 @@ Edit fractureFragments(const Project& project, Id asset, const std::vector<Selec
         leaf.level->pattern.layers = {
             {.id = layer, .randomSeed = layer, .parameters = UniformScatter{.count = kDefaultSeedCount}}};
     }
-    edit.swaps.push_back(Swap<Asset>{asset, std::move(changed)});
+    edit.replacements.push_back(Replacement<Asset>{asset, std::move(changed)});
     return edit;
 }
 

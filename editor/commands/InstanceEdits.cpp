@@ -35,7 +35,7 @@ Edit editInstances(const QString& text, const Project& project, const Function& 
     for (const Instance& instance : project.instances) {
         Instance changed = instance;
         change(changed);
-        if (!(changed == instance)) edit.swaps.push_back(Swap<Instance>{changed.id, std::move(changed)});
+        if (!(changed == instance)) edit.replacements.push_back(Replacement<Instance>{changed.id, std::move(changed)});
     }
     return edit;
 }
@@ -50,7 +50,7 @@ public:
         copy.id = m_edit.allocateId(m_project);
         copy.name = uniqueName(m_all, copy.name);
         m_all.push_back(copy);
-        m_edit.swaps.push_back(Swap<Instance>{copy.id, std::move(copy)});
+        m_edit.replacements.push_back(Replacement<Instance>{copy.id, std::move(copy)});
     }
     Edit finished() { return std::move(m_edit); }
 
@@ -108,8 +108,8 @@ Edit arrayInRing(const Project& project, std::span<const Id> instances, const Ri
 
 Addition placeInstance(const Project& project, Id asset, const Pose& pose) {
     Addition addition = addInstance(project, asset);
-    for (AnySwap& swap : addition.edit.swaps) {
-        if (auto* added = std::get_if<Swap<Instance>>(&swap)) added->value->pose = pose;
+    for (AnyReplacement& replacement : addition.edit.replacements) {
+        if (auto* added = std::get_if<Replacement<Instance>>(&replacement)) added->value->pose = pose;
     }
     addition.edit.text = InstanceEditsTexts::tr("Place Instance");
     return addition;
@@ -128,7 +128,7 @@ Edit dropToGround(const Project& project, std::span<const Id> instances) {
         const double fall = dropDistance(instance, resting, project.ground, hulls);
         instance.pose.position.y -= fall;
         resting.push_back(instance);
-        if (fall != 0.0) edit.swaps.push_back(Swap<Instance>{instance.id, instance});
+        if (fall != 0.0) edit.replacements.push_back(Replacement<Instance>{instance.id, instance});
     }
     return edit;
 }

@@ -23,7 +23,7 @@ Id findOrAddMaterial(const Project& project, const MaterialPreset& preset, Edit&
     const Id id = edit.allocateId(project);
     Material copy = materialOf(preset, id);
     copy.name = uniqueName(project.materials, copy.name);
-    edit.swaps.push_back(Swap<Material>{id, std::move(copy)});
+    edit.replacements.push_back(Replacement<Material>{id, std::move(copy)});
     return id;
 }
 
@@ -54,7 +54,7 @@ Edit applyPreset(const Project& project, Id asset, const MaterialPreset& preset,
     if (options.appliesPattern) applyPattern(project, preset, changed, edit);
     const bool isDerived = changed.contactTime && changed.strengthRule == StrengthRule::Bending;
     if (options.derivesThreshold && preset.tensileStrength && !isDerived) deriveThreshold(changed);
-    edit.swaps.push_back(Swap<Asset>{asset, std::move(changed)});
+    edit.replacements.push_back(Replacement<Asset>{asset, std::move(changed)});
     return edit;
 }
 

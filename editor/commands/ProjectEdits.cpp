@@ -31,7 +31,7 @@ const Value& elementWith(const std::vector<Value>& elements, Id id) {
 
 template <class Value>
 void addRemoval(Id id, Edit& edit) {
-    edit.swaps.push_back(Swap<Value>{id, std::nullopt});
+    edit.replacements.push_back(Replacement<Value>{id, std::nullopt});
 }
 
 /// The largest horizontal extent of an asset from its axis, at any rotation about the vertical, m.
@@ -59,7 +59,7 @@ void removeFromPlayTests(const Project& project, std::span<const Id> instances, 
         std::erase_if(rest.shots, [&](Id shot) { return isAmong(shots, shot); });
         std::erase_if(rest.expectations,
                       [&](const Expectation& expectation) { return isAmong(instances, expectation.instance); });
-        if (rest != test) edit.swaps.push_back(Swap<PlayTest>{rest.id, std::move(rest)});
+        if (rest != test) edit.replacements.push_back(Replacement<PlayTest>{rest.id, std::move(rest)});
     }
 }
 
@@ -74,7 +74,7 @@ std::vector<Id> shotsThrowing(const Project& project, std::span<const Id> assets
 
 Id appendMaterial(const Project& project, const std::string& name, Edit& edit) {
     const Id id = edit.allocateId(project);
-    edit.swaps.push_back(Swap<Material>{
+    edit.replacements.push_back(Replacement<Material>{
         id, Material{.id = id, .name = uniqueName(project.materials, name), .density = kDefaultDensity}});
     return id;
 }
@@ -82,7 +82,7 @@ Id appendMaterial(const Project& project, const std::string& name, Edit& edit) {
 Id appendShot(const Project& project, const std::string& name, const ShotAction& action, Edit& edit) {
     const Id id = edit.allocateId(project);
     const Shot shot{.id = id, .name = uniqueName(project.shots, name), .time = kDefaultShotTime, .action = action};
-    edit.swaps.push_back(Swap<Shot>{id, shot});
+    edit.replacements.push_back(Replacement<Shot>{id, shot});
     return id;
 }
 
@@ -93,19 +93,20 @@ Id firstOrNewMaterial(const Project& project, Edit& edit) {
 
 Id appendInstance(const Project& project, const Asset& asset, Edit& edit) {
     const Id id = edit.allocateId(project);
-    edit.swaps.push_back(Swap<Instance>{id, Instance{.id = id,
-                                                     .name = uniqueName(project.instances, asset.name),
-                                                     .asset = asset.id,
-                                                     .pose = poseBesideScene(project, asset)}});
+    edit.replacements.push_back(Replacement<Instance>{id, Instance{.id = id,
+                                                                   .name = uniqueName(project.instances, asset.name),
+                                                                   .asset = asset.id,
+                                                                   .pose = poseBesideScene(project, asset)}});
     return id;
 }
 
-/// Adds swaps for the elements that differ between two lists.
+/// Adds replacements for the elements that differ between two lists.
 template <class Value>
 void addDifferences(const std::vector<Value>& from, const std::vector<Value>& to, Edit& edit) {
     for (const Value& value : to) {
         const auto before = std::ranges::find(from, value.id, &Value::id);
-        if (before == from.end() || !(*before == value)) edit.swaps.push_back(Swap<Value>{value.id, value});
+        if (before == from.end() || !(*before == value))
+            edit.replacements.push_back(Replacement<Value>{value.id, value});
     }
     for (const Value& value : from) {
         if (std::ranges::find(to, value.id, &Value::id) == to.end()) addRemoval<Value>(value.id, edit);
@@ -147,7 +148,7 @@ Edit editBetween(const QString& text, const Project& from, const Project& to) {
     addDifferences(from.instances, to.instances, edit);
     addDifferences(from.shots, to.shots, edit);
     addDifferences(from.playTests, to.playTests, edit);
-    if (sceneSettings(from) != sceneSettings(to)) edit.swaps.push_back(sceneSettings(to));
+    if (sceneSettings(from) != sceneSettings(to)) edit.replacements.push_back(sceneSettings(to));
     if (from.nextId != to.nextId) edit.nextId = to.nextId;
     return edit;
 }
@@ -161,7 +162,7 @@ Addition addAsset(const Project& project, const std::string& name, const Prism& 
     const Id layer = addition.edit.allocateId(project);
     asset.pattern.layers = {{.id = layer, .randomSeed = layer, .parameters = UniformScatter{}}};
     appendInstance(project, asset, addition.edit);
-    addition.edit.swaps.push_back(Swap<Asset>{addition.id, std::move(asset)});
+    addition.edit.replacements.push_back(Replacement<Asset>{addition.id, std::move(asset)});
     return addition;
 }
 
@@ -177,7 +178,7 @@ Addition duplicateAsset(const Project& project, Id source) {
         if (leaf.level) replaceLayerIds(project, leaf.level->pattern, addition.edit, layers);
     }
     renameFragments(layers, copy);
-    addition.edit.swaps = {Swap<Asset>{addition.id, std::move(copy)}};
+    addition.edit.replacements = {Replacement<Asset>{addition.id, std::move(copy)}};
     return addition;
 }
 
@@ -207,7 +208,7 @@ Addition duplicateMaterial(const Project& project, Id source) {
     Material copy = elementWith(project.materials, source);
     copy.name = uniqueName(project.materials, copy.name);
     copy.id = addition.id = addition.edit.allocateId(project);
-    addition.edit.swaps = {Swap<Material>{addition.id, std::move(copy)}};
+    addition.edit.replacements = {Replacement<Material>{addition.id, std::move(copy)}};
     return addition;
 }
 
@@ -220,7 +221,7 @@ Edit removeMaterial(const Project& project, Id material) {
         if (asset.material != material && asset.insideMaterial != material) continue;
         if (asset.material == material) asset.material = other->id;
         if (asset.insideMaterial == material) asset.insideMaterial = 0;
-        edit.swaps.push_back(Swap<Asset>{asset.id, std::move(asset)});
+        edit.replacements.push_back(Replacement<Asset>{asset.id, std::move(asset)});
     }
     return edit;
 }
@@ -241,7 +242,7 @@ Edit duplicateInstances(const Project& project, std::span<const Id> instances, V
         copy.name = uniqueName(all, copy.name);
         copy.pose.position += by;
         all.push_back(copy);
-        edit.swaps.push_back(Swap<Instance>{copy.id, std::move(copy)});
+        edit.replacements.push_back(Replacement<Instance>{copy.id, std::move(copy)});
     }
     return edit;
 }
@@ -270,12 +271,12 @@ Addition addPlayTest(const Project& project, const std::optional<ShotInput>& sho
         test.expectations = {{.kind = ExpectationKind::StandsUntouched, .value = test.duration}};
     }
     added.id = test.id = added.edit.allocateId(project);
-    added.edit.swaps.push_back(Swap<PlayTest>{added.id, std::move(test)});
+    added.edit.replacements.push_back(Replacement<PlayTest>{added.id, std::move(test)});
     return added;
 }
 
 Edit removePlayTest(Id test) {
-    return {.text = ProjectEditsTexts::tr("Delete Test"), .swaps = {Swap<PlayTest>{test, std::nullopt}}};
+    return {.text = ProjectEditsTexts::tr("Delete Test"), .replacements = {Replacement<PlayTest>{test, std::nullopt}}};
 }
 
 Addition addLayer(const Project& project, Id asset, const LayerParameters& parameters, std::size_t pattern) {
@@ -284,7 +285,7 @@ Addition addLayer(const Project& project, Id asset, const LayerParameters& param
     Asset changed = elementWith(project.assets, asset);
     patternAt(changed, pattern)
         .layers.push_back({.id = addition.id, .randomSeed = addition.id, .parameters = parameters});
-    addition.edit.swaps = {Swap<Asset>{asset, std::move(changed)}};
+    addition.edit.replacements = {Replacement<Asset>{asset, std::move(changed)}};
     return addition;
 }
 
@@ -296,7 +297,7 @@ Edit addLevel(const Project& project, Id asset) {
     level.pattern.layers = {
         {.id = layer, .randomSeed = layer, .parameters = UniformScatter{.count = kSeedsPerFragment}}};
     changed.levels.push_back(std::move(level));
-    edit.swaps = {Swap<Asset>{asset, std::move(changed)}};
+    edit.replacements = {Replacement<Asset>{asset, std::move(changed)}};
     return edit;
 }
 

@@ -13,10 +13,10 @@ namespace rubble {
 template <class Value>
 Edit modify(const QString& text, Value value, quint64 mergeKey = 0) {
     const Id id = value.id;
-    return {.text = text, .swaps = {Swap<Value>{id, std::move(value)}}, .mergeKey = mergeKey};
+    return {.text = text, .replacements = {Replacement<Value>{id, std::move(value)}}, .mergeKey = mergeKey};
 }
 inline Edit modify(const QString& text, const SceneSettings& scene, quint64 mergeKey = 0) {
-    return {.text = text, .swaps = {scene}, .mergeKey = mergeKey};
+    return {.text = text, .replacements = {scene}, .mergeKey = mergeKey};
 }
 
 /// The edit that turns one project into another: an import, for example.

@@ -278,7 +278,7 @@ Edit applyFix(const Project& project, std::span<const Diagnostic> problems, Quic
     for (const auto& [id, fragments] : split) splitRepeatedly(assets.at(id), fragments, task);
     for (const Id id : merged) mergeTinyFragments(assets.at(id), task);
     if (task.isCancelled()) return Edit{.text = edit.text};
-    for (auto& [id, asset] : assets) edit.swaps.push_back(Swap<Asset>{id, std::move(asset)});
+    for (auto& [id, asset] : assets) edit.replacements.push_back(Replacement<Asset>{id, std::move(asset)});
     return edit;
 }
 

@@ -46,7 +46,7 @@ void addRenamed(const Project& project, Part part, Id id, const std::string& nam
     withListOf(project, part, [&](const auto& elements) {
         auto changed = *std::ranges::find(elements, id, [](const auto& element) { return element.id; });
         changed.name = name;
-        edit.swaps.push_back(Swap<decltype(changed)>{id, std::move(changed)});
+        edit.replacements.push_back(Replacement<decltype(changed)>{id, std::move(changed)});
     });
 }
 
@@ -72,9 +72,9 @@ Edit renameElement(const Project& project, Part part, Id id, const QString& name
 
 void renameNamesakes(const Project& project, Edit& edit) {
     const auto isInEdit = [&edit](Part part, Id id) {
-        return std::ranges::any_of(edit.swaps, [&](const AnySwap& swap) {
-            const auto* asset = std::get_if<Swap<Asset>>(&swap);
-            const auto* instance = std::get_if<Swap<Instance>>(&swap);
+        return std::ranges::any_of(edit.replacements, [&](const AnyReplacement& replacement) {
+            const auto* asset = std::get_if<Replacement<Asset>>(&replacement);
+            const auto* instance = std::get_if<Replacement<Instance>>(&replacement);
             return part == Part::Asset ? asset && asset->id == id : instance && instance->id == id;
         });
     };
@@ -86,9 +86,9 @@ void renameNamesakes(const Project& project, Edit& edit) {
             if (mayFollow) addRenamed(project, other, otherId, name, edit);
         }
     };
-    for (std::size_t k = 0, count = edit.swaps.size(); k < count; ++k) {
-        const auto* asset = std::get_if<Swap<Asset>>(&edit.swaps[k]);
-        const auto* instance = std::get_if<Swap<Instance>>(&edit.swaps[k]);
+    for (std::size_t k = 0, count = edit.replacements.size(); k < count; ++k) {
+        const auto* asset = std::get_if<Replacement<Asset>>(&edit.replacements[k]);
+        const auto* instance = std::get_if<Replacement<Instance>>(&edit.replacements[k]);
         if (asset && asset->value) renameThoseOf(Part::Asset, asset->id, std::string(asset->value->name));
         if (instance && instance->value)
             renameThoseOf(Part::Instance, instance->id, std::string(instance->value->name));

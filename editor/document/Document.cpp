@@ -11,7 +11,7 @@
 
 namespace rubble {
 
-/// An undo step: undo and redo are the same swap.
+/// An undo step: undo and redo are the same exchange of values.
 class Document::Command : public QUndoCommand {
 public:
     Command(Document& document, Edit edit) : QUndoCommand(edit.text), m_document(document), m_edit(std::move(edit)) {}
@@ -30,7 +30,7 @@ public:
     bool isDone() const { return m_isDone; }
     /// Undoes it where there may be no memory: receivers are told later.
     void takeBack() {
-        swapBack(m_document.m_project, m_edit);
+        revertEdit(m_document.m_project, m_edit);
         m_document.m_repeat.start(0);
     }
 
@@ -140,7 +140,7 @@ void Document::setUnsaved() {
 }
 
 void Document::apply(Edit& edit, bool isUndoOrRedo) {
-    Changes changes = swapInto(m_project, edit);
+    Changes changes = applyEdit(m_project, edit);
     changes.isUndoOrRedo = isUndoOrRedo;
     try {
         emit changed(changes);

@@ -36,35 +36,35 @@ auto positionOf(List& list, Id id) {
     return std::ranges::lower_bound(list, id, {}, [](const auto& element) { return element.id; });
 }
 
-/// Makes room for the element that a swap adds, if it does, beside `count` others, so that adding it cannot fail.
+/// Makes room for an element that a replacement adds, beside `count` others, so that adding it cannot fail.
 template <class Value>
-void reserveFor(Project& project, const Swap<Value>& swap, std::size_t count) {
+void reserveFor(Project& project, const Replacement<Value>& replacement, std::size_t count) {
     auto& list = project.*kElementList<Value>.list;
-    const auto position = positionOf(list, swap.id);
-    const bool isAdded = position == list.end() || position->id != swap.id;
+    const auto position = positionOf(list, replacement.id);
+    const bool isAdded = position == list.end() || position->id != replacement.id;
     if (isAdded && list.capacity() < list.size() + count) list.reserve(2 * list.size() + count);
 }
 void reserveFor(Project&, const SceneSettings&, std::size_t) {}
 
 template <class Value>
-Change exchange(Project& project, Swap<Value>& swap) {
+Change exchange(Project& project, Replacement<Value>& replacement) {
     auto& list = project.*kElementList<Value>.list;
-    const auto position = positionOf(list, swap.id);
-    const bool exists = position != list.end() && position->id == swap.id;
-    RUBBLE_ASSERT(!swap.value || swap.value->id == swap.id);
-    if (exists && swap.value) {
-        std::swap(*position, *swap.value);
-        return {kElementList<Value>.part, swap.id, ChangeKind::Modified};
+    const auto position = positionOf(list, replacement.id);
+    const bool exists = position != list.end() && position->id == replacement.id;
+    RUBBLE_ASSERT(!replacement.value || replacement.value->id == replacement.id);
+    if (exists && replacement.value) {
+        std::swap(*position, *replacement.value);
+        return {kElementList<Value>.part, replacement.id, ChangeKind::Modified};
     }
     if (exists) {
-        swap.value = std::move(*position);
+        replacement.value = std::move(*position);
         list.erase(position);
-        return {kElementList<Value>.part, swap.id, ChangeKind::Removed};
+        return {kElementList<Value>.part, replacement.id, ChangeKind::Removed};
     }
-    RUBBLE_ASSERT(swap.value);
-    list.insert(position, std::move(*swap.value));
-    swap.value.reset();
-    return {kElementList<Value>.part, swap.id, ChangeKind::Added};
+    RUBBLE_ASSERT(replacement.value);
+    list.insert(position, std::move(*replacement.value));
+    replacement.value.reset();
+    return {kElementList<Value>.part, replacement.id, ChangeKind::Added};
 }
 
 Change exchange(Project& project, SceneSettings& scene) {
@@ -76,23 +76,23 @@ Change exchange(Project& project, SceneSettings& scene) {
 }
 
 template <class Value>
-bool isSame(const Project& project, const Swap<Value>& swap) {
+bool isSame(const Project& project, const Replacement<Value>& replacement) {
     const auto& list = project.*kElementList<Value>.list;
-    const auto position = positionOf(list, swap.id);
-    const bool exists = position != list.end() && position->id == swap.id;
-    return exists ? swap.value && *swap.value == *position : !swap.value;
+    const auto position = positionOf(list, replacement.id);
+    const bool exists = position != list.end() && position->id == replacement.id;
+    return exists ? replacement.value && *replacement.value == *position : !replacement.value;
 }
 
 bool isSame(const Project& project, const SceneSettings& scene) { return sceneSettings(project) == scene; }
 
 template <class Value>
-Id idOf(const Swap<Value>& swap) {
-    return swap.id;
+Id idOf(const Replacement<Value>& replacement) {
+    return replacement.id;
 }
 Id idOf(const SceneSettings&) { return 0; }
 
-bool areOfSameElement(const AnySwap& a, const AnySwap& b) {
-    const auto id = [](const auto& swap) { return idOf(swap); };
+bool areOfSameElement(const AnyReplacement& a, const AnyReplacement& b) {
+    const auto id = [](const auto& replacement) { return idOf(replacement); };
     return a.index() == b.index() && std::visit(id, a) == std::visit(id, b);
 }
 
@@ -114,36 +114,39 @@ Id Edit::allocateId(const Project& project) {
     return id;
 }
 
-Changes swapInto(Project& project, Edit& edit) {
+Changes applyEdit(Project& project, Edit& edit) {
     Changes changes;
-    changes.list.reserve(edit.swaps.size());
-    for (const AnySwap& swap : edit.swaps)
-        std::visit([&](const auto& values) { reserveFor(project, values, edit.swaps.size()); }, swap);
-    for (AnySwap& swap : edit.swaps) {  // cannot fail from here
-        changes.list.push_back(std::visit([&](auto& values) { return exchange(project, values); }, swap));
+    changes.list.reserve(edit.replacements.size());
+    for (const AnyReplacement& replacement : edit.replacements)
+        std::visit([&](const auto& values) { reserveFor(project, values, edit.replacements.size()); }, replacement);
+    for (AnyReplacement& replacement : edit.replacements) {  // cannot fail from here
+        changes.list.push_back(std::visit([&](auto& values) { return exchange(project, values); }, replacement));
     }
     if (edit.nextId) std::swap(project.nextId, *edit.nextId);
     return changes;
 }
 
-void swapBack(Project& project, Edit& edit) {
-    for (AnySwap& swap : edit.swaps) std::visit([&](auto& values) { exchange(project, values); }, swap);
+void revertEdit(Project& project, Edit& edit) {
+    for (AnyReplacement& replacement : edit.replacements)
+        std::visit([&](auto& values) { exchange(project, values); }, replacement);
     if (edit.nextId) std::swap(project.nextId, *edit.nextId);
 }
 
 void merge(Edit& earlier, Edit&& later) {
-    earlier.swaps.reserve(earlier.swaps.size() + later.swaps.size());  // all or nothing where memory runs out
-    for (AnySwap& swap : later.swaps) {
-        const auto isSameElement = [&](const AnySwap& other) { return areOfSameElement(swap, other); };
-        if (std::ranges::none_of(earlier.swaps, isSameElement)) earlier.swaps.push_back(std::move(swap));
+    earlier.replacements.reserve(earlier.replacements.size() +
+                                 later.replacements.size());  // all or nothing where memory runs out
+    for (AnyReplacement& replacement : later.replacements) {
+        const auto isSameElement = [&](const AnyReplacement& other) { return areOfSameElement(replacement, other); };
+        if (std::ranges::none_of(earlier.replacements, isSameElement))
+            earlier.replacements.push_back(std::move(replacement));
     }
     if (!earlier.nextId) earlier.nextId = later.nextId;
 }
 
 bool isNoChange(const Project& project, const Edit& edit) {
     return (!edit.nextId || *edit.nextId == project.nextId) &&
-           std::ranges::all_of(edit.swaps, [&](const AnySwap& swap) {
-               return std::visit([&](const auto& values) { return isSame(project, values); }, swap);
+           std::ranges::all_of(edit.replacements, [&](const AnyReplacement& replacement) {
+               return std::visit([&](const auto& values) { return isSame(project, values); }, replacement);
            });
 }
 

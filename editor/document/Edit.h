@@ -42,32 +42,33 @@ struct Changes {
 
 /// A new value for the element with an id; none removes the element.
 template <class Value>
-struct Swap {
+struct Replacement {
     Id id = 0;
     std::optional<Value> value;
 };
-using AnySwap = std::variant<Swap<Material>, Swap<Asset>, Swap<Instance>, Swap<Shot>, Swap<PlayTest>, SceneSettings>;
+using AnyReplacement = std::variant<Replacement<Material>, Replacement<Asset>, Replacement<Instance>, Replacement<Shot>,
+                                    Replacement<PlayTest>, SceneSettings>;
 
-/// New values for some elements of a project. Applying it swaps them with the project's, so that applying it again
+/// New values for some elements of a project. Applying it exchanges them with the project's, so that applying it again
 /// undoes it. It contains each element at most once.
 struct Edit {
-    QString text;                // of the undo step: "Move Seed"
-    std::vector<AnySwap> swaps;  // of different elements
-    std::optional<Id> nextId;    // if ids were allocated
-    Id lastReused = 0;           // the last id allocated when the project's nextId could not advance any more
-    quint64 mergeKey = 0;        // edits with the same key, those of one drag, become one undo step; 0: no merging
-    bool isEmpty() const { return swaps.empty(); }
+    QString text;                              // of the undo step: "Move Seed"
+    std::vector<AnyReplacement> replacements;  // of different elements
+    std::optional<Id> nextId;                  // if ids were allocated
+    Id lastReused = 0;     // the last id allocated when the project's nextId could not advance any more
+    quint64 mergeKey = 0;  // edits with the same key, those of one drag, become one undo step; 0: no merging
+    bool isEmpty() const { return replacements.empty(); }
 
     /// Returns a fresh id: the project's next one, or the one after the last allocated here; the lowest unused one if
     /// that is the greatest id.
     Id allocateId(const Project& project);
 };
 
-/// Swaps the edit's values with the project's and returns the changes.
-Changes swapInto(Project& project, Edit& edit);
+/// Exchanges the edit's values with the project's and returns the changes.
+Changes applyEdit(Project& project, Edit& edit);
 
-/// Takes back swapInto(), right after it; needs no memory.
-void swapBack(Project& project, Edit& edit);
+/// Takes back applyEdit(), right after it; needs no memory.
+void revertEdit(Project& project, Edit& edit);
 
 /// Merges `later` into `earlier`. Both are applied already, in this order.
 void merge(Edit& earlier, Edit&& later);

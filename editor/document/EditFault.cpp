@@ -29,27 +29,34 @@ class ChangedFaults {
 public:
     explicit ChangedFaults(const Project& project) : m_project(project) {}
 
-    void add(const Swap<Material>& swap) {
-        const Material* material = findMaterial(m_project, swap.id);
+    void add(const Replacement<Material>& replacement) {
+        const Material* material = findMaterial(m_project, replacement.id);
         if (!material) return;
-        note(Part::Material, swap.id, faultOf(*material));
+        note(Part::Material, replacement.id, faultOf(*material));
         for (const Asset& asset : m_project.assets) {
-            if (asset.material == swap.id && asset.contactTime)
+            if (asset.material == replacement.id && asset.contactTime)
                 note(Part::Asset, asset.id, thresholdFault(asset, *material));
         }
     }
-    void add(const Swap<Asset>& swap) {
-        const Asset* asset = findAsset(m_project, swap.id);
+    void add(const Replacement<Asset>& replacement) {
+        const Asset* asset = findAsset(m_project, replacement.id);
         if (!asset) return;
-        note(Part::Asset, swap.id, assetFault(m_project, *asset));
+        note(Part::Asset, replacement.id, assetFault(m_project, *asset));
         // Edits share the surface; only imports bring another one.
-        const bool isOther = asset->surface && !(swap.value && swap.value->surface == asset->surface);
+        const bool isOther = asset->surface && !(replacement.value && replacement.value->surface == asset->surface);
         if (isOther)
-            note(Part::Asset, swap.id, surfaceFault(ownerText("Asset", asset->id, asset->name), *asset->surface));
+            note(Part::Asset, replacement.id,
+                 surfaceFault(ownerText("Asset", asset->id, asset->name), *asset->surface));
     }
-    void add(const Swap<Instance>& swap) { addElement(Part::Instance, findById(m_project.instances, swap.id)); }
-    void add(const Swap<Shot>& swap) { addElement(Part::Shot, findById(m_project.shots, swap.id)); }
-    void add(const Swap<PlayTest>& swap) { addElement(Part::PlayTest, findById(m_project.playTests, swap.id)); }
+    void add(const Replacement<Instance>& replacement) {
+        addElement(Part::Instance, findById(m_project.instances, replacement.id));
+    }
+    void add(const Replacement<Shot>& replacement) {
+        addElement(Part::Shot, findById(m_project.shots, replacement.id));
+    }
+    void add(const Replacement<PlayTest>& replacement) {
+        addElement(Part::PlayTest, findById(m_project.playTests, replacement.id));
+    }
     void add(const SceneSettings&) { note(Part::Scene, 0, sceneFault(m_project)); }
 
     Faults finished() { return std::move(m_faults); }
@@ -69,17 +76,18 @@ private:
 
 Faults faultsOf(const Project& project, const Edit& edit) {
     ChangedFaults faults(project);
-    for (const AnySwap& swap : edit.swaps) std::visit([&](const auto& values) { faults.add(values); }, swap);
+    for (const AnyReplacement& replacement : edit.replacements)
+        std::visit([&](const auto& values) { faults.add(values); }, replacement);
     return faults.finished();
 }
 
 }  // namespace
 
 std::optional<std::string> editFault(Project& project, Edit& edit) {
-    swapInto(project, edit);
+    applyEdit(project, edit);
     Faults after;
     {
-        const auto back = qScopeGuard([&] { swapBack(project, edit); });  // also where memory runs out
+        const auto back = qScopeGuard([&] { revertEdit(project, edit); });  // also where memory runs out
         after = faultsOf(project, edit);
     }
     if (after.empty()) return std::nullopt;

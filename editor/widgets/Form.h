@@ -94,7 +94,7 @@ typename Form<Value>::Push pushOf(Document& document) {
         Edit edit{.text = text, .mergeKey = mergeKey};
         for (Value& value : values) {
             const Id id = value.id;
-            edit.swaps.push_back(Swap<Value>{id, std::move(value)});
+            edit.replacements.push_back(Replacement<Value>{id, std::move(value)});
         }
         renameNamesakes(document.project(), edit);
         document.push(std::move(edit));

@@ -142,7 +142,7 @@ void BrushTool::push(std::shared_ptr<const GreyImage> picture) {
         const double weight = weightOf(picture.get(), density.dense, outline);
         setNumber(density.count, m_painting->seedsPerArea * weight, area(outline));
         density.image = std::move(picture);
-        edit.swaps.push_back(Swap<Asset>{asset.id, std::move(asset)});
+        edit.replacements.push_back(Replacement<Asset>{asset.id, std::move(asset)});
         m_state.push(std::move(edit));
     }
     emit changed();

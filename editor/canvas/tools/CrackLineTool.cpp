@@ -188,7 +188,7 @@ void CrackLineTool::add(std::vector<Vec2> points) {
     const std::uint32_t index = lines.empty() ? 0 : lines.back().index + 1;
     m_selected = LinePoint{layer->id, index, points.size() - 1};
     lines.push_back({index, std::move(points)});
-    edit.swaps = {Swap<Asset>{asset.id, std::move(asset)}};
+    edit.replacements = {Replacement<Asset>{asset.id, std::move(asset)}};
     m_state.push(std::move(edit));
 }
 

@@ -230,7 +230,7 @@ void SeedTool::place(Vec2 position) {
         layer = &pattern.layers.back();
     }
     placeSeed(*layer, position);
-    edit.swaps = {Swap<Asset>{asset.id, std::move(asset)}};
+    edit.replacements = {Replacement<Asset>{asset.id, std::move(asset)}};
     m_state.push(std::move(edit));
 }
 

@@ -126,7 +126,7 @@ QToolButton* StrengthPanel::makeAddButton() {
 QWidget* StrengthPanel::makeAudit() {
     auto* section = new Section("audit", tr("Break Stability"));
     m_audit = new QPushButton(tr("Check Break Stability"));
-    m_audit->setObjectName("audit-swap");
+    m_audit->setObjectName("check-break-stability");
     m_audit->setToolTip(tr("Check that fragments stay at rest when they replace the asset"));
     connect(m_audit, &QPushButton::clicked, this, [this] { m_audits.audit(m_selection.asset()); });
     section->addWide(m_audit);
@@ -134,7 +134,7 @@ QWidget* StrengthPanel::makeAudit() {
     m_auditText->setTextInteractionFlags(Qt::TextSelectableByMouse);
     section->addWide(m_auditText);
     m_fix = new QPushButton;
-    m_fix->setObjectName("fix-swap");
+    m_fix->setObjectName("fix-break-stability");
     m_fix->setToolTip(tr("Delete the seed of the fastest fragment"));
     connect(m_fix, &QPushButton::clicked, this, &StrengthPanel::deleteFaultySeed);
     section->addWide(m_fix);

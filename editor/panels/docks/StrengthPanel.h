@@ -20,7 +20,7 @@ namespace rubble {
 class IntervalBar;
 
 /// The dock with the strength requirements of the active asset, the interval of thresholds that meet them, and the
-/// audit of its swap for fragments.
+/// check of how its break starts.
 class StrengthPanel : public QWidget {
     Q_OBJECT
 public:

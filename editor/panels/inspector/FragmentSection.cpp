@@ -75,7 +75,7 @@ void FragmentSection::push(const std::vector<BreakingFragment>& fragments, const
     }
     Edit edit{.text = text, .mergeKey = mergeKey};
     const Id id = changed.id;
-    edit.swaps.push_back(Swap<Asset>{id, std::move(changed)});
+    edit.replacements.push_back(Replacement<Asset>{id, std::move(changed)});
     m_document.push(std::move(edit));
 }
 

@@ -98,7 +98,8 @@ Id LayerModel::duplicate(Id layer) {
     copy.randomSeed = copy.id;  // a copy with the same random seed would repeat all seeds
     const Id id = copy.id;
     pattern.layers.insert(find(pattern, layer) + 1, std::move(copy));
-    edit.swaps = {Swap<Asset>{m_pattern.asset, withPattern(m_document.project(), m_pattern, std::move(pattern))}};
+    edit.replacements = {
+        Replacement<Asset>{m_pattern.asset, withPattern(m_document.project(), m_pattern, std::move(pattern))}};
     return m_document.push(std::move(edit)) ? id : 0;
 }
 

@@ -85,7 +85,7 @@ void EditorSteps::edit() {
     if (auto* scatter = std::get_if<UniformScatter>(&asset.pattern.layers.front().parameters))
         scatter->count.amount += 7.0;
     const Id id = asset.id;
-    document.push({.text = "Set Count", .swaps = {Swap<Asset>{id, std::move(asset)}}});
+    document.push({.text = "Set Count", .replacements = {Replacement<Asset>{id, std::move(asset)}}});
 }
 
 /// Runs between the events of the editor, also while a dialog waits for an answer.

@@ -64,7 +64,7 @@ private slots:
         m_runner->start(m_problems, QuickFix::SplitFragment);
         Asset renamed = m_document->project().assets[0];
         renamed.name = "comb";
-        m_document->push({.text = "Rename", .swaps = {Swap<Asset>{2, renamed}}});
+        m_document->push({.text = "Rename", .replacements = {Replacement<Asset>{2, renamed}}});
         QVERIFY(!m_runner->isBusy());
         QCOMPARE(messages.count(), 1);
         QCOMPARE(messages[0][0].toString(), QString("Split Fragment was cancelled: the project changed meanwhile."));

@@ -55,9 +55,9 @@ std::map<SeedId, Vec2> seedsIn(const Project& project) {
 std::vector<Diagnostic> remainingAfter(Project project, QuickFix fix) {
     const std::string before = projectText(project);
     Edit edit = applyFix(project, problemsIn(project), fix);
-    swapInto(project, edit);
+    applyEdit(project, edit);
     const std::vector<Diagnostic> left = problemsIn(project);
-    swapInto(project, edit);
+    applyEdit(project, edit);
     if (projectText(project) != before) qFatal("Undo does not restore the project.");
     return left;
 }
@@ -88,7 +88,7 @@ private slots:
             problemsOf(project.assets[0], *bake(project.assets[0]), {.aspect = 3.0});
         QVERIFY(!problems.empty());
         Edit edit = applyFix(project, std::span(problems).first(1), QuickFix::DeleteSeed);
-        swapInto(project, edit);
+        applyEdit(project, edit);
         const auto& overrides = project.assets[0].pattern.layers[0].overrides;
         QCOMPARE(overrides.size(), std::size_t{1});
         QVERIFY(overrides[0].isDeleted && overrides[0].index == problems[0].place.index);
@@ -99,7 +99,7 @@ private slots:
                                                          {.index = 9, .isDeleted = true}};
         QVERIFY(remainingAfter(project, QuickFix::RemoveOverride).empty());
         Edit edit = applyFix(project, problemsIn(project), QuickFix::RemoveOverride);
-        swapInto(project, edit);
+        applyEdit(project, edit);
         QCOMPARE(project.assets[0].pattern.layers[0].overrides.size(), std::size_t{1});
     }
     void mergesTinyFragments() {
@@ -122,7 +122,7 @@ private slots:
         project.assets[0].shaping = {.smallPieces = {SmallPieceRule::Merge, PieceMeasure::Area, 0.01}, .gap = 0.05};
         const std::vector<Diagnostic> problems = problemsIn(project);
         Edit edit = applyFix(project, problems, QuickFix::MergeTinyFragments);
-        swapInto(project, edit);
+        applyEdit(project, edit);
         QVERIFY(project.assets[0].shaping.smallPieces.measure == PieceMeasure::Area);
         QVERIFY(project.assets[0].shaping.smallPieces.limit >= 0.01);
     }
@@ -132,7 +132,7 @@ private slots:
         QVERIFY(problems.size() > 1);
         for (int turn = 1; turn <= 2; ++turn) {
             Edit edit = applyFix(project, problems, QuickFix::Relax);
-            swapInto(project, edit);
+            applyEdit(project, edit);
             QCOMPARE(project.assets[0].pattern.layers.size(), std::size_t{2});
             QVERIFY(!verifyProject(project));
             QCOMPARE(std::get<LloydRelaxation>(project.assets[0].pattern.layers[1].parameters).rounds, 3u * turn);
@@ -147,7 +147,7 @@ private slots:
         const std::vector<Diagnostic> problems = problemsIn(project);
         QVERIFY(!problems.empty() && !canFix(project, problems[0], QuickFix::DeleteSeed));
         Edit edit = applyFix(project, problems, QuickFix::Relax);
-        swapInto(project, edit);
+        applyEdit(project, edit);
         QCOMPARE(project.assets[0].levels[0].pattern.layers.size(), std::size_t{2});
         QCOMPARE(project.assets[0].pattern.layers.size(), std::size_t{1});
     }
@@ -157,7 +157,7 @@ private slots:
         ring.insert(ring.begin() + 2, {ring[1], ring[1]});
         QVERIFY(canFix(project, problemsIn(project)[0], QuickFix::DeletePoint));
         Edit edit = applyFix(project, problemsIn(project), QuickFix::DeletePoint);
-        swapInto(project, edit);
+        applyEdit(project, edit);
         QCOMPARE(project.assets[0].prism.outline.outer.size(), std::size_t{4});
         QVERIFY(problemsIn(project).empty());
     }
@@ -166,7 +166,7 @@ private slots:
         QVERIFY(remainingAfter(project, QuickFix::ReduceCount).empty());
         Project changed = project;
         Edit edit = applyFix(project, problemsIn(project), QuickFix::ReduceCount);
-        swapInto(changed, edit);
+        applyEdit(changed, edit);
         const auto seedsIn = [](const Project& of) {
             return *seedsOf(of.assets[0].pattern, of.assets[0].prism.outline);
         };
@@ -184,7 +184,7 @@ private slots:
         QVERIFY(of(DiagnosticCode::NoRoom, remainingAfter(project, QuickFix::ReduceCount)).empty());
         const std::vector<std::string> before = idsIn(project);
         Edit edit = applyFix(project, problems, QuickFix::ReduceCount);
-        swapInto(project, edit);
+        applyEdit(project, edit);
         QCOMPARE(idsIn(project), before);
         const Asset& asset = project.assets[0];
         QVERIFY(asset.levels[0].pattern.layers[0].parameters == LayerParameters(crowded));
@@ -203,7 +203,7 @@ private slots:
         QVERIFY(of(DiagnosticCode::NoRoom, left).empty() && of(DiagnosticCode::LostOverride, left).empty());
         const std::map<SeedId, Vec2> before = seedsIn(project);
         Edit edit = applyFix(project, problems, QuickFix::ReduceCount);
-        swapInto(project, edit);
+        applyEdit(project, edit);
         QVERIFY(seedsIn(project) == before);
         const PatternLayer& layer = project.assets[0].pattern.layers[0];
         QCOMPARE(layer.overrides.size(), 40 - before.size());
@@ -241,7 +241,7 @@ private slots:
         // Only one: the other keeps its hulls and its name.
         const Diagnostic& first = *std::ranges::find(problems, DiagnosticCode::ManyHulls, &Diagnostic::code);
         Edit edit = applyFix(project, std::span(&first, 1), QuickFix::SplitFragment);
-        swapInto(project, edit);
+        applyEdit(project, edit);
         const auto still = problemsIn(project);
         QCOMPARE(std::ranges::count(still, DiagnosticCode::ManyHulls, &Diagnostic::code), std::ptrdiff_t{1});
         QVERIFY(first.place.path != std::ranges::find(still, DiagnosticCode::ManyHulls, &Diagnostic::code)->place.path);
@@ -258,7 +258,7 @@ private slots:
         std::erase_if(deep, [](const Diagnostic& problem) { return problem.place.level == 0; });
         QCOMPARE(std::ranges::count(deep, DiagnosticCode::ManyHulls, &Diagnostic::code), std::ptrdiff_t{2});
         Edit edit = applyFix(project, deep, QuickFix::SplitFragment);
-        swapInto(project, edit);
+        applyEdit(project, edit);
         const auto left = problemsIn(project);
         QCOMPARE(std::ranges::count(left, DiagnosticCode::ManyHulls, &Diagnostic::code),
                  std::ptrdiff_t{1});  // of the first level
@@ -272,7 +272,7 @@ private slots:
         const double effective = thresholdOf(project, project.assets[0]);
         QVERIFY(remainingAfter(project, QuickFix::KeepEnteredThreshold).empty());
         Edit edit = applyFix(project, problemsIn(project), QuickFix::KeepEnteredThreshold);
-        swapInto(project, edit);
+        applyEdit(project, edit);
         QVERIFY(!project.assets[0].contactTime);
         QCOMPARE(thresholdOf(project, project.assets[0]), effective);
     }

@@ -27,7 +27,7 @@ private slots:
     void renamingTrimsTheName() {
         Project project = twoMaterials();
         Edit edit = renameElement(project, Part::Material, 2, " tile ");
-        swapInto(project, edit);
+        applyEdit(project, edit);
         QCOMPARE(nameOf(project, Part::Material, 2), "tile");
     }
     void assetAndInstanceOfOneNameAreRenamedTogether() {
@@ -37,15 +37,15 @@ private slots:
                              {.id = 6, .name = "wall 2", .asset = 3},
                              {.id = 7, .name = "roof", .asset = 4}};
         Edit edit = renameElement(project, Part::Instance, 5, "front");
-        swapInto(project, edit);
+        applyEdit(project, edit);
         QCOMPARE(nameOf(project, Part::Asset, 3), "front");
         QCOMPARE(nameOf(project, Part::Instance, 6), "wall 2");
         edit = renameElement(project, Part::Asset, 4, "wall 2");  // taken by an instance
-        swapInto(project, edit);
+        applyEdit(project, edit);
         QCOMPARE(nameOf(project, Part::Asset, 4), "wall 2");
         QCOMPARE(nameOf(project, Part::Instance, 7), "roof");
         edit = renameElement(project, Part::Asset, 3, "side");
-        swapInto(project, edit);
+        applyEdit(project, edit);
         QCOMPARE(nameOf(project, Part::Instance, 5), "side");
     }
     void missingElementHasNoName() { QVERIFY(nameOf(twoMaterials(), Part::Asset, 7).isEmpty()); }

@@ -18,7 +18,7 @@ Asset wallWithOverrides() {
     return asset;
 }
 
-Asset editedAsset(const Edit& edit) { return *std::get<Swap<Asset>>(edit.swaps.at(0)).value; }
+Asset editedAsset(const Edit& edit) { return *std::get<Replacement<Asset>>(edit.replacements.at(0)).value; }
 
 }  // namespace
 

@@ -26,7 +26,7 @@ constexpr const char* kChildFolder = "RUBBLE_AUTOSAVE_CHILD";
 void setHeight(Document& document, double height) {
     SceneSettings scene = sceneSettings(document.project());
     scene.ground.height = height;
-    document.push({.text = "Move ground", .swaps = {scene}});
+    document.push({.text = "Move ground", .replacements = {scene}});
 }
 
 double heightIn(const QString& path) {

@@ -39,7 +39,8 @@ qint64 bytesRead() {
 }
 
 void edit(Document& document) {
-    document.push({.text = "Delete", .swaps = {Swap<Instance>{document.project().instances[0].id, std::nullopt}}});
+    document.push(
+        {.text = "Delete", .replacements = {Replacement<Instance>{document.project().instances[0].id, std::nullopt}}});
 }
 
 }  // namespace
@@ -325,7 +326,7 @@ private slots:
         edit(document);
         SceneSettings scene = sceneSettings(document.project());
         scene.ground.height = 0.0;
-        QVERIFY(document.push({.text = "Move Ground", .swaps = {scene}}));
+        QVERIFY(document.push({.text = "Move Ground", .replacements = {scene}}));
         QVERIFY(file.save());
         QVERIFY(loadProject(toPath(m_path)));
     }

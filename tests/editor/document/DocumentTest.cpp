@@ -14,7 +14,7 @@ Edit thresholdEdit(const Document& document, double threshold, quint64 mergeKey 
     Asset asset = document.project().assets[0];
     asset.threshold = threshold;
     const Id id = asset.id;
-    return {.text = "Set Threshold", .swaps = {Swap<Asset>{id, std::move(asset)}}, .mergeKey = mergeKey};
+    return {.text = "Set Threshold", .replacements = {Replacement<Asset>{id, std::move(asset)}}, .mergeKey = mergeKey};
 }
 
 double threshold(const Document& document) { return document.project().assets[0].threshold; }
@@ -84,7 +84,7 @@ private slots:
         after.gravity.y = -3.7;
         after.damage.rule = DamageRule::Momentum;
         after.debris.lifetime = 8.0;
-        document.push({.text = "Set scene", .swaps = {sceneSettings(after)}});
+        document.push({.text = "Set scene", .replacements = {sceneSettings(after)}});
         QVERIFY(document.project() == after);
         document.undoStack().undo();
         QVERIFY(document.project() == before);

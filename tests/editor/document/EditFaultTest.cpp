@@ -22,7 +22,7 @@ namespace {
 template <class Value>
 Edit changeOf(Value value) {
     const Id id = value.id;
-    return {.text = "Change", .swaps = {Swap<Value>{id, std::move(value)}}};
+    return {.text = "Change", .replacements = {Replacement<Value>{id, std::move(value)}}};
 }
 
 /// The document's first asset with an outline that reaches to x.
@@ -65,9 +65,9 @@ Edit extremeEdit(const Project& project, Random& random) {
         case 12: return shot.time = number, changeOf(shot);
         case 13: return shot.action = Throw{.from = {number, 0.0, 0.0}, .to = {0.0, number, 0.0}}, changeOf(shot);
         case 14: return shot.action = Explosion{.impulse = number}, changeOf(shot);
-        case 15: return scene.ground.height = number, Edit{.text = "Scene", .swaps = {scene}};
-        case 16: return scene.gravity[axis] = number, Edit{.text = "Scene", .swaps = {scene}};
-        case 17: return scene.debris.lifetime = number, Edit{.text = "Scene", .swaps = {scene}};
+        case 15: return scene.ground.height = number, Edit{.text = "Scene", .replacements = {scene}};
+        case 16: return scene.gravity[axis] = number, Edit{.text = "Scene", .replacements = {scene}};
+        case 17: return scene.debris.lifetime = number, Edit{.text = "Scene", .replacements = {scene}};
         case 18: {
             for (Vec2& corner : asset.prism.outline.outer) corner *= number;
             return changeOf(asset);
@@ -154,7 +154,7 @@ private slots:
         Edit edit{.text = "Move"};
         for (Instance instance : project.instances) {
             instance.pose.position.x += 1.0;
-            edit.swaps.push_back(Swap<Instance>{instance.id, std::move(instance)});
+            edit.replacements.push_back(Replacement<Instance>{instance.id, std::move(instance)});
         }
         const double start = test::processorTime();
         QVERIFY(!editFault(project, edit));

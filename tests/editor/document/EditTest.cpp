@@ -28,15 +28,15 @@ class EditTest : public QObject {
 private slots:
     void swappingTwiceRestoresTheProject() {
         Project project = twoMaterials();
-        Edit edit{.swaps = {Swap<Material>{1, std::nullopt}, Swap<Material>{2, named(2, "glass")},
-                            Swap<Material>{3, named(3, "tile")}}};
-        const Changes changes = swapInto(project, edit);
+        Edit edit{.replacements = {Replacement<Material>{1, std::nullopt}, Replacement<Material>{2, named(2, "glass")},
+                                   Replacement<Material>{3, named(3, "tile")}}};
+        const Changes changes = applyEdit(project, edit);
         QCOMPARE(project.materials, (std::vector{named(2, "glass"), named(3, "tile")}));
         QVERIFY((changes.list == std::vector<Change>{{Part::Material, 1, ChangeKind::Removed},
                                                      {Part::Material, 2, ChangeKind::Added},
                                                      {Part::Material, 3, ChangeKind::Modified}}));
         QVERIFY(changes.touches(Part::Material, 2) && !changes.touches(Part::Material, 4));
-        swapInto(project, edit);
+        applyEdit(project, edit);
         QVERIFY(project == twoMaterials());
     }
     void allocatedIdsAreConsecutiveAndRestored() {
@@ -44,9 +44,9 @@ private slots:
         Edit edit;
         QCOMPARE(edit.allocateId(project), Id{5});
         QCOMPARE(edit.allocateId(project), Id{6});
-        swapInto(project, edit);
+        applyEdit(project, edit);
         QCOMPARE(project.nextId, Id{7});
-        swapInto(project, edit);
+        applyEdit(project, edit);
         QCOMPARE(project.nextId, Id{5});
     }
     void greatestNextIdReusesIds() {
@@ -56,27 +56,30 @@ private slots:
         QCOMPARE(edit.allocateId(project), std::numeric_limits<Id>::max() - 1);
         for (const Id id : {2u, 4u, 5u}) {
             QCOMPARE(edit.allocateId(project), id);
-            edit.swaps.push_back(Swap<Material>{id, named(id, id == 2 ? "glass" : id == 4 ? "ice" : "wood")});
+            edit.replacements.push_back(Replacement<Material>{id, named(id, id == 2   ? "glass"
+                                                                            : id == 4 ? "ice"
+                                                                                      : "wood")});
         }
-        swapInto(project, edit);
+        applyEdit(project, edit);
         QCOMPARE(project.nextId, std::numeric_limits<Id>::max());
         QVERIFY(!verifyProject(project));
     }
     void mergedEditKeepsTheOldestValue() {
         Project project = twoMaterials();
-        Edit first{.swaps = {Swap<Material>{1, named(1, "slate")}}};
-        Edit second{.swaps = {Swap<Material>{1, named(1, "marble")}, Swap<Material>{3, named(3, "tile")}}};
-        swapInto(project, first);
-        swapInto(project, second);
+        Edit first{.replacements = {Replacement<Material>{1, named(1, "slate")}}};
+        Edit second{
+            .replacements = {Replacement<Material>{1, named(1, "marble")}, Replacement<Material>{3, named(3, "tile")}}};
+        applyEdit(project, first);
+        applyEdit(project, second);
         merge(first, std::move(second));
-        swapInto(project, first);
+        applyEdit(project, first);
         QVERIFY(project == twoMaterials());
     }
     void equalValuesAreNoChange() {
-        QVERIFY(isNoChange(twoMaterials(), {.swaps = {Swap<Material>{1, named(1, "stone")}}}));
-        QVERIFY(isNoChange(twoMaterials(), {.swaps = {Swap<Material>{2, std::nullopt}}}));
-        QVERIFY(!isNoChange(twoMaterials(), {.swaps = {Swap<Material>{1, std::nullopt}}}));
-        QVERIFY(!isNoChange(twoMaterials(), {.swaps = {}, .nextId = Id{6}}));
+        QVERIFY(isNoChange(twoMaterials(), {.replacements = {Replacement<Material>{1, named(1, "stone")}}}));
+        QVERIFY(isNoChange(twoMaterials(), {.replacements = {Replacement<Material>{2, std::nullopt}}}));
+        QVERIFY(!isNoChange(twoMaterials(), {.replacements = {Replacement<Material>{1, std::nullopt}}}));
+        QVERIFY(!isNoChange(twoMaterials(), {.replacements = {}, .nextId = Id{6}}));
     }
 };
 

@@ -13,14 +13,14 @@ namespace {
 
 /// Changes the first asset and adds two others.
 Edit edit(const Project& project, quint64 mergeKey = 0) {
-    Edit edit{.text = "Add Walls", .swaps = {}, .mergeKey = mergeKey};
+    Edit edit{.text = "Add Walls", .replacements = {}, .mergeKey = mergeKey};
     Asset asset = project.assets[0];
     asset.threshold += 1.0;
-    edit.swaps.push_back(Swap<Asset>{asset.id, asset});
+    edit.replacements.push_back(Replacement<Asset>{asset.id, asset});
     for (const char* name : {"first", "second"}) {
         asset.id = edit.allocateId(project);
         asset.name = name + std::to_string(asset.id);
-        edit.swaps.push_back(Swap<Asset>{asset.id, asset});
+        edit.replacements.push_back(Replacement<Asset>{asset.id, asset});
     }
     return edit;
 }

@@ -41,7 +41,7 @@ QByteArray bytesOf(const Project& project) { return QByteArray::fromStdString(pr
     if (!file.open(folder + "/wall.rubble")) std::_Exit(kNotOpened);
     SceneSettings scene = sceneSettings(document.project());
     scene.ground.height = 3.0;
-    document.push({.text = "Move ground", .swaps = {scene}});
+    document.push({.text = "Move ground", .replacements = {scene}});
     autosave.writeNow();
     std::_Exit(file.save() ? kSaved : kNotSaved);
 }

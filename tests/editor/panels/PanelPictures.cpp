@@ -28,7 +28,7 @@ void saveStrength(Document& document, const QString& path) {
     asset.requirements = {{RequirementOutcome::Survives, HitRequirement{.mass = 0.43, .speed = 20.0}},
                           {RequirementOutcome::Breaks, DropRequirement{.height = 1.0}},
                           {RequirementOutcome::Breaks, ImpulseRequirement{.impulse = 800.0}}};
-    document.push({.text = "Require", .swaps = {Swap<Asset>{asset.id, asset}}});
+    document.push({.text = "Require", .replacements = {Replacement<Asset>{asset.id, asset}}});
     Bakes bakes;
     if (const Result<Bake> made = bake(asset)) {
         bakes.set(asset.id, std::make_shared<const BakedAsset>(BakedAsset{

@@ -22,7 +22,7 @@ Edit seedEdit(const Document& document, int count) {
     Asset asset = document.project().assets[0];
     asset.pattern.layers[0].parameters = UniformScatter{.count = count};
     const Id id = asset.id;
-    return {.text = "Set Count", .swaps = {Swap<Asset>{id, std::move(asset)}}};
+    return {.text = "Set Count", .replacements = {Replacement<Asset>{id, std::move(asset)}}};
 }
 
 }  // namespace

@@ -430,7 +430,7 @@ private:
     static void setHeight(Document& document, double height) {
         SceneSettings scene = sceneSettings(document.project());
         scene.ground.height = height;
-        document.push({.text = "Move Ground", .swaps = {scene}});
+        document.push({.text = "Move Ground", .replacements = {scene}});
     }
     MainWindow* editedWindow() {
         MainWindow* window = m_program->open(m_path);

@@ -112,7 +112,7 @@ private slots:
         Asset asset = project().assets[0];
         asset.pattern.layers[0].randomSeed += 1;
         const Id id = asset.id;
-        document().push({.text = "Reseed", .swaps = {Swap<Asset>{id, std::move(asset)}}});
+        document().push({.text = "Reseed", .replacements = {Replacement<Asset>{id, std::move(asset)}}});
         QTRY_VERIFY_WITH_TIMEOUT(bakes().areCurrent(project()), kPatience);
         test::runTimersDueWithin(1);
         check(watchdog);
@@ -140,7 +140,7 @@ private:
     void setHeight(double height) {
         SceneSettings scene = sceneSettings(project());
         scene.ground.height = height;
-        document().push({.text = "Move ground", .swaps = {scene}});
+        document().push({.text = "Move ground", .replacements = {scene}});
     }
     static qsizetype backupCount() { return QDir(backupFolder()).entryList({"*.rubble"}).size(); }
     static void check(const test::Watchdog& watchdog) {

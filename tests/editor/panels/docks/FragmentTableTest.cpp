@@ -67,7 +67,7 @@ struct FragmentTableDesk {
     }
     void push(Asset asset) {
         const Id id = asset.id;
-        document.push({.text = "Edit", .swaps = {Swap<Asset>{id, std::move(asset)}}});
+        document.push({.text = "Edit", .replacements = {Replacement<Asset>{id, std::move(asset)}}});
     }
 
     QString text(int row, Column column) const {
@@ -138,7 +138,7 @@ private slots:
         FragmentTableDesk desk(boxOfTwo());
         Material stone = desk.document.project().materials[0];
         stone.density = 1000.0;
-        desk.document.push({.text = "Set Density", .swaps = {Swap<Material>{1, stone}}});
+        desk.document.push({.text = "Set Density", .replacements = {Replacement<Material>{1, stone}}});
         QCOMPARE(desk.text(0, Column::Mass), "250");
         QCOMPARE(desk.totals(), "Listed: 2 of 2, 0.5 m³, 500 kg");
     }

@@ -92,8 +92,8 @@ private slots:
         PlayDesk desk(100.0);
         desk.select(0);
         Edit edit{.text = "Delete"};
-        edit.swaps = {Swap<Instance>{desk.stage.document.project().instances[0].id, std::nullopt},
-                      Swap<Asset>{desk.asset().id, std::nullopt}};
+        edit.replacements = {Replacement<Instance>{desk.stage.document.project().instances[0].id, std::nullopt},
+                             Replacement<Asset>{desk.asset().id, std::nullopt}};
         QVERIFY(desk.stage.document.push(edit));
         QVERIFY(!desk.button("must-break").isEnabled());
     }

@@ -79,7 +79,7 @@ private slots:
         auto* outcome = desk.panel->findChild<QComboBox*>();
         Asset asset = desk.asset();
         asset.requirements.push_back({RequirementOutcome::Breaks, HitRequirement{.mass = 4.0, .speed = 14.0}});
-        desk.stage.document.push({.text = "Add Requirement", .swaps = {Swap<Asset>{asset.id, asset}}});
+        desk.stage.document.push({.text = "Add Requirement", .replacements = {Replacement<Asset>{asset.id, asset}}});
         QVERIFY(outcome != nullptr);
         QVERIFY(desk.button("set-threshold").isHidden());
         QVERIFY(desk.says("survives"));
@@ -109,7 +109,7 @@ private slots:
         QVERIFY(desk.says("square hit on the centre, free to move; 74\u00a0% of it at a corner"));
         Instance fixed = desk.stage.document.project().instances[0];
         fixed.isFixed = true;
-        desk.stage.document.push({.text = "Fix", .swaps = {Swap<Instance>{fixed.id, fixed}}});
+        desk.stage.document.push({.text = "Fix", .replacements = {Replacement<Instance>{fixed.id, fixed}}});
         QVERIFY(desk.says("square hit on the centre, held in place"));
         QVERIFY(desk.says("560\u00a0N·s = 5.6×"));  // 40 kg at 14 m/s
     }
@@ -130,7 +130,8 @@ private slots:
     void withoutAnInstanceThereIsNothingToPlayOn() {
         Desk desk;
         desk.stage.document.push(
-            {.text = "Delete", .swaps = {Swap<Instance>{desk.stage.document.project().instances[0].id, std::nullopt}}});
+            {.text = "Delete",
+             .replacements = {Replacement<Instance>{desk.stage.document.project().instances[0].id, std::nullopt}}});
         const auto* button = desk.panel->findChildren<QToolButton*>("play-event").last();
         QVERIFY(!button->isEnabled());
         QVERIFY2(button->toolTip().contains("No instance"), qPrintable(button->toolTip()));
@@ -138,12 +139,12 @@ private slots:
     void swapAuditFollowsTheAsset() {
         Desk desk;
         QVERIFY(desk.says("Not checked"));
-        QTest::mouseClick(&desk.button("audit-swap"), Qt::LeftButton);
+        QTest::mouseClick(&desk.button("check-break-stability"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(desk.says("Passed"), kPatience);
-        QVERIFY(desk.button("fix-swap").isHidden());
+        QVERIFY(desk.button("fix-break-stability").isHidden());
         Asset asset = desk.asset();
         asset.prism.depth = 0.3;
-        desk.stage.document.push({.text = "Resize", .swaps = {Swap<Asset>{asset.id, asset}}});
+        desk.stage.document.push({.text = "Resize", .replacements = {Replacement<Asset>{asset.id, asset}}});
         QVERIFY(desk.says("Not checked"));
     }
 };
