@@ -203,6 +203,22 @@ private slots:
         const Vec3 expected = sumOnBox({0.1, 0.2, 0.15}, Vec3(0.0), kPane).impulse;
         QVERIFY(isClose(world.momenta().linear, expected, 2e-3));
     }
+    void blastInARotatedBodyGoesOffBesideIt() {
+        BodyScene scene;
+        const Quat rotation = glm::angleAxis(0.5, Vec3(0.0, 0.0, 1.0));
+        test::addFreeBody(scene, "plank", test::addShape(scene, {test::boxOf({4.0, 0.4, 0.4})}),
+                          {.position = {0.0, 0.0, 0.0}, .orientation = rotation});
+        const SceneWorld made = test::worldOf(scene);
+        const Vec3 inside = rotation * Vec3(1.8, 0.15, 0.0), outside = rotation * Vec3(1.8, 0.3, 0.0);
+        QVERIFY(glm::distance(made.world.blastOrigin(inside), outside) < 1e-5);
+    }
+    void smallBlastsPushWhatIsNear() {
+        const SceneWorld made = test::worldOf(paneOf(1));
+        const Vec3 expected(0.0, 0.0, -1.0);
+        const std::vector<BlastImpulse> impulses = made.world.blast({0.0, 0.0, 0.1}, 0.2, kImpulse);
+        QCOMPARE(impulses.size(), std::size_t{1});
+        QVERIFY(glm::distance(glm::normalize(impulses[0].impulse), expected) < 1e-6);
+    }
     void blastAtTheCentrePushesAgainstGravity() {
         BodyScene scene;
         test::addFreeBody(scene, "cube", test::addShape(scene, {test::boxOf(Vec3(1.0))}), {});

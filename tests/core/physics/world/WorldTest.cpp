@@ -117,6 +117,25 @@ private slots:
         QVERIFY(expected.find('h') != std::string::npos);
         QVERIFY(toldInTwoSeconds({.threads = 3, .lanes = SimdWidth::Scalar}) == expected);
     }
+    /// A box of 2 x 4 x 6 m and 48 t, of which every term is known.
+    void momentaAreThoseOfTheMotion() {
+        BodyScene scene;
+        scene.gravity = {0.0, -10.0, 0.0};
+        test::addFreeBody(scene, "box", test::addShape(scene, {test::boxOf({2.0, 4.0, 6.0})}),
+                          {.position = {3.0, 5.0, 7.0}});
+        scene.bodies[0].velocity = {1.0, 2.0, 4.0};
+        scene.bodies[0].angularVelocity = {1.0, 0.5, 0.25};
+        const Momenta momenta = test::worldOf(scene).world.momenta();
+        const double mass = 48e3;
+        const Vec3 inertia = mass / 12.0 * Vec3(16.0 + 36.0, 4.0 + 36.0, 4.0 + 16.0);
+        const Vec3 own = inertia * Vec3(1.0, 0.5, 0.25), velocity(1.0, 2.0, 4.0);
+        const auto isNear = [](Vec3 a, Vec3 b) { return glm::distance(a, b) < 1e-6 * glm::length(b); };
+        QVERIFY(isNear(momenta.linear, mass * velocity));
+        QVERIFY(isNear(momenta.angular, own + mass * Vec3(5.0 * 4.0 - 7.0 * 2.0, 7.0 - 3.0 * 4.0, 3.0 * 2.0 - 5.0)));
+        const double kinetic = 0.5 * mass * 21.0 + 0.5 * glm::dot(Vec3(1.0, 0.5, 0.25), own);
+        QVERIFY(std::abs(momenta.kinetic - kinetic) < 1e-6 * kinetic);
+        QVERIFY(std::abs(momenta.potential - mass * 10.0 * 5.0) < 1.0);
+    }
     /// A fall from 0.5 m ends at 3.1 m/s, up to the change within a step.
     void fallCausesContactAndHitEvents() {
         SceneWorld moved = test::worldOf(boxesAt({{0.0, 1.0, 0.0}}));
