@@ -44,6 +44,7 @@ private slots:
         QVERIFY(corners.contain(0, {0.5 * kLength, -0.009}));  // beside an edge, by less than the weld distance
         QVERIFY(!corners.contain(0, {0.5 * kLength, -0.011}));
         QVERIFY(!corners.contain(1, {4.0, 0.0}));
+        QVERIFY(corners.contain(2, {4.0 - 0.1 * kLength, 4.0 - 0.2 * kLength}));
     }
     void pointsAreRelativeToTheFrame() {
         LocalFrame moved = kWeldFrame;
