@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 
 namespace rubble {
 namespace {
@@ -15,7 +14,6 @@ namespace {
 constexpr double kLampRadius = 0.045;  // of its distance: soft shadows whose casters remain recognizable
 constexpr double kPartOfLamp = 0.4;    // radius of the part of it that one of many samples blurs
 constexpr double kGoldenAngle = 2.39996322972865332;
-constexpr double kFullTurn = 2.0 * std::numbers::pi;
 constexpr double kRegionDistances = 6.0;  // least radius of the lit region, of the camera's distance
 constexpr double kRegionStep = 0.25;      // of its radius, by which the region moves
 

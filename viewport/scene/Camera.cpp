@@ -13,7 +13,6 @@ namespace rubble {
 namespace {
 
 constexpr double kQuarterTurn = std::numbers::pi / 2.0;
-constexpr double kFullTurn = 2.0 * std::numbers::pi;
 constexpr double kNearest = 1e-4;    // m; nearer, rounding to single precision becomes visible
 constexpr double kFarthest = 1e6;    // m
 constexpr double kMargin = 1.08;     // the framed box takes 1 / kMargin of the image

@@ -2,6 +2,8 @@
 
 namespace rubble {
 
+inline constexpr double kFullTurn = 6.283185307179586;  // rad: 2 pi, rounded to a double
+
 /// The largest magnitude of an angle that sine and cosine accept, rad.
 inline constexpr double kMaxAngle = 1e6;
 

@@ -15,9 +15,8 @@
 namespace rubble {
 namespace {
 
-constexpr double kFullTurn = 2.0 * std::numbers::pi;
-constexpr double kOvershoot = 1.1;   // of the distance to the farthest corner, to which cracks run
-constexpr double kMaxRings = 200.0;  // cracks of one layer may cross all cells
+constexpr double kCrackLength = 1.1;  // of the distance to the farthest corner, to which cracks run
+constexpr double kMaxRings = 200.0;   // cracks of one layer may cross all cells
 constexpr double kMaxSpokes = 1000.0;
 constexpr double kFewestArcs = 0.25;  // of the sectors have an arc of the outermost ring
 constexpr double kShortCracks = 0.7;  // of the arcs have a short crack outwards
@@ -73,7 +72,7 @@ public:
         double farthest = cracks.radius;
         for (const Vec2 corner : context.outline.outer)
             farthest = std::max(farthest, glm::distance(corner, cracks.centre));
-        m_farthest = kOvershoot * farthest;
+        m_farthest = kCrackLength * farthest;
         for (std::uint32_t spoke = 0; spoke < cracks.spokes; ++spoke)
             m_angles.push_back(spoke + cracks.variation * (randomOf(0, spoke).unit() - 0.5) / 2.0);
     }

@@ -13,8 +13,6 @@
 namespace rubble {
 namespace {
 
-constexpr double kFullTurn = 2.0 * std::numbers::pi;
-
 constexpr std::array kRadialPatternParameters{
     parameter<&RadialPattern::centre>({.name = "centre",
                                        .caption = "Centre",

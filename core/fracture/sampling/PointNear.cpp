@@ -2,8 +2,6 @@
 
 #include "core/base/math/Trigonometry.h"
 
-#include <numbers>
-
 namespace rubble {
 namespace {
 
@@ -13,7 +11,7 @@ constexpr int kAttempts = 50;
 
 std::optional<Vec2> pointNear(const Polygon& outline, Vec2 centre, double radius, Random& random) {
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
-        const double distance = radius * random.unit(), angle = 2.0 * std::numbers::pi * random.unit();
+        const double distance = radius * random.unit(), angle = kFullTurn * random.unit();
         const Vec2 position = centre + distance * Vec2(cosine(angle), sine(angle));
         if (containment(outline, position) != Containment::Outside) return position;
     }

@@ -19,7 +19,7 @@ Polygon isoscelesTriangleOutline(double base, double height) {
 
 Polygon regularPolygonOutline(int corners, double diameter) {
     RUBBLE_ASSERT(corners >= 3);
-    const double step = 2.0 * std::numbers::pi / corners;
+    const double step = kFullTurn / corners;
     const double first = -std::numbers::pi / 2.0 - step / 2.0;
     Polygon polygon;
     for (int k = 0; k < corners; ++k) {

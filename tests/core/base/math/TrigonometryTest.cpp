@@ -6,6 +6,7 @@
 
 #include <bit>
 #include <cmath>
+#include <numbers>
 
 using namespace rubble;
 
@@ -25,6 +26,7 @@ double errorInUlp(double value, long double truth) {
 class TrigonometryTest : public QObject {
     Q_OBJECT
 private slots:
+    void fullTurnIsTwoPi() { QCOMPARE(kFullTurn, 2.0 * std::numbers::pi); }
     void knownAngles() {
         QCOMPARE(sine(0.0), 0.0);
         QCOMPARE(cosine(0.0), 1.0);
