@@ -71,11 +71,8 @@ struct SoftContactKernels : ContactLanes<W> {
     }
 
 private:
-    /// The points of W manifolds during a pass.
+    /// The points of W manifolds during a pass: arrays only, and so in memory; what a register can hold is not here.
     struct Points {
-        V n;
-        V centreOffset;
-        int count;
         F separation[4];  // m: s
         F speed[4];       // m/s: v
     };
@@ -125,29 +122,31 @@ private:
                                                            const SolverStep& step, Motions& a, Motions& b,
                                                            Masks<W> mask) {
         const F inverseSubStep = all<W>(1.0f / step.subStep);
-        Points points = pointsOf(block, part, count, a, b);
+        const V n = row(block.normal, part), centreOffset = row(block.centreOffset, part);
+        Points points = pointsOf(block, part, count, n, centreOffset, a, b);
         F unsettled[4]{};  // the impulses before ContactPass::Settle
         for (int i = 0; i < count; ++i) unsettled[i] = row(block.points[i].impulse, part);
-        NormalImpulse impulses = solveImpacts<kPass>(block, part, points, inverseSubStep, a, b, mask);
-        const Load load = solvePoints<kPass>(block, part, points, step, inverseSubStep, mask, unsettled, impulses);
-        apply(impulses, points.n, points.centreOffset, block, part, a, b);
+        NormalImpulse impulses =
+            solveImpacts<kPass>(block, part, count, points, n, centreOffset, inverseSubStep, a, b, mask);
+        const Load load =
+            solvePoints<kPass>(block, part, count, points, step, inverseSubStep, mask, unsettled, impulses);
+        apply(impulses, n, centreOffset, block, part, a, b);
         return load;
     }
 
     /// The current separations and speeds; PrepareKernels.h derives them.
-    [[gnu::always_inline]] static Points pointsOf(const ContactBlock& block, int part, int count, const Motions& a,
-                                                  const Motions& b) {
-        Points points{row(block.normal, part), row(block.centreOffset, part), count, {}, {}};
-        const V& n = points.n;
+    [[gnu::always_inline]] static Points pointsOf(const ContactBlock& block, int part, int count, const V& n,
+                                                  const V& centreOffset, const Motions& a, const Motions& b) {
+        Points points;
         const V nA = rotated<W>(a.deltaRotation.conjugate(), n) - n,
                 nB = rotated<W>(b.deltaRotation.conjugate(), n) - n;
-        const F change = dot<W>(n, b.deltaPosition - a.deltaPosition) + dot<W>(points.centreOffset, nB);
+        const F change = dot<W>(n, b.deltaPosition - a.deltaPosition) + dot<W>(centreOffset, nB);
         const V slope = nB - nA;
         for (int i = 0; i < count; ++i) {
             const V position = row(block.points[i].position, part);
             points.separation[i] = row(block.points[i].separation, part) + change + dot<W>(position, slope);
         }
-        computeSpeeds(block, part, a, b, points.n, points.centreOffset, count, points.speed);
+        computeSpeeds(block, part, a, b, n, centreOffset, count, points.speed);
         return points;
     }
     [[gnu::always_inline]] static void computeSpeeds(const ContactBlock& block, int part, const Velocities& a,
@@ -176,9 +175,9 @@ private:
 
     /// The speeds that an impact has to cancel: v + max(s, 0)/h of points that push, 0 of others.
     template <ContactPass kPass>
-    [[gnu::always_inline]] static void computeResiduals(const ContactBlock& block, int part, const Points& points,
-                                                        F inverseSubStep, F* residuals) {
-        for (int i = 0; i < points.count; ++i) {
+    [[gnu::always_inline]] static void computeResiduals(const ContactBlock& block, int part, int count,
+                                                        const Points& points, F inverseSubStep, F* residuals) {
+        for (int i = 0; i < count; ++i) {
             const F impulse = row(block.points[i].impulse, part);
             const F residual = points.speed[i] + greater<W>(points.separation[i], F{}) * inverseSubStep;
             const auto pushes = ((impulse > F{}) | (residual < F{})) & (row(block.points[i].effectiveMass, part) > F{});
@@ -190,27 +189,25 @@ private:
     /// Solves the points of manifolds that collide together. Returns the changes of the impulses; the bodies have not
     /// received them yet.
     template <ContactPass kPass>
-    [[gnu::always_inline]] static NormalImpulse solveImpacts(ContactBlock& block, int part, Points& points,
-                                                             F inverseSubStep, Velocities& a, Velocities& b,
-                                                             Masks<W> mask) {
+    [[gnu::always_inline]] static NormalImpulse solveImpacts(ContactBlock& block, int part, int count, Points& points,
+                                                             const V& n, const V& centreOffset, F inverseSubStep,
+                                                             Velocities& a, Velocities& b, Masks<W> mask) {
         F residuals[4]{};
-        computeResiduals<kPass>(block, part, points, inverseSubStep, residuals);
+        computeResiduals<kPass>(block, part, count, points, inverseSubStep, residuals);
         Masks<W> isImpact = ImpactKernels<W>::impacts(residuals);
         if constexpr (kPass == ContactPass::Settle) isImpact = isImpact & mask;
         if (bitsOf<W>(isImpact) == 0) return {};
-        NormalImpulse impulses = ImpactKernels<W>::solve(block, part, points.count, isImpact, residuals, points.speed);
+        NormalImpulse impulses = ImpactKernels<W>::solve(block, part, count, isImpact, residuals, points.speed);
         if constexpr (kPass == ContactPass::Solve) {
-            const Masks<W> isTrimmed =
-                Friction::trim(block, part, points.count, isImpact, points.n, points.centreOffset, a, b);
+            const Masks<W> isTrimmed = Friction::trim(block, part, count, isImpact, n, centreOffset, a, b);
             if (bitsOf<W>(isTrimmed) == 0) return impulses;
             // Other lanes apply their impulses later: each lane does what it would do alone.
-            apply(only(isTrimmed, impulses), points.n, points.centreOffset, block, part, a, b);
+            apply(only(isTrimmed, impulses), n, centreOffset, block, part, a, b);
             F speeds[4];
-            computeSpeeds(block, part, a, b, points.n, points.centreOffset, points.count, speeds);
-            for (int i = 0; i < points.count; ++i) points.speed[i] = select<W>(isTrimmed, speeds[i], points.speed[i]);
-            computeResiduals<kPass>(block, part, points, inverseSubStep, residuals);
-            const NormalImpulse again =
-                ImpactKernels<W>::solve(block, part, points.count, isTrimmed, residuals, points.speed);
+            computeSpeeds(block, part, a, b, n, centreOffset, count, speeds);
+            for (int i = 0; i < count; ++i) points.speed[i] = select<W>(isTrimmed, speeds[i], points.speed[i]);
+            computeResiduals<kPass>(block, part, count, points, inverseSubStep, residuals);
+            const NormalImpulse again = ImpactKernels<W>::solve(block, part, count, isTrimmed, residuals, points.speed);
             impulses = only(~isTrimmed, impulses);
             impulses.sum = impulses.sum + again.sum;
             impulses.moment = impulses.moment + again.moment;
@@ -251,13 +248,13 @@ private:
     /// Solves the points one after the other: an impulse at one changes the speeds at the others. Adds the changes to
     /// `impulses`.
     template <ContactPass kPass>
-    [[gnu::always_inline]] static Load solvePoints(ContactBlock& block, int part, Points& points,
+    [[gnu::always_inline]] static Load solvePoints(ContactBlock& block, int part, int count, Points& points,
                                                    const SolverStep& step, F inverseSubStep, Masks<W> mask,
                                                    const F* unsettled, NormalImpulse& impulses) {
         Coefficients coefficients;
         if constexpr (kPass == ContactPass::Solve) coefficients = coefficientsOf(block, part, step);
         Load load;
-        for (int i = 0; i < points.count; ++i) {
+        for (int i = 0; i < count; ++i) {
             PointRows& point = block.points[i];
             const F mass = row(point.effectiveMass, part), before = row(point.impulse, part);
             const F separation = points.separation[i], speed = points.speed[i];
@@ -274,7 +271,7 @@ private:
             const F change = after - before;
             put(after, point.impulse, part);
             add(change, point, part, impulses);
-            for (int j = i + 1; j < points.count; ++j) {
+            for (int j = i + 1; j < count; ++j) {
                 points.speed[j] = points.speed[j] + row(block.coupling[couplingIndex(i, j)], part) * change;
             }
             if constexpr (kPass != ContactPass::Solve) {
