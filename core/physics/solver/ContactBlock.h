@@ -63,6 +63,8 @@ struct alignas(64) ContactBlock {
     FloatRow torsionalMass;                                // kg·m²: effective inertia of both bodies about the normal
     FloatRow frictionX, frictionY;                         // N·s along both tangents; kept between steps
     FloatRow torsionalImpulse;                             // N·m·s about the normal; kept between steps
+    // Sums of the three over the sub-steps of this step.
+    FloatRow stepFrictionX, stepFrictionY, stepTorsionalImpulse;
 };
 
 /// The index of a pair of points, i < j, in ContactBlock::coupling.

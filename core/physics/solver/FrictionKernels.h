@@ -100,7 +100,14 @@ private:
         after = greater<W>(lesser<W>(after, limit), -limit);  // ± μ Σ λ l
         if constexpr (kPass == ContactPass::Settle) after = select<W>(mask, after, before);
         put(after, block.torsionalImpulse, part);
+        addToStep<kPass>(before, after, block.stepTorsionalImpulse, part);
         applyTorsionalImpulse(after - before, n, block, part, a, b);
+    }
+
+    /// ContactPass::Relax adds the impulse of its sub-step, Settle what it changes.
+    template <ContactPass kPass>
+    [[gnu::always_inline]] static void addToStep(F before, F after, FloatRow& sum, int part) {
+        put(row(sum, part) + (kPass == ContactPass::Relax ? after : after - before), sum, part);
     }
 
     template <ContactPass kPass>
@@ -125,6 +132,8 @@ private:
         }
         put(x, block.frictionX, part);
         put(y, block.frictionY, part);
+        addToStep<kPass>(beforeX, x, block.stepFrictionX, part);
+        addToStep<kPass>(beforeY, y, block.stepFrictionY, part);
         const F changeX = x - beforeX, changeY = y - beforeY;
         applyAt(tangent * changeX + other * changeY, centre, centreOffset, block, part, a, b);
         const F least = ImpactKernels<W>::kMinSpeed * lesser<W>(xx, yy);

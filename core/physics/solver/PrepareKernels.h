@@ -70,6 +70,9 @@ struct PrepareKernels : ContactLanes<W> {
         const V slope = nB - nA;
         const auto speed = normalSpeed(n, centreOffset, va, vb);
         put(centreOffset, block.centreOffset, part);
+        for (FloatRow* sum : {&block.stepFrictionX, &block.stepFrictionY, &block.stepTorsionalImpulse}) {
+            put(F{}, *sum, part);
+        }
         for (int i = 0; i < 4; ++i) {
             PointRows& point = block.points[i];
             const V position = row(point.position, part);

@@ -26,7 +26,7 @@ struct ContactEvent {
     BodyId second;
 };
 
-/// Two bodies that collided faster than 1 m/s in the last solved step.
+/// Two bodies that collided faster than 0.25 m/s in the last solved step.
 struct HitEvent {
     BodyId first;
     BodyId second;
@@ -34,6 +34,7 @@ struct HitEvent {
     Vec3 normal;                 // from first to second
     double approachSpeed = 0.0;  // m/s
     double impulse = 0.0;        // N·s, over the step
+    double energy = 0.0;         // J: mechanical energy that the contact took in the step, with friction
 };
 
 /// The events of the last step, in a deterministic order.
@@ -41,6 +42,9 @@ struct StepEvents {
     std::vector<ContactEvent> began;
     std::vector<ContactEvent> ended;  // including those of removed bodies
     std::vector<HitEvent> hits;
+    /// J: mechanical energy that all contacts took in the step, hits included: World::grab() and free flight changed the
+    /// rest of it.
+    double contactLoss = 0.0;
 };
 
 /// A contact point, for debug drawing.

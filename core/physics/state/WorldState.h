@@ -125,6 +125,7 @@ struct WorldState {
     Vec3f grabPoint{0.0f, 0.0f, 0.0f};   // in the body's axes, from its centre
     Vec3f grabTarget{0.0f, 0.0f, 0.0f};  // in the world
     float grabForce = 0.0f;              // N
+    double grabWork = 0.0;               // J, of the step being solved
 
     StepEvents events;  // ended contacts are added as they end
 

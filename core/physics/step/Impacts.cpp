@@ -17,7 +17,7 @@ namespace {
 constexpr float kRoundingSpeed = 0.01f;  // m/s, tolerance
 // Points at most this far behind the first belong to the same impact, for any length of the step.
 constexpr float kImpactDepth = 0.005f;  // m
-constexpr float kHitSpeed = 1.0f;       // m/s
+constexpr float kHitSpeed = 0.25f;      // m/s
 
 /// Calls visit(block, lane) for each contact of a region.
 template <class Visit>
@@ -92,7 +92,8 @@ Vec3f gravityOn(const WorldState& state, std::uint32_t body, Vec3f gravity) {
     return state.bodies[body].isDynamic() ? gravity : Vec3f(0.0f);
 }
 
-std::optional<HitEvent> hitOf(const WorldState& state, const ContactBlock& block, std::size_t lane) {
+std::optional<HitEvent> hitOf(const WorldState& state, const ContactBlock& block, std::size_t lane,
+                              const std::vector<StartMotion>& starts) {
     const auto isHit = [&](const PointRows& point) {
         return point.approach[lane] < -kHitSpeed && point.stepImpulse[lane] > 0.0f;
     };
@@ -103,7 +104,8 @@ std::optional<HitEvent> hitOf(const WorldState& state, const ContactBlock& block
                  toDouble(state.poses[block.first[lane]].centre + position),
                  toDouble(block.normal.at(lane)),
                  0.0,
-                 0.0};
+                 0.0,
+                 contactEnergy(state, block, lane, starts)};
     for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
         hit.approachSpeed = std::max(hit.approachSpeed, -static_cast<double>(block.points[i].approach[lane]));
         hit.impulse += block.points[i].stepImpulse[lane];
@@ -233,11 +235,12 @@ std::vector<Impact> findImpacts(const WorldState& state, const SolverStep& step)
 }
 
 void findHits(const WorldState& state, ThreadPool& threads, const Regions& regions,
-              std::vector<std::vector<HitEvent>>& byRegion, std::vector<HitEvent>& hits) {
+              const std::vector<StartMotion>& starts, std::vector<std::vector<HitEvent>>& byRegion,
+              std::vector<HitEvent>& hits) {
     clearLists(byRegion, regions.count());
     regions.forEach(threads, [&](std::size_t region) {
         visitContacts(state, regions, region, [&](const ContactBlock& block, std::size_t lane) {
-            if (const std::optional<HitEvent> hit = hitOf(state, block, lane)) byRegion[region].push_back(*hit);
+            if (const std::optional<HitEvent> hit = hitOf(state, block, lane, starts)) byRegion[region].push_back(*hit);
         });
     });
     for (const std::vector<HitEvent>& some : byRegion) hits.insert(hits.end(), some.begin(), some.end());

@@ -2,6 +2,7 @@
 
 #include "core/physics/solver/SolverKernels.h"
 #include "core/physics/state/Regions.h"
+#include "core/physics/step/ContactEnergy.h"
 
 namespace rubble {
 
@@ -12,9 +13,11 @@ namespace rubble {
 /// impact changes the velocities before they touch. Contacts must be prepared.
 std::vector<Impact> findImpacts(const WorldState& state, const SolverStep& step);
 
-/// Appends the hit events of the step just solved, sorted by bodies; `byRegion` is memory reused from step to step.
+/// Appends the hit events of the step just solved, sorted by bodies; `byRegion` is memory reused from step to step,
+/// `starts` the velocities before it, by body.
 void findHits(const WorldState& state, ThreadPool& threads, const Regions& regions,
-              std::vector<std::vector<HitEvent>>& byRegion, std::vector<HitEvent>& hits);
+              const std::vector<StartMotion>& starts, std::vector<std::vector<HitEvent>>& byRegion,
+              std::vector<HitEvent>& hits);
 
 /// World::contactPoints().
 std::vector<ContactPoint> contactPointsOf(const WorldState& state);

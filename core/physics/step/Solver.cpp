@@ -50,6 +50,7 @@ void pullGrabbed(WorldState& state, const SolverStep& step) {
     const Vec3f direction = change * (1.0f / size), turning = cross(arm, direction);
     const float mass = 1.0f / (motion.inverseMass + dot(turning, pose.inverseInertia * turning));
     const float impulse = std::min(mass * size * std::min(1.0f, omega * step.subStep), state.grabForce * step.subStep);
+    state.grabWork += impulse * (dot(speed, direction) + 0.5f * impulse / mass);
     motion.velocity += direction * (impulse * motion.inverseMass);
     motion.angularVelocity += pose.inverseInertia * (turning * impulse);
 }
@@ -189,6 +190,7 @@ void prepareContacts(WorldState& state, ThreadPool& threads, const Regions& regi
 
 void solveSubSteps(WorldState& state, ThreadPool& threads, const Regions& regions, SolveScratch& scratch,
                    const SolverKernels& kernels, const SolverStep& step) {
+    state.grabWork = 0.0;
     const Stages stages(state, threads, regions, kernels, step, scratch);
     for (int i = subStepsOf(step.dt); i > 0; --i) stages.runSubStep();
     stages.runRestitution();

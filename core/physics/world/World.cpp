@@ -9,6 +9,7 @@
 #include "core/physics/state/VerifyBody.h"
 #include "core/physics/state/WorldState.h"
 #include "core/physics/step/BroadPhase.h"
+#include "core/physics/step/ContactEnergy.h"
 #include "core/physics/step/ContinuousCollision.h"
 #include "core/physics/step/Impacts.h"
 #include "core/physics/step/NarrowPhase.h"
@@ -63,6 +64,7 @@ struct World::StepContext {
     PairScratch pairs;
     NarrowPhaseScratch collisions;
     SolveScratch solve;
+    ContactEnergyScratch energy;
     std::vector<std::vector<HitEvent>> hits;             // by region
     std::vector<std::vector<std::uint32_t>> fastBodies;  // by region
     StepCounts counts;
@@ -162,6 +164,7 @@ void World::collide(double dt) {
         m_state->events.began.clear();
         m_state->events.ended.clear();
         m_state->events.hits.clear();
+        m_state->events.contactLoss = 0.0;
         context.times = {};
         context.counts.separatingAxisTests = 0;
     }
@@ -212,16 +215,27 @@ void World::solve(double dt) {
     context.regions.sortContacts(*m_state, context.threads);
     prepareContacts(*m_state, context.threads, context.regions, context.kernels, step);
     softenSharedContacts(*m_state, context.threads, context.regions, step);
+    const bool hasContacts = m_state->colours.contactCount() > 0;
+    if (hasContacts) saveStartMotions(*m_state, context.threads, context.regions, context.energy);
     context.times.prepare = watch.lap();
     solveSubSteps(*m_state, context.threads, context.regions, context.solve, context.kernels, step);
     context.times.solve = watch.lap();
-    findHits(*m_state, context.threads, context.regions, context.hits, m_state->events.hits);
+    if (hasContacts) findContactEvents(step);
     clampFastBodies(*m_state, context.threads, context.regions, context.fastBodies);
     finishBodies(*m_state, context.threads, context.regions, context.dt);
     context.counts.awake = static_cast<int>(m_state->awake.size());
     context.counts.islands = sleepRestingIslands(*m_state);
     context.times.finish = watch.lap();
     if (context.hasEnoughContacts(*m_state)) context.heuristic.addStep(context.times.total());
+}
+
+void World::findContactEvents(const SolverStep& step) {
+    StepContext& context = *m_context;
+    StepEvents& events = m_state->events;
+    findHits(*m_state, context.threads, context.regions, context.energy.starts, context.hits, events.hits);
+    addGravity(*m_state, step, context.energy.starts, events.hits);
+    events.contactLoss =
+        contactLoss(*m_state, context.threads, context.regions, step, context.energy) + m_state->grabWork;
 }
 
 void World::step(double dt) {

@@ -39,6 +39,7 @@ struct BlastImpulse {
 };
 
 struct Snapshot;
+struct SolverStep;
 struct WorldState;
 
 /// A rigid body simulation. A step is collide(), which finds contacts and imminent impacts, then solve(), which moves
@@ -171,6 +172,8 @@ public:
 
 private:
     struct StepContext;  // threads and memory reused from step to step; not part of the state
+    /// Sets the hits and the energy that contacts took, after the sub-steps.
+    void findContactEvents(const SolverStep& step);
 
     std::unique_ptr<WorldState> m_state;
     std::unique_ptr<StepContext> m_context;

@@ -1,0 +1,135 @@
+#include "core/physics/step/ContactEnergy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace rubble {
+namespace {
+
+/// The velocities that a body has after the step where nothing but gravity and damping acts on it: bit for bit as the
+/// solver computes them.
+StartMotion freeFlight(StartMotion motion, const BodyMotion& body, const SolverStep& step) {
+    const float h = step.subStep;
+    const float linear = 1.0f / (1.0f + h * body.linearDamping), angular = 1.0f / (1.0f + h * body.angularDamping);
+    for (int k = static_cast<int>(std::lround(step.dt / h)); k > 0; --k) {
+        motion.velocity.x = (motion.velocity.x + h * step.gravity.x) * linear;
+        motion.velocity.y = (motion.velocity.y + h * step.gravity.y) * linear;
+        motion.velocity.z = (motion.velocity.z + h * step.gravity.z) * linear;
+        motion.angularVelocity *= angular;
+    }
+    return motion;
+}
+
+bool fliesFreely(const StartMotion& start, const BodyMotion& now, const SolverStep& step) {
+    const StartMotion flown = freeFlight(start, now, step);
+    return flown.velocity == now.velocity && flown.angularVelocity == now.angularVelocity;
+}
+
+/// The energy that a body lost in the sub-steps, J.
+double lossOf(const WorldState& state, std::uint32_t number, const SolverStep& step, const StartMotion& start) {
+    const Body& body = state.bodies[number];
+    const BodyMotion& motion = state.motions[number];
+    if (!body.isDynamic() || fliesFreely(start, motion, step)) return 0.0;
+    const Mat3f matrix = state.poses[number].rotation.matrix();
+    const Vec3f gained = motion.angularVelocity - start.angularVelocity;
+    const Vec3f momentum =  // twice the mean one
+        matrix * (body.inertia * matrix.transposedTimes(motion.angularVelocity + start.angularVelocity));
+    const Vec3 velocities = toDouble(motion.velocity) + toDouble(start.velocity);
+    const Vec3 change = toDouble(motion.velocity) - toDouble(start.velocity);
+    const double kinetic =
+        0.5 * body.mass * glm::dot(change, velocities) + 0.5 * glm::dot(toDouble(gained), toDouble(momentum));
+    return body.mass * glm::dot(toDouble(step.gravity), toDouble(motion.deltaPosition)) - kinetic;
+}
+
+/// The work of gravity on a body in the step, less that at its mean velocity, J.
+double gravityBeyondMean(const WorldState& state, std::uint32_t number, const SolverStep& step,
+                         const StartMotion& start) {
+    if (!state.bodies[number].isDynamic()) return 0.0;
+    const BodyMotion& motion = state.motions[number];
+    const Vec3 mean = 0.5 * (toDouble(motion.velocity) + toDouble(start.velocity));
+    return state.bodies[number].mass *
+           glm::dot(toDouble(step.gravity), toDouble(motion.deltaPosition) - mean * static_cast<double>(step.dt));
+}
+
+/// The mean of the velocities before and after the step.
+struct MeanMotion {
+    Vec3 velocity, angularVelocity;
+    Vec3 at(Vec3 arm) const { return velocity + glm::cross(angularVelocity, arm); }
+};
+
+MeanMotion meanMotion(const WorldState& state, std::uint32_t number, const std::vector<StartMotion>& starts) {
+    const BodyMotion& motion = state.motions[number];
+    if (!state.bodies[number].isAwake) return {toDouble(motion.velocity), toDouble(motion.angularVelocity)};
+    return {0.5 * (toDouble(starts[number].velocity) + toDouble(motion.velocity)),
+            0.5 * (toDouble(starts[number].angularVelocity) + toDouble(motion.angularVelocity))};
+}
+
+}  // namespace
+
+void saveStartMotions(const WorldState& state, ThreadPool& threads, const Regions& regions,
+                      ContactEnergyScratch& scratch) {
+    scratch.starts.resize(state.bodies.size());
+    scratch.losses.resize(state.bodies.size());
+    regions.forEach(threads, [&](std::size_t region) {
+        for (const std::uint32_t body : regions.bodies(region)) {
+            scratch.starts[body] = {state.motions[body].velocity, state.motions[body].angularVelocity};
+        }
+    });
+}
+
+double contactLoss(const WorldState& state, ThreadPool& threads, const Regions& regions, const SolverStep& step,
+                   ContactEnergyScratch& scratch) {
+    regions.forEach(threads, [&](std::size_t region) {
+        for (const std::uint32_t body : regions.bodies(region)) {
+            scratch.losses[body] = lossOf(state, body, step, scratch.starts[body]);
+        }
+    });
+    double sum = 0.0;  // in the order of the bodies, on any number of threads
+    for (const std::uint32_t body : state.awake) sum += scratch.losses[body];
+    return sum;
+}
+
+double contactEnergy(const WorldState& state, const ContactBlock& block, std::size_t lane,
+                     const std::vector<StartMotion>& starts) {
+    const MeanMotion first = meanMotion(state, block.first[lane], starts);
+    const MeanMotion second = meanMotion(state, block.second[lane], starts);
+    const Vec3 normal = toDouble(block.normal.at(lane)), tangent = toDouble(block.tangent.at(lane));
+    const Vec3 centreOffset = toDouble(block.centreOffset.at(lane));
+    const auto speedAt = [&](Vec3 arm) { return second.at(arm + centreOffset) - first.at(arm); };
+    double gained = block.stepTorsionalImpulse[lane] * glm::dot(normal, second.angularVelocity - first.angularVelocity);
+    for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
+        const PointRows& point = block.points[i];
+        gained += point.stepImpulse[lane] * glm::dot(normal, speedAt(toDouble(point.position.at(lane))));
+    }
+    const Vec3 friction = static_cast<double>(block.stepFrictionX[lane]) * tangent +
+                          static_cast<double>(block.stepFrictionY[lane]) * glm::cross(normal, tangent);
+    gained += glm::dot(friction, speedAt(toDouble(block.frictionCentre.at(lane))));
+    return -gained;
+}
+
+void addGravity(const WorldState& state, const SolverStep& step, const std::vector<StartMotion>& starts,
+                std::vector<HitEvent>& hits) {
+    struct BodyHit {
+        std::uint32_t body = 0;
+        double impulse = 0.0;
+        std::size_t hit = 0;
+    };
+    std::vector<BodyHit> ofBodies;
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+        ofBodies.push_back({hits[k].first.index, hits[k].impulse, k});
+        ofBodies.push_back({hits[k].second.index, hits[k].impulse, k});
+    }
+    std::ranges::sort(ofBodies, [](const BodyHit& a, const BodyHit& b) {
+        return std::tuple(a.body, -a.impulse, a.hit) < std::tuple(b.body, -b.impulse, b.hit);
+    });
+    std::uint32_t last = 0;
+    for (const BodyHit& one : ofBodies) {
+        if (one.body == last) continue;
+        last = one.body;
+        if (!state.bodies[one.body].isAwake) continue;
+        hits[one.hit].energy += gravityBeyondMean(state, one.body, step, starts[one.body]);
+    }
+}
+
+}  // namespace rubble

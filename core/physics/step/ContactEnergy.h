@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/base/ThreadPool.h"
+#include "core/physics/solver/SolverKernels.h"
+#include "core/physics/state/Regions.h"
+
+#include <vector>
+
+namespace rubble {
+
+/// The velocities of a body before the solver changes them.
+struct StartMotion {
+    Vec3f velocity{0.0f, 0.0f, 0.0f};         // m/s
+    Vec3f angularVelocity{0.0f, 0.0f, 0.0f};  // rad/s
+};
+
+/// Memory of the functions below, reused from step to step.
+struct ContactEnergyScratch {
+    std::vector<StartMotion> starts;  // by body; of the awake ones
+    std::vector<double> losses;       // J, by body; of the awake ones
+};
+
+/// Keeps the velocities of the awake bodies; call before solveSubSteps().
+void saveStartMotions(const WorldState& state, ThreadPool& threads, const Regions& regions,
+                      ContactEnergyScratch& scratch);
+
+/// The mechanical energy that bodies lost by their contacts in the sub-steps just solved, J: of all that moved in
+/// another way than in free flight, kinetic and potential energy before less that after. Damping counts as contact, the
+/// work of World::grab() does not. Poses must be those before the step.
+double contactLoss(const WorldState& state, ThreadPool& threads, const Regions& regions, const SolverStep& step,
+                   ContactEnergyScratch& scratch);
+
+/// The mechanical energy that the bodies of a contact lost by its impulses in the sub-steps just solved, J.
+///
+/// Impulses P at points whose relative velocities were u before the step and are u' after it change the kinetic energy
+/// of all bodies by the sum of P . (u + u') / 2 over all contacts, exactly; and gravity by m g . (v + v') dt / 2, where
+/// the potential energy changes by -m g . dx: see addGravity().
+double contactEnergy(const WorldState& state, const ContactBlock& block, std::size_t lane,
+                     const std::vector<StartMotion>& starts);
+
+/// Adds to the energies of hits what gravity did in the step with their bodies, beyond what the mean velocity tells: a
+/// body that hits the ground in the middle of a step has moved farther than that. Of several hits of a body the one
+/// with the largest impulse gets it.
+void addGravity(const WorldState& state, const SolverStep& step, const std::vector<StartMotion>& starts,
+                std::vector<HitEvent>& hits);
+
+}  // namespace rubble
