@@ -100,7 +100,7 @@ private slots:
         for (std::size_t k = 0; k < 3; ++k) QVERIFY(impacts[k].second == made.bodies[k + 1]);
     }
     void hitsOfTheStep() {
-        SceneWorld made = cubeOver(0.0, {0.0, -4.0, 0.0}), slow = cubeOver(0.0, {0.0, -0.9, 0.0});
+        SceneWorld made = cubeOver(0.0, {0.0, -4.0, 0.0}), slow = cubeOver(0.0, {0.0, -0.2, 0.0});
         made.world.step(kStep);
         const auto& hits = made.world.events().hits;
         QCOMPARE(hits.size(), std::size_t{1});
