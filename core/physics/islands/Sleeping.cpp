@@ -105,6 +105,7 @@ void putToSleep(WorldState& state, std::uint32_t number, std::uint32_t island) {
     state.motions[number].velocity = state.motions[number].angularVelocity = Vec3f(0.0f);
     body.angularMomentum = body.referenceAngularVelocity = Vec3f(0.0f);
     state.sleepingIslands[island].bodies.push_back(number);
+    state.events.fellAsleep.push_back(state.idOf(number));
 }
 
 /// Stores the contacts of an island that just fell asleep, and removes its other contacts from the separated ones.

@@ -11,7 +11,7 @@ std::size_t byteCount(const WorldState& state) {
     bytes += elementBytes(state.proxies, state.freeProxies, state.rebox, state.contacts, state.freeContacts,
                           state.separated);
     bytes += elementBytes(state.sleepingIslands, state.freeSleepingIslands, state.stored, state.freeStored);
-    bytes += elementBytes(state.events.began, state.events.ended, state.events.hits);
+    bytes += elementBytes(state.events.began, state.events.ended, state.events.hits, state.events.fellAsleep);
     for (const ContactColours::List& list : state.colours.lists()) bytes += elementBytes(list.blocks, list.references);
     for (const SleepingIsland& island : state.sleepingIslands) bytes += elementBytes(island.bodies, island.contacts);
     return bytes;

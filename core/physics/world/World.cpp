@@ -164,6 +164,7 @@ void World::collide(double dt) {
         m_state->events.began.clear();
         m_state->events.ended.clear();
         m_state->events.hits.clear();
+        m_state->events.fellAsleep.clear();
         m_state->events.contactLoss = 0.0;
         context.times = {};
         context.counts.separatingAxisTests = 0;
@@ -195,6 +196,16 @@ void World::addContact(BodyId first, BodyId second, std::span<const CachedManifo
             rubble::addContact(state, a, b);
         }
     }
+}
+
+bool World::areTouching(BodyId first, BodyId second) const {
+    RUBBLE_ASSERT(contains(first) && contains(second));
+    bool isTouching = false;
+    visitContacts(*m_state, first.index, [&](std::uint32_t number, std::uint32_t other) {
+        const Contact& contact = m_state->contacts[number];
+        isTouching = isTouching || (other == second.index && (contact.slot.isSet() || contact.stored != kNone));
+    });
+    return isTouching;
 }
 
 std::vector<Impact> World::impacts() {

@@ -128,6 +128,8 @@ public:
     /// Adds a contact of two bodies known to touch, such as sibling fragments, so that collide() need not find it, with
     /// the manifolds if these are cached. Call collide(), also if it was called in this step, between it and solve().
     void addContact(BodyId first, BodyId second, std::span<const CachedManifold> manifolds = {});
+    /// Whether two bodies have a contact with a manifold, as of the last collide().
+    bool areTouching(BodyId first, BodyId second) const;
     /// The impacts of the coming step, after collide(), sorted by bodies.
     std::vector<Impact> impacts();
     /// Simulates dt seconds, after collide() with the same dt.

@@ -48,6 +48,14 @@ std::size_t addExcess(const SessionParts& parts, std::uint32_t maxFragments, std
     return parts.state.bodies.size();
 }
 
+PlayRemoval removalOf(const SessionParts& parts, const PlayBody& body, RemovalReason reason) {
+    return {.body = body,
+            .reason = reason,
+            .centre = parts.world.state(body.body).centre,
+            .mass = parts.world.mass(body.body),
+            .box = parts.world.box(body.body)};
+}
+
 }  // namespace
 
 double fadeOf(const PlayBody& body, const Debris& debris, std::uint64_t step, double dt) {
@@ -60,18 +68,23 @@ double fadeOf(const PlayBody& body, const Debris& debris, std::uint64_t step, do
 
 std::size_t removeDebris(const SessionParts& parts) {
     const Debris& debris = parts.scene.project.debris;
-    std::vector<std::uint32_t> gone;
+    std::vector<std::uint32_t> gone, faded, left;
     std::size_t visited = parts.state.bodies.size();
     for (const PlayBody& body : parts.state.bodies) {
         const bool isFaded = fadeOf(body, debris, parts.state.step, parts.settings.dt) >= 1.0;
         const std::optional<std::string> reason = isFaded ? std::nullopt : reasonToLeave(parts, body);
         if (reason) reportLeft(parts, body, *reason);
+        if (isFaded) faded.push_back(body.number);
+        if (reason) left.push_back(body.number);
         if (isFaded || reason) gone.push_back(body.number);
     }
     if (debris.maxFragments) visited += addExcess(parts, *debris.maxFragments, gone);
     std::ranges::sort(gone);
     for (const std::uint32_t number : gone) {
-        parts.state.events.removed.push_back(*findBody(parts.state, number));
+        const RemovalReason reason = std::ranges::binary_search(faded, number)  ? RemovalReason::Lifetime
+                                     : std::ranges::binary_search(left, number) ? RemovalReason::LeftWorld
+                                                                                : RemovalReason::Budget;
+        parts.state.events.removed.push_back(removalOf(parts, *findBody(parts.state, number), reason));
         removeFromWorld(parts, number);
         ++visited;
     }

@@ -32,6 +32,8 @@ PendingBreak breakBy(const SessionParts& parts, const PlayBody& body, const Impa
     broken.event.point = impact.point;
     broken.event.normal = isFirst ? -impact.normal : impact.normal;
     broken.event.impactor = isFirst ? impact.second : impact.first;
+    broken.event.impactorNumber = static_cast<std::uint32_t>(parts.world.tag(broken.event.impactor));
+    broken.event.approachSpeed = impact.approachSpeed;
     broken.restitution = impact.restitution;
     return broken;
 }

@@ -25,6 +25,7 @@ PlayFracture playFracture(const BakedFracture& baked) {
     PlayFracture fracture{.first = baked.first, .count = baked.fragments.count()};
     for (std::uint32_t k = 0; k < fracture.count; ++k) {
         for (const Bond& bond : baked.fragments[k].bonds()) {
+            fracture.area += bond.area;
             if (bond.fragment > k) fracture.neighbours.push_back({baked.first + k, baked.first + bond.fragment, {}});
         }
     }

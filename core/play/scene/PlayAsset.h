@@ -32,6 +32,7 @@ struct PlayContact {
 struct PlayFracture {
     std::uint32_t first = 0;
     std::uint32_t count = 0;              // at least 2
+    double area = 0.0;                    // m²: of the faces that their cracks open, of both sides
     std::vector<PlayContact> neighbours;  // each pair once
 };
 

@@ -3,6 +3,8 @@
 #include "core/physics/world/World.h"
 #include "core/play/scene/PlayAsset.h"
 
+#include <optional>
+
 namespace rubble {
 
 enum class PlayRole : std::uint8_t {
@@ -24,6 +26,7 @@ struct PlayBody {
     std::shared_ptr<const Polytope> hull;    // without an asset: its hull, in its own frame
     std::uint64_t born = 0;                  // steps done before it was created
     bool isUnbreakable = false;              // its instance never breaks
+    std::optional<Vec3> restCentre;          // m: where it was placed, or came to rest last
 
     /// Whether it is removed by the rules of Debris: fragments are, also those of a thrown asset; what is whole is not.
     bool isDebris() const { return role == PlayRole::Debris; }

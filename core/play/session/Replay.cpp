@@ -118,8 +118,9 @@ const PlayBody* bodyOf(const Session& session, std::uint32_t number) {
     const auto broken =
         std::ranges::find(session.events().breaks, number, [](const PlayBreak& one) { return one.body.number; });
     if (broken != session.events().breaks.end()) return &broken->body;
-    const auto removed = std::ranges::find(session.events().removed, number, &PlayBody::number);
-    return removed != session.events().removed.end() ? &*removed : nullptr;
+    const auto removed =
+        std::ranges::find(session.events().removed, number, [](const PlayRemoval& one) { return one.body.number; });
+    return removed != session.events().removed.end() ? &removed->body : nullptr;
 }
 
 std::string differenceText(const Divergence& divergence) {

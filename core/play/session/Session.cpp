@@ -5,6 +5,7 @@
 #include "core/base/Stopwatch.h"
 #include "core/play/breaking/DebrisRemoval.h"
 #include "core/play/breaking/Swap.h"
+#include "core/play/events/EventTelling.h"
 #include "core/play/session/SessionInputs.h"
 #include "core/play/state/SessionBodies.h"
 
@@ -85,7 +86,9 @@ void Session::step() {
     }
     m_world.solve(m_settings.dt);
     ++m_state->step;
+    std::vector<EventRecord> happened = happenedEvents(parts);
     removeDebris(parts);
+    tellEvents(parts, std::move(happened));
     const auto recent = static_cast<std::uint64_t>(kRecentTime / m_settings.dt);
     std::erase_if(m_state->recentBreaks,
                   [&](const PlayBreak& broken) { return broken.step + recent <= m_state->step; });

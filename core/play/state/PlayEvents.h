@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/play/events/EventRecord.h"
 #include "core/play/scene/PlayBody.h"
 #include "core/play/scene/PlayInput.h"
 #include "core/play/state/EnergyAudit.h"
@@ -16,9 +17,11 @@ struct PlayBreak {
     double impact = 0.0;     // N·s: the damage done to it
     double threshold = 0.0;  // N·s
     Vec3 point{0.0, 0.0, 0.0};
-    Vec3 normal{0.0, 0.0, 0.0};       // from the impactor into the body
-    BodyId impactor;                  // index 0 for hammers, explosions and BreakInput
-    std::uint32_t firstFragment = 0;  // number of its first fragment; the others follow, and those left out count
+    Vec3 normal{0.0, 0.0, 0.0};            // from the impactor into the body
+    BodyId impactor;                       // index 0 for hammers, explosions and BreakInput
+    std::uint32_t impactorNumber = kNone;  // kNone without one
+    double approachSpeed = 0.0;            // m/s, of the impactor
+    std::uint32_t firstFragment = 0;       // number of its first fragment; the others follow, and those left out count
     std::uint32_t fragmentCount = 0;
     Pose pose;                               // of the whole's frame when it broke
     std::shared_ptr<const PlayAsset> asset;  // of its fragments: its own, or one cut at the point of impact
@@ -33,15 +36,25 @@ struct PlayImpact {
     Vec3 point{0.0, 0.0, 0.0};
 };
 
-/// The events of the last step, in a fixed order.
+/// A body that was removed in a step.
+struct PlayRemoval {
+    PlayBody body;  // as it was before
+    RemovalReason reason = RemovalReason::LeftWorld;
+    Vec3 centre{0.0, 0.0, 0.0};  // m, of mass
+    double mass = 0.0;           // kg
+    Box3 box;                    // m
+};
+
+/// What happened in the last step, in a fixed order.
 struct PlayEvents {
     std::vector<TimedInput> inputs;  // applied before it
     std::vector<PlayBreak> breaks;
     std::vector<PlayImpact> impacts;      // on breakable bodies, by body
     std::vector<PlayBody> born;           // fragments and projectiles
-    std::vector<PlayBody> removed;        // debris that was removed, and bodies that left the world
+    std::vector<PlayRemoval> removed;     // debris that was removed, and bodies that left the world, by number
     std::vector<Diagnostic> diagnostics;  // UnappliedInput, PatternFallback and LeftWorld
     EnergyAudit energy;                   // of inputs and breaks, not of the solver
+    EventReport told;                     // the strongest of all that, and of what contacts did
 };
 
 }  // namespace rubble

@@ -99,6 +99,7 @@ Result<std::uint32_t> addBody(const SessionParts& parts, BodyDefinition definiti
     body.number = state.nextNumber++;
     body.body = *id;
     body.born = state.step;
+    if (body.role == PlayRole::Instance) body.restCentre = parts.world.state(*id).centre;
     state.bodies.push_back(std::move(body));
     return state.bodies.back().number;
 }

@@ -7,8 +7,10 @@ namespace rubble {
 std::size_t byteCount(const SessionState& state) {
     const PlayEvents& events = state.events;
     return sizeof(SessionState) +
-           elementBytes(state.bodies, state.origins, state.pending, state.materials, state.recentBreaks) +
-           elementBytes(events.inputs, events.breaks, events.impacts, events.born, events.removed, events.diagnostics);
+           elementBytes(state.bodies, state.origins, state.pending, state.materials, state.toldImpacts,
+                        state.recentBreaks) +
+           elementBytes(events.inputs, events.breaks, events.impacts, events.born, events.removed, events.diagnostics,
+                        events.told.records);
 }
 
 }  // namespace rubble

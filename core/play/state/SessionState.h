@@ -14,7 +14,16 @@ struct SessionSettings {
     bool hasDestruction = true;  // until a DestructionInput changes it
     int threads = 1;
     SimdWidth lanes = widestSimd();
+    EventSettings events;
     bool checksEnergy = true;  // RUBBLE_ASSERT that only sources add energy; not where damaged assets are examined
+};
+
+/// An impact that was told: while its bodies go on touching, their next ones are not.
+struct ToldImpact {
+    std::uint32_t first = 0;  // numbers of the bodies, first < second
+    std::uint32_t second = 0;
+    std::uint64_t apartSince = kTouching;  // step after which they no longer touched
+    static constexpr std::uint64_t kTouching = ~std::uint64_t{0};
 };
 
 /// Everything in a session that changes, except its world.
@@ -30,6 +39,7 @@ struct SessionState {
     std::map<Id, double> instanceThresholds;  // of instances with their own
     double lowest = 0.0;                      // m: bodies below it have left the world
     PlayEvents events;
+    std::vector<ToldImpact> toldImpacts;  // ascending bodies
     std::vector<PlayBreak> recentBreaks;  // of the last kRecentTime; never read by the simulation
 };
 

@@ -54,7 +54,9 @@ private slots:
         Session session = brokenBlock({.maxFragments = 4});
         QCOMPARE(test::countOf(session, PlayRole::Debris), 4u);
         double largestGone = 0.0, smallestLeft = 1e9;
-        for (const PlayBody& body : session.events().removed) {
+        for (const PlayRemoval& removal : session.events().removed) {
+            const PlayBody& body = removal.body;
+            QVERIFY(removal.reason == RemovalReason::Budget);
             largestGone = std::max(largestGone, body.asset->solid(body.fragment).shape->mass.volume);
         }
         for (const PlayBody& body : session.bodies()) {
@@ -82,8 +84,8 @@ private slots:
         session.step();
         QCOMPARE(test::countOf(session, PlayRole::Debris), 10u);
         QCOMPARE(session.events().removed.size(), std::size_t{3});
-        for (const PlayBody& body : session.events().removed) {  // larger than those still falling
-            QCOMPARE(session.nameOf(body).substr(0, 6), std::string("block/"));
+        for (const PlayRemoval& removal : session.events().removed) {  // larger than those still falling
+            QCOMPARE(session.nameOf(removal.body).substr(0, 6), std::string("block/"));
         }
     }
     void oldestOfEqualDebrisIsRemoved() {
@@ -97,7 +99,7 @@ private slots:
         test::addInput(session, BreakInput{session.bodies()[1].number});
         session.step();
         QCOMPARE(session.events().removed.size(), std::size_t{1});
-        QCOMPARE(session.nameOf(session.events().removed[0]).substr(0, 6), std::string("block/"));
+        QCOMPARE(session.nameOf(session.events().removed[0].body).substr(0, 6), std::string("block/"));
         QCOMPARE(test::countOf(session, PlayRole::Debris), 3u);
     }
     void wholeBodiesAreNoDebris_data() {
@@ -146,8 +148,9 @@ private slots:
     }
     void removedBodiesAreReportedByNumber() {
         Session session = brokenBlock({.maxFragments = 4});
-        QVERIFY(std::ranges::is_sorted(session.events().removed, {}, &PlayBody::number));
-        for (const PlayBody& body : session.events().removed) QVERIFY(session.body(body.number) == nullptr);
+        const auto number = [](const PlayRemoval& removal) { return removal.body.number; };
+        QVERIFY(std::ranges::is_sorted(session.events().removed, {}, number));
+        for (const PlayRemoval& one : session.events().removed) QVERIFY(session.body(number(one)) == nullptr);
     }
     /// The time of a piece runs from when it came, not from the start.
     void lifetimeStartsAtBirth() {
