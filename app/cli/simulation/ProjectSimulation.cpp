@@ -1,6 +1,7 @@
 #include "app/cli/simulation/ProjectSimulation.h"
 
 #include "core/base/Version.h"
+#include "core/io/play/EventsJson.h"
 #include "core/io/play/ReplayFile.h"
 #include "core/physics/queries/Penetration.h"
 
@@ -49,6 +50,7 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
             recorder.add(*session);
             if (const Status fits = recorded.add(recorder.replay()); !fits) return fits.error();
         }
+        if (plan.hasEvents) run.events += eventLines(session->stepsDone(), session->events().told);
         for (const PlayBreak& broken : session->events().breaks) {
             run.outcome.breaks.push_back(toResult(broken, *session, plan.simulation.isTimed));
         }

@@ -20,7 +20,8 @@ struct SimulationPlan {
 /// The result of a simulation.
 struct SimulationRun {
     SimulationOutcome outcome;
-    std::string trace;  // CSV with a header
+    std::string trace;   // CSV with a header
+    std::string events;  // JSON lines
     std::optional<Replay> replay;
 };
 

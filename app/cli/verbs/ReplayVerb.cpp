@@ -38,6 +38,7 @@ const char* wordOf(DivergenceKind kind) {
         case DivergenceKind::Broke: return "broke";
         case DivergenceKind::DidNotBreak: return "didNotBreak";
         case DivergenceKind::Velocity: return "velocity";
+        case DivergenceKind::Events: return "events";
     }
     return "unmeasured";
 }

@@ -31,7 +31,8 @@ Output:
 Counts are means over the last 120 steps; the penetration is exact, of the final poses. A break is
   {"step":k,"body":s,"impact":J,"threshold":J,"point":[x,y,z],"fragments":n}, with --timings also "swapMilliseconds".
 The bodies of a project are its instances, then projectiles and fragments in order of creation. The result does
-not depend on the number of threads: equal inputs give equal hashes.
+not depend on the number of threads: equal inputs give equal hashes. --events writes one JSON object a line; see
+docs/formats/events.md.
 
 Examples:
   rubble-cli simulate house.json --steps 600 > after.json
@@ -45,6 +46,7 @@ struct SimulateOptions {
     int threads = 1;
     bool isTimed = false;
     std::string record;
+    std::string events;
     PlayOptions play;
 };
 
@@ -70,9 +72,10 @@ Result<SimulationRun> withProgress(const SimulateOptions& options, const CliCont
 Result<SimulationRun> simulateBodies(const BodyScene& scene, const SimulateOptions& options,
                                      const CliContext& context) {
     const ShotOptions& shots = options.play.shots;
-    if (!shots.names.empty() || !shots.file.empty() || options.play.isWithoutDestruction || !options.record.empty()) {
+    if (!shots.names.empty() || !shots.file.empty() || options.play.isWithoutDestruction || !options.record.empty() ||
+        !options.events.empty()) {
         return Error{ErrorCode::BadInput,
-                     "A scene of bodies has no shots and no breaks and cannot be recorded; use a project."};
+                     "A scene of bodies has no shots, breaks and events and cannot be recorded; use a project."};
     }
     std::vector<Diagnostic> diagnostics;
     Result<SimulationRun> run = withProgress(options, context, [&](const TaskContext& task) {
@@ -93,7 +96,8 @@ Result<SimulationRun> simulateProject(const std::string& text, const SimulateOpt
         const Result<PreparedProject> play =
             prepareProject(*project, options.play, context, {.cancel = task.cancel, .threads = task.threads});
         if (!play) return play.error();
-        return runProject(*play, {planOf(options), options.play, !options.record.empty()}, task, diagnostics);
+        return runProject(*play, {planOf(options), options.play, !options.record.empty(), !options.events.empty()},
+                          task, diagnostics);
     });
     printMessages(diagnostics, context);
     return run;
@@ -110,6 +114,9 @@ Status simulate(const SimulateOptions& options, const CliContext& context) {
     if (!run) return run.error();
     if (!options.trace.empty()) {
         if (const Status written = writeOutput(options.trace, run->trace, context); !written) return written;
+    }
+    if (!options.events.empty()) {
+        if (const Status written = writeOutput(options.events, run->events, context); !written) return written;
     }
     if (run->replay) {
         if (const Status written = saveReplay(options.record, *run->replay); !written) return written;
@@ -129,6 +136,8 @@ Verb addSimulate(CLI::App& program) {
         .valueName("N");
     addPlayOptions(command, options->play);
     command.option("--record", options->record, "Write a recording for rubble-cli replay").valueName("FILE");
+    command.option("--events", options->events, "Write what hit, broke, came to rest and was removed")
+        .valueName("FILE.jsonl");
     addThreadsOption(command, options->threads);
     command.flag("--no-sleep", options->play.isSleepless, "Do not let bodies at rest sleep");
     command.option("--trace", options->trace, "Write counts and energies (J) of each step").valueName("FILE.csv");

@@ -41,6 +41,7 @@ void writeStep(JsonWriter& json, const ReplayStep& step) {
         json.number({}, broken.impact);
     }
     json.close();
+    if (step.events) json.text("events", hexOf(*step.events));
     json.close();
 }
 
@@ -69,8 +70,8 @@ void readRecords(const JsonValue& value, std::size_t length, const char* expecte
     if (!record.empty()) value.fail(expected);
 }
 
-ReplayStep readStep(const JsonValue& value) {
-    value.requireObject({"hash", "moved", "broke"});
+/// Reads what versions 2 and 3 have.
+ReplayStep readDetailedStep(const JsonValue& value) {
     ReplayStep step{.hash = readHex(value["hash"])};
     readRecords(value["moved"], 5, "expected a body, its check and its velocity for each", [&](const auto& record) {
         step.moved.push_back(
@@ -80,6 +81,18 @@ ReplayStep readStep(const JsonValue& value) {
         step.broke.push_back({record[0].index(), record[1].number()});
     });
     return step;
+}
+
+ReplayStep readStep(const JsonValue& value) {
+    value.requireObject({"hash", "moved", "broke", "events"});
+    ReplayStep step = readDetailedStep(value);
+    step.events = readHex(value["events"]);
+    return step;
+}
+
+ReplayStep readStepVersion2(const JsonValue& value) {
+    value.requireObject({"hash", "moved", "broke"});
+    return readDetailedStep(value);
 }
 
 ReplayStep readStepVersion1(const JsonValue& value) {
@@ -199,9 +212,9 @@ std::vector<Element> readWithChecksum(const JsonValue& root, const std::string& 
     return elements;
 }
 
-void readLists(const JsonValue& root, Replay& replay) {
+void readLists(const JsonValue& root, std::uint32_t version, Replay& replay) {
     replay.inputs = readSealed(root, "inputs", readTimedInput, writeTimedInput);
-    replay.steps = readSealed(root, "steps", readStep, writeStep);
+    replay.steps = readSealed(root, "steps", version > 2 ? readStep : readStepVersion2, writeStep);
     replay.keyframes = readSealed(root, "keyframes", readKeyframe, writeKeyframe);
 }
 
@@ -227,9 +240,15 @@ Replay readReplay(const JsonValue& root, std::uint32_t version) {
     const std::optional<ContentHash> hash = parseContentHash(project);
     if (!hash) root["project"].fail("expected thirty-two hexadecimal digits");
     replay.project = hash.value_or(ContentHash{});
-    isDetailed ? readLists(root, replay) : readListsVersion1(root, replay);
+    isDetailed ? readLists(root, version, replay) : readListsVersion1(root, replay);
     if (!std::ranges::is_sorted(replay.inputs, {}, &TimedInput::step)) root["inputs"].fail("expected ascending steps");
     return replay;
+}
+
+std::uint32_t versionOf(const Replay& replay) {
+    if (!replay.isDetailed) return 1;
+    const auto hasEvents = [](const ReplayStep& step) { return step.events.has_value(); };
+    return std::ranges::all_of(replay.steps, hasEvents) ? kReplayVersion : 2;
 }
 
 }  // namespace
@@ -240,7 +259,7 @@ std::string replayText(const Replay& replay) {
     JsonWriter json;
     json.openObject();
     json.text("format", kReplayFormat.name);
-    json.wholeNumber("version", std::uint64_t{replay.isDetailed ? kReplayVersion : 1});
+    json.wholeNumber("version", std::uint64_t{versionOf(replay)});
     json.text("program", replay.program);
     json.text("project", replay.project.hex());
     json.number("dt", replay.dt);

@@ -9,8 +9,9 @@
 
 namespace rubble {
 
-/// The version of replay files that is written; version 1, without velocities and breaks, is read as well.
-inline constexpr std::uint32_t kReplayVersion = 2;
+/// The version of replay files that is written; versions 1, without velocities and breaks,
+/// and 2, without events, are read as well.
+inline constexpr std::uint32_t kReplayVersion = 3;
 
 /// Returns the hash that identifies a replay's project: that of projectText().
 ContentHash projectHash(const Project& project);

@@ -43,8 +43,8 @@ struct StepEvents {
     std::vector<ContactEvent> ended;  // including those of removed bodies
     std::vector<HitEvent> hits;
     std::vector<BodyId> fellAsleep;  // by body
-    /// J: mechanical energy that all contacts took in the step, hits included: World::grab() and free flight changed the
-    /// rest of it.
+    /// J: mechanical energy that all contacts took in the step, hits included. World::grab() and free flight changed
+    /// the rest of it.
     double contactLoss = 0.0;
 };
 

@@ -35,12 +35,18 @@ ReplayStep stepOf(const Session& session) {
         const BodyState state = session.world().state(body.body);
         if (!state.asleep) step.moved.push_back({body.number, checkOf(state), rounded(state.velocity)});
     }
+    step.events = session.events().told.hash();
     return step;
+}
+
+bool tellsOther(const ReplayStep& recorded, const ReplayStep& now) {
+    return recorded.events && recorded.events != now.events;
 }
 
 bool differs(const ReplayStep& recorded, const ReplayStep& now) {
     const auto isSame = [](const BodyCheck& a, const BodyCheck& b) { return a.body == b.body && a.check == b.check; };
-    return recorded.hash != now.hash || !std::ranges::equal(recorded.moved, now.moved, isSame);
+    return recorded.hash != now.hash || !std::ranges::equal(recorded.moved, now.moved, isSame) ||
+           tellsOther(recorded, now);
 }
 
 /// A body by which two steps differ.
@@ -134,6 +140,7 @@ std::string differenceText(const Divergence& divergence) {
             if (divergence.difference < 1e-6) return "diverged from the recording, in velocity by less than 1e-6 m/s";
             return "diverged most from the recording, in velocity by " +
                    quantityText(QuantityKind::Speed, divergence.difference);
+        case DivergenceKind::Events: return "tells other events than in the recording";
     }
     return "diverged from the recording";
 }
@@ -221,6 +228,8 @@ void ReplayPlayer::compare() {
         if (body != nullptr) m_divergence->place = placeOf(*body);
         m_divergence->kind = largest->kind;
         m_divergence->difference = largest->size;
+    } else if (tellsOther(recorded, now)) {
+        m_divergence->kind = DivergenceKind::Events;
     }
     compare();
 }

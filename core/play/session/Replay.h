@@ -23,9 +23,10 @@ struct ReplayBreak {
 };
 
 struct ReplayStep {
-    std::uint64_t hash = 0;          // of all bodies after the step
-    std::vector<BodyCheck> moved;    // the bodies awake after the step, by number
-    std::vector<ReplayBreak> broke;  // in order of their breaks
+    std::uint64_t hash = 0;               // of all bodies after the step
+    std::vector<BodyCheck> moved;         // the bodies awake after the step, by number
+    std::vector<ReplayBreak> broke;       // in order of their breaks
+    std::optional<std::uint64_t> events;  // EventReport::hash(); none in older recordings
     bool operator==(const ReplayStep&) const = default;
 };
 
@@ -87,6 +88,7 @@ enum class DivergenceKind {
     Broke,        // it broke, but not in the recording
     DidNotBreak,  // it broke in the recording only
     Velocity,
+    Events,  // all bodies are the same, but what the step tells of them is not
 };
 
 /// The first difference between a replay and its recording.

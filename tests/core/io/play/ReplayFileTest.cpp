@@ -25,9 +25,9 @@ Replay replayOfAll() {
                      {9, GrabInput{3, {1, 1, 1}, 500.0}},
                      {10, DragInput{{2, 2, 2}}},
                      {11, ReleaseInput{}}};
-    replay.steps = {{.hash = 0xfedcba9876543210, .moved = {{1, 99, {0.5, -9.81, 0}}, {7, 0xffffffff, {}}}},
-                    {.hash = 5, .broke = {{7, 1320.5}, {9, 0.0}}},
-                    {.hash = 6}};
+    replay.steps = {{.hash = 0xfedcba9876543210, .moved = {{1, 99, {0.5, -9.81, 0}}, {7, 0xffffffff, {}}}, .events = 1},
+                    {.hash = 5, .broke = {{7, 1320.5}, {9, 0.0}}, .events = 0xabcdef},
+                    {.hash = 6, .events = 0}};
     replay.keyframes = {{.step = 60, .bodies = {{.number = 3, .pose = {{0.1, 0.2, 0.3}, {0.5, 0.5, 0.5, 0.5}}}}}};
     return replay;
 }
@@ -52,6 +52,16 @@ private slots:
         QVERIFY(*read == replay);
         QCOMPARE(replayText(*read), replayText(replay));
     }
+    /// Recordings without events stay of version 2.
+    void recordingsWithoutEventsAreReadAndWritten() {
+        Replay replay = replayOfAll();
+        for (ReplayStep& step : replay.steps) step.events.reset();
+        const std::string text = replayText(replay);
+        QVERIFY(text.find("\"version\": 2") != std::string::npos && text.find("events") == std::string::npos);
+        const Result<Replay> read = readReplayText(text);
+        QVERIFY2(read.hasValue(), read ? "" : read.error().message.c_str());
+        QVERIFY(*read == replay);
+    }
     void replayIsSavedAndLoaded() {
         QTemporaryDir folder;
         const std::string path = folder.filePath("a.replay").toStdString();
@@ -70,8 +80,10 @@ private slots:
     }
     void removedElementsAreNamed() {
         const std::string text = replayText(replayOfAll());
-        const std::string second = R"(    {"hash": "0000000000000005", "moved": [], "broke": [7, 1320.5, 9, 0]},)";
-        const std::string third = ",\n    {\"hash\": \"0000000000000006\", \"moved\": [], \"broke\": []}";
+        const std::string second = R"(    {"hash": "0000000000000005", "moved": [], "broke": [7, 1320.5, 9, 0], )"
+                                   R"("events": "0000000000abcdef"},)";
+        const std::string third =
+            ",\n" R"(    {"hash": "0000000000000006", "moved": [], "broke": [], "events": "0000000000000000"})";
         QCOMPARE(replayFault(text, second + '\n', ""),
                  QString("steps[1]: changed after the recording, or what was here was removed."));
         QCOMPARE(replayFault(text, third, ""),
@@ -84,6 +96,7 @@ private slots:
         QVERIFY(QString::fromStdString(text).contains("\"version\": 1"));
         for (ReplayStep& step : replay.steps) {
             step.broke.clear();
+            step.events.reset();
             for (BodyCheck& check : step.moved) check.velocity = Vec3(0.0);
         }
         QVERIFY(*readReplayText(text) == replay);
@@ -132,7 +145,7 @@ private slots:
     void invalidTextIsRejected() {
         const std::string text = replayText(replayOfAll());
         QVERIFY(replayFault(text, "rubble-replay", "rubble-project").contains("rubble-project"));
-        QVERIFY(replayFault(text, "\"version\": 2", "\"version\": 3").contains("newer"));
+        QVERIFY(replayFault(text, "\"version\": 3", "\"version\": 4").contains("newer"));
         QCOMPARE(replayFault(text, "fedcba9876543210", "fedcba987654321"),
                  QString("steps[0].hash: expected sixteen hexadecimal digits."));
         QCOMPARE(replayFault(text, "0123456789abcdef", "x123456789abcdef"),

@@ -69,6 +69,23 @@ private slots:
         QVERIFY(*again == m_replay);
     }
 
+    void eventsAreChecked() {
+        Replay changed = m_replay;
+        changed.steps[59].events = *changed.steps[59].events + 1;
+        ReplayPlayer player = playerOf(m_scene, changed);
+        QVERIFY(player.seek(kSteps).hasValue());
+        QVERIFY(player.divergence().has_value());
+        QCOMPARE(player.divergence()->diagnostic().message,
+                 std::string("At step 60 the scene tells other events than in the recording."));
+    }
+    void recordingsWithoutEventsAreOtherwiseChecked() {
+        Replay older = m_replay;
+        for (ReplayStep& step : older.steps) step.events.reset();
+        ReplayPlayer player = playerOf(m_scene, older);
+        QVERIFY(player.seek(kSteps).hasValue());
+        QVERIFY(!player.divergence());
+    }
+
     void seeksForwardsAndBackwards() {
         ReplayPlayer player = playerOf(m_scene, m_replay);
         for (const std::uint64_t step : {100, 40, 41, 149, 0, 60, 59, 150, 149, 1, 1000}) {
