@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/play/events/EventRecord.h"
+#include "core/play/state/EventRecord.h"
 
 #include <string>
 

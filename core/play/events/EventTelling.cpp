@@ -102,12 +102,15 @@ HitEvent joined(std::span<const HitEvent> hits) {
 }
 
 EventRecord impactRecord(const SessionParts& parts, const HitEvent& hit) {
-    // The body meant is the one that the artist placed or that came of it; of two, that with the lower number.
+    // The body meant is the one that the artist placed or that came of it, rather than a plain projectile or the ground;
+    // of two, that with the lower number.
     const PlayBody* body = findBody(parts.state, numberOf(parts.world, hit.first));
     const PlayBody* other = findBody(parts.state, numberOf(parts.world, hit.second));
     RUBBLE_ASSERT(body != nullptr && other != nullptr);
     Vec3 normal = -hit.normal;  // into the first
-    const auto rank = [](const PlayBody& one) { return std::pair(one.asset == nullptr, one.number); };
+    const auto rank = [](const PlayBody& one) {
+        return std::tuple(one.role == PlayRole::Ground, one.asset == nullptr, one.number);
+    };
     if (rank(*other) < rank(*body)) {
         std::swap(body, other);
         normal = -normal;

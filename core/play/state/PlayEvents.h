@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/play/events/EventRecord.h"
 #include "core/play/scene/PlayBody.h"
 #include "core/play/scene/PlayInput.h"
 #include "core/play/state/EnergyAudit.h"
+#include "core/play/state/EventRecord.h"
 
 #include <memory>
 #include <vector>

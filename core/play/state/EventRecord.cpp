@@ -1,4 +1,4 @@
-#include "core/play/events/EventRecord.h"
+#include "core/play/state/EventRecord.h"
 
 #include "core/base/Hash.h"
 
