@@ -22,7 +22,8 @@ public:
     std::span<const TouchingBody> touching(std::uint32_t body) const { return m_touching[body]; }
     bool isDynamic(std::uint32_t body) const { return m_dynamic[body]; }
 
-    /// Adds the dynamic bodies that are connected with `bodies`, until there are more than `most`; true if these are all.
+    /// Adds the dynamic bodies that are connected with `bodies`, at most `most` in all; true if
+    /// there are no more.
     bool addConnected(std::vector<std::uint32_t>& bodies, std::size_t most) const;
     /// Adds the dynamic bodies that rest on `bodies`, on others that do, and so on.
     void addResting(std::vector<std::uint32_t>& bodies) const;
