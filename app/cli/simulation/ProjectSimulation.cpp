@@ -3,6 +3,7 @@
 #include "core/base/Version.h"
 #include "core/io/play/ReplayFile.h"
 #include "core/physics/queries/Penetration.h"
+#include "core/sound/session/SoundRecorder.h"
 
 #include <chrono>
 
@@ -38,6 +39,7 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
     StepRecord record(plan.simulation);
     ReplayRecorder recorder(*session, programVersion(), projectHash(session->scene().project));
     ReplaySize recorded;
+    SoundRecorder heard(*session);
     SimulationRun run;
     for (int step = 1; step <= plan.simulation.steps; ++step) {
         if (task.isCancelled()) return TaskContext::cancelled();
@@ -49,6 +51,7 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
             recorder.add(*session);
             if (const Status fits = recorded.add(recorder.replay()); !fits) return fits.error();
         }
+        if (plan.isHeard) heard.add(*session);
         for (const PlayBreak& broken : session->events().breaks) {
             run.outcome.breaks.push_back(toResult(broken, *session, plan.simulation.isTimed));
         }
@@ -63,6 +66,10 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
     run.outcome.stepMilliseconds = record.milliseconds();
     run.trace = std::move(record).trace();
     if (plan.isRecorded) run.replay = recorder.replay();
+    if (!plan.isHeard) return run;
+    Result<StereoTrack> sound = heard.track();
+    if (!sound) return sound.error();
+    run.sound = std::move(*sound);
     return run;
 }
 

@@ -10,6 +10,7 @@ struct PlayPlan {
     SimulationPlan simulation;  // of `world` only the threads are used; `play` has the rest
     PlayOptions play;
     bool isRecorded = false;  // as a replay
+    bool isHeard = false;     // its sound is made
 };
 
 /// Simulates a project. The resulting bodies are the instances, then projectiles and fragments in order of creation,

@@ -9,6 +9,7 @@
 #include "core/io/play/BodiesJson.h"
 #include "core/io/play/ReplayFile.h"
 #include "core/io/project/ProjectFile.h"
+#include "core/io/system/AtomicFile.h"
 
 #include <memory>
 
@@ -45,6 +46,7 @@ struct SimulateOptions {
     int threads = 1;
     bool isTimed = false;
     std::string record;
+    std::string wav;
     PlayOptions play;
 };
 
@@ -74,6 +76,9 @@ Result<SimulationRun> simulateBodies(const BodyScene& scene, const SimulateOptio
         return Error{ErrorCode::BadInput,
                      "A scene of bodies has no shots and no breaks and cannot be recorded; use a project."};
     }
+    if (!options.wav.empty()) {
+        return Error{ErrorCode::BadInput, "A scene of bodies has no materials that sound; use a project for --wav."};
+    }
     std::vector<Diagnostic> diagnostics;
     Result<SimulationRun> run = withProgress(options, context, [&](const TaskContext& task) {
         return runBodies(scene, planOf(options), task, diagnostics);
@@ -93,7 +98,8 @@ Result<SimulationRun> simulateProject(const std::string& text, const SimulateOpt
         const Result<PreparedProject> play =
             prepareProject(*project, options.play, context, {.cancel = task.cancel, .threads = task.threads});
         if (!play) return play.error();
-        return runProject(*play, {planOf(options), options.play, !options.record.empty()}, task, diagnostics);
+        return runProject(*play, {planOf(options), options.play, !options.record.empty(), !options.wav.empty()}, task,
+                          diagnostics);
     });
     printMessages(diagnostics, context);
     return run;
@@ -114,6 +120,9 @@ Status simulate(const SimulateOptions& options, const CliContext& context) {
     if (run->replay) {
         if (const Status written = saveReplay(options.record, *run->replay); !written) return written;
     }
+    if (run->sound) {
+        if (const Status written = writeFileAtomically(options.wav, wavFile(*run->sound)); !written) return written;
+    }
     return printText(simulationJson(run->outcome), context);
 }
 
@@ -129,6 +138,7 @@ Verb addSimulate(CLI::App& program) {
         .valueName("N");
     addPlayOptions(command, options->play);
     command.option("--record", options->record, "Write a recording for rubble-cli replay").valueName("FILE");
+    command.option("--wav", options->wav, "Write the sound of impacts and breaks").valueName("FILE.wav");
     addThreadsOption(command, options->threads);
     command.flag("--no-sleep", options->play.isSleepless, "Do not let bodies at rest sleep");
     command.option("--trace", options->trace, "Write counts and energies (J) of each step").valueName("FILE.csv");
