@@ -81,7 +81,7 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
         addNew(program),    addImport(program), addSeeds(program),    addFracture(program), addExport(program),
         addCheck(program),  addDraw(program),   addRender(program),   addVideo(program),    addSimulate(program),
         addReplay(program), addTest(program),   addStrength(program), addAudit(program),    addMaterials(program),
-        addDiff(program),   addSheet(program)};
+        addDiff(program),   addSheet(program),  addQuery(program)};
     try {
         program.parse(
             std::vector<std::string>(present.rbegin(), present.rend()));  // CLI11 expects them in reverse order

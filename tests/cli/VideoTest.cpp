@@ -7,6 +7,7 @@
 #include <QDir>
 #include <QProcess>
 #include <QRegularExpression>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -104,6 +105,40 @@ private slots:
         QFile video(path);
         QVERIFY(video.open(QIODevice::ReadOnly));
         QVERIFY(video.readAll().contains("-framerate\n6\n"));  // real time
+    }
+    void soundIsGivenToFfmpeg() {
+        const QTemporaryDir place;
+        const QString path = place.filePath("hit.mp4");
+        const QStringList options{"video",     RUBBLE_SOURCE_DIR "/projects/house.rubble",
+                                  path,        "--sound",
+                                  "--samples", "0",
+                                  "--steps",   "20",
+                                  "--every",   "10",
+                                  "--size",    "18x12"};
+        const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
+        QCOMPARE(runVideo(options).error, QString());
+        QFile video(path);
+        QVERIFY(video.open(QIODevice::ReadOnly));
+        QVERIFY(QRegularExpression("\n-i\n[^\n]*/sound.wav\n").match(video.readAll()).hasMatch());
+        QCOMPARE(QDir(place.path()).entryList(QDir::Files | QDir::Hidden), QStringList{"hit.mp4"});
+    }
+    void picturesHaveNoSound() {
+        const QTemporaryDir place;
+        QCOMPARE(video(place, {"--steps", "1", "--sound"}).error,
+                 QString("--sound needs a video such as hit.mp4; rubble-cli simulate --wav writes the sound alone.\n"));
+    }
+    void videoHasTwoStreams() {
+        const QString ffprobe = QStandardPaths::findExecutable("ffprobe");
+        if (ffprobe.isEmpty()) QSKIP("ffprobe is not installed.");
+        const QTemporaryDir place;
+        const QString path = place.filePath("hit.mp4");
+        const ProgramOutcome made =
+            runVideo({"video", RUBBLE_SOURCE_DIR "/projects/house.rubble", path, "--sound", "--samples", "0", "--shot",
+                      "box at the door", "--steps", "60", "--every", "10", "--size", "180x120"});
+        QCOMPARE(made.error, QString());
+        const ProgramOutcome probed =
+            runProgram(ffprobe, {"-v", "error", "-show_entries", "stream=codec_type", "-of", "csv=p=0", path});
+        QCOMPARE(probed.output.simplified(), QString("video audio"));
     }
     void startAfterTheEndIsRejected() {
         const QTemporaryDir place;

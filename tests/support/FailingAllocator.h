@@ -37,12 +37,12 @@ private:
 };
 
 inline void* allocatedOrNone(std::size_t size, std::size_t alignment) {
-    if (FailingAllocation::fails(size)) return nullptr;
-    return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    const std::size_t bytes = size == 0 ? 1 : size;
+    return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
 }
 
 inline void* allocated(std::size_t size, std::size_t alignment) {
-    void* const memory = allocatedOrNone(size == 0 ? 1 : size, alignment);
+    void* const memory = FailingAllocation::fails(size) ? nullptr : allocatedOrNone(size, alignment);
     if (memory == nullptr) throw std::bad_alloc();
     return memory;
 }
@@ -53,8 +53,10 @@ void* operator new(std::size_t size) { return rubble::allocated(size, __STDCPP_D
 void* operator new(std::size_t size, std::align_val_t alignment) {
     return rubble::allocated(size, static_cast<std::size_t>(alignment));
 }
+// Never fails: only libraries ask for memory like this, and the compiler of a software renderer's shaders crashes
+// without it.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-    return rubble::allocatedOrNone(size == 0 ? 1 : size, __STDCPP_DEFAULT_NEW_ALIGNMENT__);
+    return rubble::allocatedOrNone(size, __STDCPP_DEFAULT_NEW_ALIGNMENT__);
 }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }

@@ -2,6 +2,7 @@
 
 #include "core/io/media/PictureSequence.h"
 #include "core/io/media/VideoFile.h"
+#include "core/io/system/AtomicFile.h"
 #include "core/io/system/Temporary.h"
 #include "viewport/render/OffscreenRenderer.h"
 #include "viewport/video/FrameWriter.h"
@@ -81,7 +82,11 @@ Status renderVideo(std::span<SessionPlayback> playbacks, const VideoPlan& plan, 
     const auto sequence = PictureSequence::create(pictures, video);
     if (!sequence) return sequence.error();
     const Status rendered = renderTo(playbacks, plan, **sequence, task.stage(0.0, kRenderingFraction));
-    return rendered ? encodeVideo(pictures, plan.frameRate, video, task) : rendered;
+    if (!rendered) return rendered;
+    if (plan.sound.empty()) return encodeVideo(pictures, plan.frameRate, video, task);
+    const fs::path sound = (*folder)->path() / "sound.wav";
+    const Status written = writeFileAtomically(sound, plan.sound);
+    return written ? encodeVideo(pictures, plan.frameRate, video, task, sound) : written;
 }
 
 }  // namespace rubble

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 
 namespace rubble {
 
@@ -17,6 +18,7 @@ struct VideoPlan {
     double stepsPerFrame = 1.0;  // > 0; poses between two steps are interpolated
     int frames = 1;              // at most kMaxPictures
     double frameRate = 30.0;     // frames per second
+    std::string sound;           // of a video: a WAV file; empty: none
 };
 
 inline constexpr int kPlaybackGap = 8;  // pixels between two playbacks side by side

@@ -4,6 +4,7 @@
 #include "core/io/play/EventsJson.h"
 #include "core/io/play/ReplayFile.h"
 #include "core/physics/queries/Penetration.h"
+#include "core/sound/session/SoundRecorder.h"
 
 #include <chrono>
 
@@ -39,6 +40,7 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
     StepRecord record(plan.simulation);
     ReplayRecorder recorder(*session, programVersion(), projectHash(session->scene().project));
     ReplaySize recorded;
+    SoundRecorder heard(*session);
     SimulationRun run;
     for (int step = 1; step <= plan.simulation.steps; ++step) {
         if (task.isCancelled()) return TaskContext::cancelled();
@@ -51,6 +53,7 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
             if (const Status fits = recorded.add(recorder.replay()); !fits) return fits.error();
         }
         if (plan.hasEvents) run.events += eventLines(session->stepsDone(), session->events().told);
+        if (plan.isHeard) heard.add(*session);
         for (const PlayBreak& broken : session->events().breaks) {
             run.outcome.breaks.push_back(toResult(broken, *session, plan.simulation.isTimed));
         }
@@ -65,6 +68,10 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
     run.outcome.stepMilliseconds = record.milliseconds();
     run.trace = std::move(record).trace();
     if (plan.isRecorded) run.replay = recorder.replay();
+    if (!plan.isHeard) return run;
+    Result<StereoTrack> sound = heard.track();
+    if (!sound) return sound.error();
+    run.sound = std::move(*sound);
     return run;
 }
 

@@ -11,6 +11,7 @@ struct PlayPlan {
     PlayOptions play;
     bool isRecorded = false;  // as a replay
     bool hasEvents = false;   // they are kept as JSON lines
+    bool isHeard = false;     // its sound is made
 };
 
 /// Simulates a project. The resulting bodies are the instances, then projectiles and fragments in order of creation,

@@ -3,6 +3,7 @@
 #include "core/io/play/SimulationJson.h"
 #include "core/physics/world/World.h"
 #include "core/play/session/Replay.h"
+#include "core/sound/mix/SoundTrack.h"
 
 #include <string>
 
@@ -23,6 +24,7 @@ struct SimulationRun {
     std::string trace;   // CSV with a header
     std::string events;  // JSON lines
     std::optional<Replay> replay;
+    std::optional<StereoTrack> sound;
 };
 
 /// Records counts, durations and the trace of a simulation.

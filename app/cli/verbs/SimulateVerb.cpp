@@ -9,6 +9,7 @@
 #include "core/io/play/BodiesJson.h"
 #include "core/io/play/ReplayFile.h"
 #include "core/io/project/ProjectFile.h"
+#include "core/io/system/AtomicFile.h"
 
 #include <memory>
 
@@ -47,6 +48,7 @@ struct SimulateOptions {
     bool isTimed = false;
     std::string record;
     std::string events;
+    std::string wav;
     PlayOptions play;
 };
 
@@ -77,6 +79,9 @@ Result<SimulationRun> simulateBodies(const BodyScene& scene, const SimulateOptio
         return Error{ErrorCode::BadInput,
                      "A scene of bodies has no shots, breaks and events and cannot be recorded; use a project."};
     }
+    if (!options.wav.empty()) {
+        return Error{ErrorCode::BadInput, "A scene of bodies has no materials that sound; use a project for --wav."};
+    }
     std::vector<Diagnostic> diagnostics;
     Result<SimulationRun> run = withProgress(options, context, [&](const TaskContext& task) {
         return runBodies(scene, planOf(options), task, diagnostics);
@@ -96,7 +101,12 @@ Result<SimulationRun> simulateProject(const std::string& text, const SimulateOpt
         const Result<PreparedProject> play =
             prepareProject(*project, options.play, context, {.cancel = task.cancel, .threads = task.threads});
         if (!play) return play.error();
-        return runProject(*play, {planOf(options), options.play, !options.record.empty(), !options.events.empty()},
+        return runProject(*play,
+                          {.simulation = planOf(options),
+                           .play = options.play,
+                           .isRecorded = !options.record.empty(),
+                           .hasEvents = !options.events.empty(),
+                           .isHeard = !options.wav.empty()},
                           task, diagnostics);
     });
     printMessages(diagnostics, context);
@@ -121,6 +131,9 @@ Status simulate(const SimulateOptions& options, const CliContext& context) {
     if (run->replay) {
         if (const Status written = saveReplay(options.record, *run->replay); !written) return written;
     }
+    if (run->sound) {
+        if (const Status written = writeFileAtomically(options.wav, wavFile(*run->sound)); !written) return written;
+    }
     return printText(simulationJson(run->outcome), context);
 }
 
@@ -138,6 +151,7 @@ Verb addSimulate(CLI::App& program) {
     command.option("--record", options->record, "Write a recording for rubble-cli replay").valueName("FILE");
     command.option("--events", options->events, "Write what hit, broke, came to rest and was removed")
         .valueName("FILE.jsonl");
+    command.option("--wav", options->wav, "Write the sound of impacts and breaks").valueName("FILE.wav");
     addThreadsOption(command, options->threads);
     command.flag("--no-sleep", options->play.isSleepless, "Do not let bodies at rest sleep");
     command.option("--trace", options->trace, "Write counts and energies (J) of each step").valueName("FILE.csv");

@@ -35,5 +35,6 @@ Verb addAudit(CLI::App& program);
 Verb addMaterials(CLI::App& program);
 Verb addDiff(CLI::App& program);
 Verb addSheet(CLI::App& program);
+Verb addQuery(CLI::App& program);
 
 }  // namespace rubble

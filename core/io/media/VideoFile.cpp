@@ -28,25 +28,16 @@ std::string pictureNames(const fs::path& folder) {
     return names + PictureSequence::kFileNameFormat;
 }
 
-/// `pictures` and `video` are absolute: others could be read as options.
-std::vector<std::string> argumentsFor(const fs::path& pictures, double rate, const fs::path& video) {
+/// The paths are absolute: others could be read as options.
+std::vector<std::string> argumentsFor(const fs::path& pictures, double rate, const std::optional<fs::path>& sound,
+                                      const fs::path& video) {
     std::string rateText;
     appendNumber(rateText, rate);
-    return {"-nostdin",
-            "-v",
-            "error",
-            "-y",
-            "-framerate",
-            rateText,
-            "-start_number",
-            "0",
-            "-i",
-            pictureNames(pictures),
-            "-vf",
-            "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-            "-pix_fmt",
-            "yuv420p",
-            video.string()};
+    std::vector<std::string> arguments{
+        "-nostdin", "-v", "error", "-y", "-framerate", rateText, "-start_number", "0", "-i", pictureNames(pictures)};
+    if (sound) arguments.insert(arguments.end(), {"-i", sound->string()});
+    arguments.insert(arguments.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", video.string()});
+    return arguments;
 }
 
 /// Returns the last line that is not empty: ffmpeg's final error.
@@ -85,19 +76,21 @@ Status checkVideoReplaceable(const fs::path& video) {
     return success();
 }
 
-Status encodeVideo(const fs::path& pictures, double rate, const fs::path& video, const TaskContext& task) {
+Status encodeVideo(const fs::path& pictures, double rate, const fs::path& video, const TaskContext& task,
+                   const std::optional<fs::path>& sound) {
     const std::optional<fs::path> ffmpeg = findFfmpeg();
     if (!ffmpeg) return Error{ErrorCode::NotFound, "Encoding a video needs ffmpeg, which is not installed."};
     if (const Status replaceable = checkVideoReplaceable(video); !replaceable) return replaceable;
     std::error_code error;
     const fs::path target = fs::absolute(linkTarget(video), error);
     const fs::path from = error ? fs::path() : fs::absolute(pictures, error);
+    const std::optional<fs::path> heard = sound ? std::optional(fs::absolute(*sound, error)) : std::nullopt;
     if (error) return cannotWrite(video, error.value());
     removeLeftovers(target.parent_path());
     const auto folder = TemporaryFolder::create(target.parent_path());  // ffmpeg would follow a link to a file
     if (!folder) return folder.error();
     const fs::path part = (*folder)->path() / ("video" + video.extension().string());
-    const Result<ChildResult> outcome = runChild(*ffmpeg, argumentsFor(from, rate, part), kVideoLimits, task);
+    const Result<ChildResult> outcome = runChild(*ffmpeg, argumentsFor(from, rate, heard, part), kVideoLimits, task);
     const Status status = outcome ? toStatus(*outcome, part, video) : Status(outcome.error());
     if (!status) return status;
     const OpenFile written(part, O_RDONLY);

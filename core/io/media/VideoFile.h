@@ -21,10 +21,11 @@ Status checkVideoReplaceable(const std::filesystem::path& video);
 
 /// Encodes the PictureSequence in a folder as a video with `rate` pictures per second in a widely supported format.
 /// Replaces an existing video atomically, with its permissions and group, and its owner where the user may give files
-/// away; a link to a video stays one. Odd widths and heights are padded by a pixel.
+/// away; a link to a video stays one. Odd widths and heights are padded by a pixel. The sound, if there is one, is that
+/// of a WAV file.
 ///
 /// Errors: NotFound without ffmpeg; Io with the message of ffmpeg or the system; Cancelled.
 Status encodeVideo(const std::filesystem::path& pictures, double rate, const std::filesystem::path& video,
-                   const TaskContext& task = {});
+                   const TaskContext& task = {}, const std::optional<std::filesystem::path>& sound = {});
 
 }  // namespace rubble

@@ -151,6 +151,11 @@ double World::mass(BodyId body) const {
     return m_state->bodies[body.index].mass;
 }
 
+double World::friction(BodyId body) const {
+    RUBBLE_ASSERT(contains(body));
+    return m_state->bodies[body.index].friction;
+}
+
 double World::restitution(BodyId body) const {
     RUBBLE_ASSERT(contains(body));
     return m_state->bodies[body.index].restitution;

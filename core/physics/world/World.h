@@ -73,6 +73,7 @@ public:
     const Shape& shape(BodyId body) const;
     std::uint64_t tag(BodyId body) const;
     double mass(BodyId body) const;  // kg; 0 where static or kinematic
+    double friction(BodyId body) const;
     double restitution(BodyId body) const;
 
     Vec3 gravity() const;  // m/s²

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/play/queries/WouldFall.h"
+
+#include <span>
+#include <string>
+
+namespace rubble {
+
+/// What falls without bodies (by number), as JSON: names, masses in kg, times in s. The session must be the one that
+/// was asked.
+std::string wouldFallJson(const Session& session, std::span<const std::uint32_t> removed, const Collapse& collapse);
+
+/// Boxes that changed since a step, as JSON, in metres.
+std::string changedBoxesJson(std::uint64_t since, std::uint64_t step, std::span<const Box3> boxes);
+
+}  // namespace rubble
