@@ -127,6 +127,9 @@ public:
     /// Adds a contact of two bodies known to touch, such as sibling fragments, so that collide() need not find it, with
     /// the manifolds if these are cached. Call collide(), also if it was called in this step, between it and solve().
     void addContact(BodyId first, BodyId second, std::span<const CachedManifold> manifolds = {});
+    /// Finds the contacts of all bodies as they are, and puts the dynamic ones to sleep without moving them, if
+    /// sleeping is on. Not between collide() and solve().
+    void sleepInPlace(double dt);
     /// The impacts of the coming step, after collide(), sorted by bodies.
     std::vector<Impact> impacts();
     /// Simulates dt seconds, after collide() with the same dt.

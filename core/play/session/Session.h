@@ -68,6 +68,8 @@ public:
     /// Everything that the next steps depend on, including pending inputs.
     std::shared_ptr<const SessionSnapshot> snapshot() const;
     void restore(const SessionSnapshot& snapshot);
+    /// Puts all bodies to sleep where they are, see World::sleepInPlace().
+    void sleepInPlace() { m_world.sleepInPlace(m_settings.dt); }
     /// The memory that a snapshot taken now needs, in bytes.
     std::size_t snapshotBytes() const;
 
