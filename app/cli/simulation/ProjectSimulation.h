@@ -2,6 +2,7 @@
 
 #include "app/cli/options/PlayOptions.h"
 #include "app/cli/simulation/StepRecord.h"
+#include "core/play/session/SavedSession.h"
 
 namespace rubble {
 
@@ -10,12 +11,15 @@ struct PlayPlan {
     SimulationPlan simulation;  // of `world` only the threads are used; `play` has the rest
     PlayOptions play;
     bool isRecorded = false;  // as a replay
+    std::string state;        // file to start from; empty: from the start
+    std::string savedState;   // file for the state after the last step; empty: none
+    StateKind savedKind = StateKind::Whole;
 };
 
 /// Simulates a project. The resulting bodies are the instances, then projectiles and fragments in order of creation,
 /// without the ground. What the session reports is appended to `diagnostics`.
 ///
-/// Errors: those of createSession(); Cancelled.
+/// Errors: those of createSession(), loadState() and saveState(); Cancelled.
 Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan& plan, const TaskContext& task,
                                  std::vector<Diagnostic>& diagnostics);
 

@@ -22,6 +22,7 @@ struct SimulationRun {
     SimulationOutcome outcome;
     std::string trace;  // CSV with a header
     std::optional<Replay> replay;
+    std::vector<std::string> notes;  // for the user, a sentence each
 };
 
 /// Records counts, durations and the trace of a simulation.

@@ -36,7 +36,9 @@ not depend on the number of threads: equal inputs give equal hashes.
 Examples:
   rubble-cli simulate house.json --steps 600 > after.json
   rubble-cli simulate house.json --steps 600 --trace steps.csv --timings
-  rubble-cli simulate house.rubble --steps 600 --shot "box at the door")";
+  rubble-cli simulate house.rubble --steps 600 --shot "box at the door"
+  rubble-cli simulate house.rubble --steps 60 --save-state standing.rubblestate
+  rubble-cli simulate house.rubble --steps 600 --state standing.rubblestate --shot "box at the door")";
 
 struct SimulateOptions {
     std::string input = "-";
@@ -45,6 +47,9 @@ struct SimulateOptions {
     int threads = 1;
     bool isTimed = false;
     std::string record;
+    std::string state;
+    std::string savedState;
+    bool isSmall = false;
     PlayOptions play;
 };
 
@@ -54,6 +59,15 @@ SimulationPlan planOf(const SimulateOptions& options) {
             .world = {.sleeping = !options.play.isSleepless, .threads = options.threads},
             .isTraced = !options.trace.empty(),
             .isTimed = options.isTimed};
+}
+
+PlayPlan playPlan(const SimulateOptions& options) {
+    return {.simulation = planOf(options),
+            .play = options.play,
+            .isRecorded = !options.record.empty(),
+            .state = options.state,
+            .savedState = options.savedState,
+            .savedKind = options.isSmall ? StateKind::Small : StateKind::Whole};
 }
 
 /// Runs `work` and shows its progress on the terminal.
@@ -74,6 +88,9 @@ Result<SimulationRun> simulateBodies(const BodyScene& scene, const SimulateOptio
         return Error{ErrorCode::BadInput,
                      "A scene of bodies has no shots and no breaks and cannot be recorded; use a project."};
     }
+    if (!options.state.empty() || !options.savedState.empty()) {
+        return Error{ErrorCode::BadInput, "A scene of bodies has no states; use a project."};
+    }
     std::vector<Diagnostic> diagnostics;
     Result<SimulationRun> run = withProgress(options, context, [&](const TaskContext& task) {
         return runBodies(scene, planOf(options), task, diagnostics);
@@ -93,9 +110,12 @@ Result<SimulationRun> simulateProject(const std::string& text, const SimulateOpt
         const Result<PreparedProject> play =
             prepareProject(*project, options.play, context, {.cancel = task.cancel, .threads = task.threads});
         if (!play) return play.error();
-        return runProject(*play, {planOf(options), options.play, !options.record.empty()}, task, diagnostics);
+        return runProject(*play, playPlan(options), task, diagnostics);
     });
     printMessages(diagnostics, context);
+    if (run) {
+        for (const std::string& note : run->notes) context.err << note << '\n';
+    }
     return run;
 }
 
@@ -129,8 +149,15 @@ Verb addSimulate(CLI::App& program) {
         .valueName("N");
     addPlayOptions(command, options->play);
     command.option("--record", options->record, "Write a recording for rubble-cli replay").valueName("FILE");
+    const CommandOption state =
+        command.option("--state", options->state, "Start from a saved state; times of shots count from there")
+            .valueName("FILE");
+    const CommandOption saved =
+        command.option("--save-state", options->savedState, "Write the state after the last step").valueName("FILE");
+    command.flag("--small", options->isSmall, "Save damage and resting poses only").needs(saved);
     addThreadsOption(command, options->threads);
     command.flag("--no-sleep", options->play.isSleepless, "Do not let bodies at rest sleep");
+    for (const char* name : {"--dt", "--no-destruction", "--record", "--no-sleep"}) state.excludes(command[name]);
     command.option("--trace", options->trace, "Write counts and energies (J) of each step").valueName("FILE.csv");
     command.flag("--timings", options->isTimed, "Add the durations of steps and of their stages to the trace");
     return {command, [options](const CliContext& context) { return simulate(*options, context); }};
