@@ -2,6 +2,7 @@
 
 #include "core/base/Version.h"
 #include "core/io/play/ReplayFile.h"
+#include "core/io/play/StateFile.h"
 #include "editor/actions/TimelineActions.h"
 #include "editor/actions/VideoActions.h"
 #include "editor/commands/ProjectEdits.h"
@@ -31,6 +32,7 @@ namespace {
 constexpr double kSpeeds[] = {0.1, 0.25, 0.5, 1.0, 2.0};
 constexpr int kStepRates[] = {30, 60, 120, 240};  // Hz
 
+QString stateFilter() { return PlayActions::tr("States (*.rubblestate)"); }
 QString replayFilter() { return PlayActions::tr("Replays (*.replay)"); }
 
 }  // namespace
@@ -205,7 +207,16 @@ void PlayActions::addReplays() {
     m_saveReplay = add({"play-save-replay", tr("Save Repla&y…"), tr("Save this simulation as a replay")},
                        &PlayActions::saveReplay);
     add({"play-open-replay", tr("&Open Replay…"), tr("Play a saved replay")}, &PlayActions::openReplay);
+    addStates();
     m_menu->addAction(m_video.action());
+}
+
+void PlayActions::addStates() {
+    const auto add = actionAdder(*m_menu, this);
+    m_saveState =
+        add({"play-save-state", tr("Save Stat&e…"), tr("Save the displayed moment")}, &PlayActions::saveState);
+    add({"play-load-state", tr("&Load State…"), tr("Go on from a saved moment of a simulation")},
+        &PlayActions::openState);
 }
 
 void PlayActions::startOrStop() {
@@ -279,6 +290,33 @@ void PlayActions::openReplay() {
     controller().replay(scriptOf(*replay));
 }
 
+void PlayActions::saveState() {
+    controller().pause();
+    QFileDialog dialog(&m_views.window(), tr("Save State"), {}, stateFilter());
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix("rubblestate");
+    if (dialog.exec() != QDialog::Accepted) return;
+    const QString path = dialog.selectedFiles().first();
+    controller().requestState([this, path](const std::shared_ptr<const SavedSession>& saved) {
+        const Status written = rubble::saveState(toPath(path), *saved, projectHash(m_workspace.project()));
+        if (!written) return showError(&m_views.window(), written.error());
+        m_views.showStatus(tr("Saved %1.").arg(fileNameText(path)));
+    });
+}
+
+void PlayActions::openState() {
+    const QString path = QFileDialog::getOpenFileName(&m_views.window(), tr("Load State"), {}, stateFilter());
+    if (!path.isEmpty()) loadState(path);
+}
+
+void PlayActions::loadState(const QString& path) {
+    Result<SavedSession> saved = loadSavedSession(toPath(path), projectHash(m_workspace.project()));
+    if (!saved) return showError(&m_views.window(), saved.error());
+    m_views.setSceneVisible(true);
+    m_views.scene().viewport().setFocus();
+    controller().load(std::make_shared<const SavedSession>(std::move(*saved)));
+}
+
 void PlayActions::updateState() {
     const bool isOn = controller().isInPlay();
     m_play->setText(isOn ? tr("Sto&p") : tr("&Play"));
@@ -306,7 +344,8 @@ void PlayActions::updateRecorded() {
     m_saveShot->setEnabled(isShown && controller().isInPlay() && controller().lastShot());
     const auto& frame = controller().frame();
     const bool isRecorded = isShown && controller().hasSession() && frame && frame->length > 0;
-    m_saveReplay->setEnabled(isRecorded);
+    m_saveReplay->setEnabled(isRecorded && controller().isFromStart());
+    m_saveState->setEnabled(isShown && controller().hasSession() && frame);
 }
 
 }  // namespace rubble

@@ -26,6 +26,8 @@ public:
 
     /// Starts the simulation in the 3D view, which gets the keyboard focus.
     void start();
+    /// Pauses the simulation at the moment of a state file.
+    void loadState(const QString& path);
 
 private:
     void addRun();
@@ -43,6 +45,9 @@ private:
     void saveReplay();
     void writeReplay(const QString& path, const PlayScript& script);
     void openReplay();
+    void addStates();
+    void saveState();
+    void openState();
     void updateState();
     void updateRecorded();
     QList<QAction*> ownActions() const;
@@ -61,6 +66,7 @@ private:
     QAction* m_destruction = nullptr;
     QAction* m_saveShot = nullptr;
     QAction* m_saveReplay = nullptr;
+    QAction* m_saveState = nullptr;
     QMenu* m_shots = nullptr;
     QActionGroup* m_speeds = nullptr;
     QActionGroup* m_timeSteps = nullptr;

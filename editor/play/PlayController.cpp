@@ -69,6 +69,11 @@ void PlayController::replay(PlayScript script) {
     prepare(std::move(script));
 }
 
+void PlayController::load(std::shared_ptr<const SavedSession> state) {
+    m_startsPlaying = false;
+    prepare({.settings = nextSettings(), .state = std::move(state)});
+}
+
 /// Posts a task to the session, or queues it for the one that will start.
 void PlayController::post(PlayThread::Task task) {
     if (m_isWaitingForBakes) return m_queuedTasks.push_back(std::move(task));
@@ -231,6 +236,17 @@ void PlayController::requestScript(std::function<void(PlayScript)> receive) {
             };
             QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
         });
+}
+
+void PlayController::requestState(std::function<void(std::shared_ptr<const SavedSession>)> receive) {
+    if (!hasSession()) return;
+    m_thread.post([this, receive = std::move(receive), scene = m_scene](PlayEngine& engine) {
+        const auto saved = std::make_shared<const SavedSession>(savedSession(engine.session(), StateKind::Whole));
+        const auto deliver = [this, receive, scene, saved] {
+            if (hasSession() && m_scene == scene) receive(saved);
+        };
+        QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
+    });
 }
 
 SessionSettings PlayController::nextSettings() const {

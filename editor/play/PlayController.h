@@ -53,6 +53,8 @@ public:
     void toggleLoop();
     /// Pauses, returns to a branch of the timeline, and keeps the current course as another one.
     void switchTo(std::uint32_t branch);
+    /// Pauses at the moment of a saved session of the current document.
+    void load(std::shared_ptr<const SavedSession> state);
     /// Plays a script on the current document; paused if its `begin` is not 0.
     void replay(PlayScript script);
 
@@ -101,6 +103,10 @@ public:
     /// Calls back with the recording so far, once the steps and seeks under way are done; not at all without a session,
     /// or if it ends before.
     void requestScript(std::function<void(PlayScript)> receive);
+    /// Whether the session has been simulated from its start, so that it can be replayed.
+    bool isFromStart() const { return !m_script.state; }
+    /// Calls back with the displayed moment, likewise.
+    void requestState(std::function<void(std::shared_ptr<const SavedSession>)> receive);
     /// The project when play started.
     const Project& startProject() const { return m_startProject; }
 

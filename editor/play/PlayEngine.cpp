@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <ranges>
+#include <utility>
 
 namespace rubble {
 namespace {
@@ -50,6 +51,14 @@ std::optional<GrabbedBody> grabbedBody(const World& world) {
                        .force = spring->force};
 }
 
+/// The session that a script starts with. The pending inputs of a state become inputs of the script.
+Result<Session> startOf(const std::shared_ptr<const PlayScene>& scene, PlayScript& script) {
+    if (!script.state) return Session::start(scene, script.settings);
+    SavedSession saved = *script.state;
+    script.inputs = std::exchange(saved.state.pending, {});
+    return resumedSession(scene, std::move(saved), script.settings);
+}
+
 }  // namespace
 
 PlayLoop loopAround(std::uint64_t step, double dt) {
@@ -78,11 +87,12 @@ PlayScript scriptOf(const Project& project, const PlayTest& test, std::uint64_t 
 
 Result<std::unique_ptr<PlayEngine>> PlayEngine::create(const std::shared_ptr<const PlayScene>& scene, PlayScript script,
                                                        const TaskContext& task) {
-    Result<Session> session = Session::start(scene, script.settings);
+    Result<Session> session = startOf(scene, script);
     if (!session) return session.error();
+    const bool hasDestruction = session->hasDestruction();
     Timeline timeline(std::move(*session), std::move(script.inputs), script.steps);
     std::unique_ptr<PlayEngine> engine(new PlayEngine(scene, std::move(timeline), std::move(script.hashes)));
-    engine->m_startsWithDestruction = script.settings.hasDestruction;
+    engine->m_startsWithDestruction = hasDestruction;
     engine->m_scriptSteps = script.steps;
     const Status started = engine->m_timeline.seek(script.begin, task, [&engine] { engine->recordStep(); });
     if (!started) return started.error();

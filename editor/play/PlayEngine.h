@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/play/session/Replay.h"
+#include "core/play/session/SavedSession.h"
 #include "editor/play/ImpactLog.h"
 #include "editor/play/PlayToolSettings.h"
 #include "viewport/scene/SessionSceneBuilder.h"
@@ -14,8 +15,9 @@ struct PlayScript {
     SessionSettings settings;
     std::vector<TimedInput> inputs;  // ascending step
     std::uint64_t steps = 0;
-    std::uint64_t begin = 0;            // the step that is displayed first
-    std::vector<std::uint64_t> hashes;  // recorded state hashes of the steps; empty: unknown
+    std::uint64_t begin = 0;                    // the step that is displayed first
+    std::vector<std::uint64_t> hashes;          // recorded state hashes of the steps; empty: unknown
+    std::shared_ptr<const SavedSession> state;  // that it starts from; null: from the start
 };
 PlayScript scriptOf(const Replay& replay);
 /// The shots of a play-test for its duration, displayed from step `begin` on.
@@ -28,7 +30,7 @@ PlayLoop loopAround(std::uint64_t step, double dt);
 /// wall-clock time. Not thread-safe.
 class PlayEngine {
 public:
-    /// Errors: those of Session::start() and Timeline::seek().
+    /// Errors: those of Session::start(), resumedSession() and Timeline::seek().
     static Result<std::unique_ptr<PlayEngine>> create(const std::shared_ptr<const PlayScene>& scene, PlayScript script,
                                                       const TaskContext& task = {});
 

@@ -54,11 +54,13 @@ constexpr QSize kMinimumSize{800, 450};  // a screen of 1600 Ã— 900 pixels at 2Ã
 constexpr QSize kToolIconSize{20, 20};
 constexpr int kProgressWidth = 140;  // pixels
 
-/// Returns the path of a dropped project or mesh file; empty if there is none.
+constexpr const char* kStateSuffix = ".rubblestate";
+
+/// Returns the path of a dropped project, mesh or state file; empty if there is none.
 QString droppedFile(const QMimeData* data) {
     for (const QUrl& url : data->urls()) {
         const QString path = url.toLocalFile();
-        if (path.endsWith(kProjectSuffix) || isMeshPath(path)) return path;
+        if (path.endsWith(kProjectSuffix) || path.endsWith(kStateSuffix) || isMeshPath(path)) return path;
     }
     return {};
 }
@@ -310,8 +312,10 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
     const QString path = droppedFile(event->mimeData());
     event->acceptProposedAction();
-    QMetaObject::invokeMethod(
-        this, [this, path] { m_fileActions->openFile(path); }, Qt::QueuedConnection);
+    const auto open = [this, path] {
+        path.endsWith(kStateSuffix) ? m_playActions->loadState(path) : m_fileActions->openFile(path);
+    };
+    QMetaObject::invokeMethod(this, open, Qt::QueuedConnection);
 }
 
 /// The most used tool buttons show texts if the window is wide enough.

@@ -3,9 +3,11 @@
 #include "core/base/Version.h"
 #include "core/io/play/EventsJson.h"
 #include "core/io/play/ReplayFile.h"
+#include "core/io/play/StateFile.h"
 #include "core/physics/queries/Penetration.h"
 #include "core/sound/session/SoundRecorder.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace rubble {
@@ -31,14 +33,57 @@ void addBodies(const Session& session, SimulationOutcome& outcome) {
     outcome.largestPenetration = penetrationOf(placed).largest;
 }
 
+/// The session to simulate: at its start, or at the moment of a state, from which the times of its shots count.
+Result<Session> sessionOf(const PreparedProject& project, const PlayPlan& plan) {
+    const int threads = plan.simulation.world.threads;
+    if (plan.state.empty()) return createSession(project, plan.play, threads);
+    Result<Session> session = loadState(plan.state, project.scene, {.threads = threads});
+    if (!session) return session.error();
+    for (const Shot& shot : project.shots) {
+        const std::uint64_t step = session->stepsDone() + stepOf(shot.time, session->stepLength());
+        const Status added = session->add(TimedInput{step, ShotInput{shot.name, shot.action}});
+        if (!added) return added.error();
+    }
+    return session;
+}
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+/// What a small state does not hold of a session, a sentence each.
+std::vector<std::string> lossesOf(const Session& session) {
+    std::vector<std::string> losses;
+    const auto isMoving = [&](const PlayBody& body) {
+        const BodyState state = session.world().state(body.body);
+        return !state.asleep && (state.velocity != Vec3(0.0) || state.angularVelocity != Vec3(0.0));
+    };
+    if (const auto moving = std::ranges::count_if(session.bodies(), isMoving); moving > 0) {
+        losses.push_back(counted(static_cast<std::size_t>(moving), "body was", "bodies were") +
+                         " still moving; the small state holds where they were, at rest.");
+    }
+    if (const std::size_t pending = session.snapshot()->state.pending.size(); pending > 0) {
+        losses.push_back(counted(pending, "shot is", "shots are") +
+                         " still to come; the small state does not hold them.");
+    }
+    return losses;
+}
+
+Status saveResult(const PlayPlan& plan, const Session& session, SimulationRun& run) {
+    if (plan.savedState.empty()) return success();
+    if (plan.savedKind == StateKind::Small) run.notes = lossesOf(session);
+    return saveState(plan.savedState, session, plan.savedKind);
+}
+
 }  // namespace
 
 Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan& plan, const TaskContext& task,
                                  std::vector<Diagnostic>& diagnostics) {
-    Result<Session> session = createSession(project, plan.play, plan.simulation.world.threads);
+    Result<Session> session = sessionOf(project, plan);
     if (!session) return session.error();
     StepRecord record(plan.simulation);
-    ReplayRecorder recorder(*session, programVersion(), projectHash(session->scene().project));
+    std::optional<ReplayRecorder> recorder;
+    if (plan.isRecorded) recorder.emplace(*session, programVersion(), projectHash(session->scene().project));
     ReplaySize recorded;
     SoundRecorder heard(*session);
     SimulationRun run;
@@ -48,9 +93,9 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
         session->step();
         const auto end = std::chrono::steady_clock::now();
         record.add(step, session->world(), std::chrono::duration<double, std::milli>(end - start).count());
-        if (plan.isRecorded) {
-            recorder.add(*session);
-            if (const Status fits = recorded.add(recorder.replay()); !fits) return fits.error();
+        if (recorder) {
+            recorder->add(*session);
+            if (const Status fits = recorded.add(recorder->replay()); !fits) return fits.error();
         }
         if (plan.hasEvents) run.events += eventLines(session->stepsDone(), session->events().told);
         if (plan.isHeard) heard.add(*session);
@@ -67,7 +112,8 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
     run.outcome.hash = session->hash();
     run.outcome.stepMilliseconds = record.milliseconds();
     run.trace = std::move(record).trace();
-    if (plan.isRecorded) run.replay = recorder.replay();
+    if (recorder) run.replay = recorder->replay();
+    if (const Status saved = saveResult(plan, *session, run); !saved) return saved.error();
     if (!plan.isHeard) return run;
     Result<StereoTrack> sound = heard.track();
     if (!sound) return sound.error();

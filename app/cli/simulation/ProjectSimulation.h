@@ -2,6 +2,7 @@
 
 #include "app/cli/options/PlayOptions.h"
 #include "app/cli/simulation/StepRecord.h"
+#include "core/play/session/SavedSession.h"
 
 namespace rubble {
 
@@ -12,12 +13,15 @@ struct PlayPlan {
     bool isRecorded = false;  // as a replay
     bool hasEvents = false;   // they are kept as JSON lines
     bool isHeard = false;     // its sound is made
+    std::string state;        // file to start from; empty: from the start
+    std::string savedState;   // file for the state after the last step; empty: none
+    StateKind savedKind = StateKind::Whole;
 };
 
 /// Simulates a project. The resulting bodies are the instances, then projectiles and fragments in order of creation,
 /// without the ground. What the session reports is appended to `diagnostics`.
 ///
-/// Errors: those of createSession(); Cancelled.
+/// Errors: those of createSession(), loadState() and saveState(); Cancelled.
 Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan& plan, const TaskContext& task,
                                  std::vector<Diagnostic>& diagnostics);
 

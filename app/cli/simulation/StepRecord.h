@@ -25,6 +25,7 @@ struct SimulationRun {
     std::string events;  // JSON lines
     std::optional<Replay> replay;
     std::optional<StereoTrack> sound;
+    std::vector<std::string> notes;  // for the user, a sentence each
 };
 
 /// Records counts, durations and the trace of a simulation.

@@ -38,7 +38,9 @@ docs/formats/events.md.
 Examples:
   rubble-cli simulate house.json --steps 600 > after.json
   rubble-cli simulate house.json --steps 600 --trace steps.csv --timings
-  rubble-cli simulate house.rubble --steps 600 --shot "box at the door")";
+  rubble-cli simulate house.rubble --steps 600 --shot "box at the door"
+  rubble-cli simulate house.rubble --steps 60 --save-state standing.rubblestate
+  rubble-cli simulate house.rubble --steps 600 --state standing.rubblestate --shot "box at the door")";
 
 struct SimulateOptions {
     std::string input = "-";
@@ -49,6 +51,9 @@ struct SimulateOptions {
     std::string record;
     std::string events;
     std::string wav;
+    std::string state;
+    std::string savedState;
+    bool isSmall = false;
     PlayOptions play;
 };
 
@@ -58,6 +63,17 @@ SimulationPlan planOf(const SimulateOptions& options) {
             .world = {.sleeping = !options.play.isSleepless, .threads = options.threads},
             .isTraced = !options.trace.empty(),
             .isTimed = options.isTimed};
+}
+
+PlayPlan playPlan(const SimulateOptions& options) {
+    return {.simulation = planOf(options),
+            .play = options.play,
+            .isRecorded = !options.record.empty(),
+            .hasEvents = !options.events.empty(),
+            .isHeard = !options.wav.empty(),
+            .state = options.state,
+            .savedState = options.savedState,
+            .savedKind = options.isSmall ? StateKind::Small : StateKind::Whole};
 }
 
 /// Runs `work` and shows its progress on the terminal.
@@ -82,6 +98,9 @@ Result<SimulationRun> simulateBodies(const BodyScene& scene, const SimulateOptio
     if (!options.wav.empty()) {
         return Error{ErrorCode::BadInput, "A scene of bodies has no materials that sound; use a project for --wav."};
     }
+    if (!options.state.empty() || !options.savedState.empty()) {
+        return Error{ErrorCode::BadInput, "A scene of bodies has no states; use a project."};
+    }
     std::vector<Diagnostic> diagnostics;
     Result<SimulationRun> run = withProgress(options, context, [&](const TaskContext& task) {
         return runBodies(scene, planOf(options), task, diagnostics);
@@ -101,15 +120,12 @@ Result<SimulationRun> simulateProject(const std::string& text, const SimulateOpt
         const Result<PreparedProject> play =
             prepareProject(*project, options.play, context, {.cancel = task.cancel, .threads = task.threads});
         if (!play) return play.error();
-        return runProject(*play,
-                          {.simulation = planOf(options),
-                           .play = options.play,
-                           .isRecorded = !options.record.empty(),
-                           .hasEvents = !options.events.empty(),
-                           .isHeard = !options.wav.empty()},
-                          task, diagnostics);
+        return runProject(*play, playPlan(options), task, diagnostics);
     });
     printMessages(diagnostics, context);
+    if (run) {
+        for (const std::string& note : run->notes) context.err << note << '\n';
+    }
     return run;
 }
 
@@ -152,8 +168,15 @@ Verb addSimulate(CLI::App& program) {
     command.option("--events", options->events, "Write what hit, broke, came to rest and was removed")
         .valueName("FILE.jsonl");
     command.option("--wav", options->wav, "Write the sound of impacts and breaks").valueName("FILE.wav");
+    const CommandOption state =
+        command.option("--state", options->state, "Start from a saved state; times of shots count from there")
+            .valueName("FILE");
+    const CommandOption saved =
+        command.option("--save-state", options->savedState, "Write the state after the last step").valueName("FILE");
+    command.flag("--small", options->isSmall, "Save damage and resting poses only").needs(saved);
     addThreadsOption(command, options->threads);
     command.flag("--no-sleep", options->play.isSleepless, "Do not let bodies at rest sleep");
+    for (const char* name : {"--dt", "--no-destruction", "--record", "--no-sleep"}) state.excludes(command[name]);
     command.option("--trace", options->trace, "Write counts and energies (J) of each step").valueName("FILE.csv");
     command.flag("--timings", options->isTimed, "Add the durations of steps and of their stages to the trace");
     return {command, [options](const CliContext& context) { return simulate(*options, context); }};

@@ -220,4 +220,64 @@ void DynamicBoxTree::update() {
     m_removedPending = 0;
 }
 
+/// Checks the nodes below a node and marks them.
+std::optional<std::string> DynamicBoxTree::verifyBelow(std::uint32_t top, std::vector<char>& seen) const {
+    std::vector<std::uint32_t> open{top};
+    while (!open.empty()) {
+        const std::uint32_t number = open.back();
+        open.pop_back();
+        const Node& node = m_nodes[number];
+        const std::string place = "nodes[" + std::to_string(number) + "]";
+        if (seen[number]++ != 0) return place;
+        if (node.isLeaf()) {
+            if (node.children[1] != kNone && node.children[1] >= m_nodes.size()) return place;
+            continue;
+        }
+        for (const std::uint32_t child : node.children) {
+            const bool isThere = child < m_nodes.size() && m_nodes[child].parent == number;
+            if (!isThere || !node.box.contains(m_nodes[child].box)) return place;
+            open.push_back(child);
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> DynamicBoxTree::verifyTree(std::span<const std::uint32_t> leafOf) const {
+    std::vector<char> seen(m_nodes.size(), 0);
+    for (std::size_t k = 0; k < m_free.size(); ++k) {
+        if (m_free[k] >= m_nodes.size() || seen[m_free[k]]++ != 0) return "free[" + std::to_string(k) + "]";
+    }
+    std::size_t removed = 0;
+    for (std::size_t k = 0; k < m_pending.size(); ++k) {
+        const std::uint32_t leaf = m_pending[k];
+        removed += leaf == kNone ? 1 : 0;
+        if (leaf == kNone) continue;
+        const bool isPending = leaf < m_nodes.size() && m_nodes[leaf].isLeaf() && m_nodes[leaf].parent == kPending &&
+                               m_nodes[leaf].children[1] == k;
+        if (!isPending || seen[leaf]++ != 0) return "pending[" + std::to_string(k) + "]";
+    }
+    if (removed != m_removedPending) return "removedPending";
+    if (m_root != kNone) {
+        if (m_root >= m_nodes.size() || m_nodes[m_root].parent != kNone) return "root";
+        if (std::optional<std::string> fault = verifyBelow(m_root, seen)) return fault;
+    }
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+        if (seen[k] == 0) return "nodes[" + std::to_string(k) + "]";
+    }
+    std::vector<char> isFree(m_nodes.size(), 0);
+    for (const std::uint32_t node : m_free) isFree[node] = 1;
+    std::size_t leaves = 0;
+    for (std::uint32_t k = 0; k < m_nodes.size(); ++k) {
+        if (isFree[k] != 0 || !m_nodes[k].isLeaf()) continue;
+        const std::uint32_t number = m_nodes[k].number;
+        if (number >= leafOf.size() || leafOf[number] != k) return "nodes[" + std::to_string(k) + "]";
+        ++leaves;
+    }
+    const auto hasLeaf = [](std::uint32_t leaf) { return leaf != kNone; };
+    if (leaves != m_leafCount || std::ranges::count_if(leafOf, hasLeaf) != static_cast<std::ptrdiff_t>(leaves)) {
+        return "leafCount";
+    }
+    return std::nullopt;
+}
+
 }  // namespace rubble

@@ -5,7 +5,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace rubble {
@@ -29,6 +31,21 @@ public:
     const Box& box(std::uint32_t leaf) const { return m_nodes[leaf].box; }
     std::size_t size() const { return m_leafCount; }
     std::size_t byteCount() const { return m_nodes.size() * sizeof(Node); }
+
+    /// Where the links are not those of a tree, as "nodes[5]"; nothing if they are. `leafOf` is the leaf of each of the
+    /// caller's numbers; kNone: it has none.
+    std::optional<std::string> verifyTree(std::span<const std::uint32_t> leafOf) const;
+    /// Visits everything that is saved.
+    template <class Self, class Visit>
+    static void visitFields(Self& self, Visit& visit) {
+        visit("nodes", self.m_nodes);
+        visit("free", self.m_free);
+        visit("pending", self.m_pending);
+        visit("removedPending", self.m_removedPending);
+        visit("root", self.m_root);
+        visit("leafCount", self.m_leafCount);
+        visit("changes", self.m_changes);
+    }
 
     /// Calls visit(number, box) for each overlapping box, in an order that depends only on the tree.
     template <class Visit>
@@ -54,6 +71,13 @@ private:
         std::array<std::uint32_t, 2> children{kNone, kNone};
         std::uint32_t number = 0;  // the caller's, of a leaf
         bool isLeaf() const { return children[0] == kNone; }
+        template <class Self, class Visit>
+        static void visitFields(Self& self, Visit& visit) {
+            visit("box", self.box);
+            visit("parent", self.parent);
+            visit("children", self.children);
+            visit("number", self.number);
+        }
     };
 
     template <class Accepts, class Visit>
@@ -80,6 +104,7 @@ private:
         }
     }
 
+    std::optional<std::string> verifyBelow(std::uint32_t node, std::vector<char>& seen) const;
     bool isLeaf(std::uint32_t node) const { return node < m_nodes.size() && m_nodes[node].isLeaf(); }
     std::uint32_t newNode();
     std::uint32_t bestSibling(const Box& box) const;

@@ -63,4 +63,20 @@ void PairTable::erase(std::uint32_t first, std::uint32_t second) {
     m_entries[gap] = {};
 }
 
+std::optional<std::string> PairTable::verifyTable() const {
+    if (!m_entries.empty() && (m_entries.size() < kInitialSize || (m_entries.size() & (m_entries.size() - 1)) != 0)) {
+        return "entries";
+    }
+    if (2 * m_count > m_entries.size()) return "count";
+    std::size_t count = 0;
+    for (const Entry& entry : m_entries) count += entry.contact != kNone ? 1 : 0;
+    if (count != m_count) return "count";
+    for (std::size_t k = 0; k < m_entries.size(); ++k) {
+        const Entry& entry = m_entries[k];
+        const bool isEmpty = entry.contact == kNone;
+        if (isEmpty ? entry.key != 0 : slotOf(entry.key) != k) return "entries[" + std::to_string(k) + "]";
+    }
+    return std::nullopt;
+}
+
 }  // namespace rubble

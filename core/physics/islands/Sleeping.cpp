@@ -204,6 +204,14 @@ int sleepRestingIslands(WorldState& state) {
     return count;
 }
 
+void sleepAllIslands(WorldState& state) {
+    updateAwakeBodies(state);
+    for (const std::uint32_t body : state.awake) {
+        if (state.bodies[body].isDynamic()) state.bodies[body].restTime = kRestTime;
+    }
+    sleepRestingIslands(state);
+}
+
 std::vector<std::uint32_t> islandsOf(const WorldState& state) {
     DisjointSets islands = findIslands(state);
     for (const SleepingIsland& asleep : state.sleepingIslands) {

@@ -25,6 +25,8 @@ void updateRestTime(WorldState& state, std::uint32_t body, float dt);
 /// Returns the number of islands tested.
 /// Source: Catto 2024, "Simulation Islands"; Tarjan 1975 (union-find).
 int sleepRestingIslands(WorldState& state);
+/// Puts all islands to sleep where they are, with the contacts that they have.
+void sleepAllIslands(WorldState& state);
 /// World::islands().
 std::vector<std::uint32_t> islandsOf(const WorldState& state);
 

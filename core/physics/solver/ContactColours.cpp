@@ -112,4 +112,37 @@ int ContactColours::colourCount() const {
     return count;
 }
 
+std::optional<std::string> ContactColours::verifyColours(const std::vector<bool>& isDynamic) const {
+    if (m_lists.size() != kLists) return "lists";
+    if (m_coloursOfBody.size() != isDynamic.size()) return "coloursOfBody";
+    std::vector<std::uint64_t> colours(isDynamic.size(), 0);
+    for (std::uint32_t number = 0; number < kLists; ++number) {
+        const List& list = m_lists[number];
+        const std::string place = "lists[" + std::to_string(number) + "]";
+        const std::size_t lanes = number == kOverflow ? 1 : kBlockLanes;
+        const std::size_t blocks = (std::size_t{list.count} + lanes - 1) / lanes;
+        if (list.blocks.size() != blocks || list.references.size() != blocks) return place;
+        for (std::size_t k = 0; k < blocks * kBlockLanes; ++k) {
+            const ContactBlock& home = list.blocks[k / kBlockLanes];
+            const std::size_t lane = k % kBlockLanes;
+            const bool isUsed = number == kOverflow ? lane == 0 : k < list.count;
+            const std::uint32_t first = home.first[lane], second = home.second[lane];
+            if (isUsed != (first != 0) || isUsed != (second != 0) || home.pointCount[lane] > 4) return place;
+            if (!isUsed && (home.pointCount[lane] != 0 || home.contact[lane] != 0)) return place;
+            if (first >= isDynamic.size() || second >= isDynamic.size()) return place;
+            const bool isAgainstFixed = isUsed && !(isDynamic[first] && isDynamic[second]);
+            if (home.againstFixed[lane] != (isAgainstFixed ? 1.0f : 0.0f)) return place;
+            for (const std::uint32_t body : {first, second}) {
+                if (!isDynamic[body] || number == kOverflow) continue;
+                if ((colours[body] & bitOf(number)) != 0) return place;
+                colours[body] |= bitOf(number);
+            }
+        }
+    }
+    for (std::size_t body = 0; body < colours.size(); ++body) {
+        if (colours[body] != m_coloursOfBody[body]) return "coloursOfBody[" + std::to_string(body) + "]";
+    }
+    return std::nullopt;
+}
+
 }  // namespace rubble

@@ -5,7 +5,9 @@
 #include "core/physics/solver/ContactBlock.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace rubble {
@@ -37,6 +39,12 @@ public:
         std::vector<ContactBlock> blocks;
         std::vector<ReferenceBlock> references;
         std::uint32_t count = 0;  // contacts; eight per block, but one per block of the overflow list
+        template <class Self, class Visit>
+        static void visitFields(Self& self, Visit& visit) {
+            visit("blocks", self.blocks);
+            visit("references", self.references);
+            visit("count", self.count);
+        }
     };
 
     void resizeBodies(std::size_t count) { m_coloursOfBody.resize(count, 0); }
@@ -100,6 +108,15 @@ public:
     static std::uint32_t colourOf(std::size_t list) { return static_cast<std::uint32_t>(list / 2); }
     int colourCount() const;
     std::size_t contactCount() const;
+    /// The list whose lanes do not fit, as "lists[5]", or the body whose colours are not those of its contacts;
+    /// nothing if all do. `isDynamic` says it of each body.
+    std::optional<std::string> verifyColours(const std::vector<bool>& isDynamic) const;
+    /// Visits everything that is saved.
+    template <class Self, class Visit>
+    static void visitFields(Self& self, Visit& visit) {
+        visit("lists", self.m_lists);
+        visit("coloursOfBody", self.m_coloursOfBody);
+    }
 
 private:
     static std::size_t blockOf(ContactSlot slot) {

@@ -188,6 +188,13 @@ void World::collide(double dt) {
     context.times.collide += watch.lap();
 }
 
+void World::sleepInPlace(double dt) {
+    RUBBLE_ASSERT(!m_context->isCollided);
+    collide(dt);
+    m_context->isCollided = false;
+    sleepAllIslands(*m_state);
+}
+
 void World::addContact(BodyId first, BodyId second, std::span<const CachedManifold> manifolds) {
     RUBBLE_ASSERT(contains(first) && contains(second) && first != second);
     WorldState& state = *m_state;

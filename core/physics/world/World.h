@@ -131,6 +131,9 @@ public:
     void addContact(BodyId first, BodyId second, std::span<const CachedManifold> manifolds = {});
     /// Whether two bodies have a contact with a manifold, as of the last collide().
     bool areTouching(BodyId first, BodyId second) const;
+    /// Finds the contacts of all bodies as they are, and puts the dynamic ones to sleep without moving them, if
+    /// sleeping is on. Not between collide() and solve().
+    void sleepInPlace(double dt);
     /// The impacts of the coming step, after collide(), sorted by bodies.
     std::vector<Impact> impacts();
     /// Simulates dt seconds, after collide() with the same dt.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/play/breaking/MovingMass.h"
+#include "core/play/damage/InstanceDamage.h"
 #include "core/play/state/PlayEvents.h"
 
 #include <span>
@@ -10,9 +11,11 @@ namespace rubble {
 /// A body about to be swapped: its break, and how its mass moves.
 struct PendingBreak {
     PlayBreak event;
-    double restitution = 0.0;  // of the pair
-    Pose pose;                 // of the whole's frame
-    MovingMass mass;           // as if it were not fixed
+    double restitution = 0.0;                   // of the pair
+    Pose pose;                                  // of the whole's frame
+    MovingMass mass;                            // as if it were not fixed
+    std::optional<ImpactCut> cut;               // instead of one at the point of impact
+    std::shared_ptr<const PlayAsset> cutAsset;  // what it gives
 };
 
 /// Applies the break impulses, in order: each impactor loses, and the body it breaks gains, the body's threshold or the

@@ -38,14 +38,20 @@ PendingBreak breakBy(const SessionParts& parts, const PlayBody& body, const Impa
     return broken;
 }
 
-/// The asset whose fragments replace the body: its own, or one fractured at the point of impact.
-std::shared_ptr<const PlayAsset> assetToSwap(const SessionParts& parts, const PendingBreak& broken) {
+/// The asset whose fragments replace the body: its own, or one fractured at the point of impact, which sets
+/// PendingBreak::cut.
+std::shared_ptr<const PlayAsset> assetToSwap(const SessionParts& parts, PendingBreak& broken) {
+    if (broken.cutAsset) return broken.cutAsset;
     const PlayBody& body = broken.event.body;
     const Asset& asset = *findAsset(parts.scene.project, body.asset->bake->asset);
     if (!asset.cutAtImpact || body.fragment != kNone) return body.asset;
     const Vec3 local = glm::conjugate(broken.pose.orientation) * (broken.event.point - broken.pose.position);
-    Result<std::shared_ptr<const PlayAsset>> cut = cutAtImpact(asset, Vec2(local), body.number);
-    if (cut && (*cut)->fractureOf(kNone) != nullptr) return std::move(*cut);
+    const ImpactCut at{.point = Vec2(local), .number = body.number};
+    Result<std::shared_ptr<const PlayAsset>> cut = cutAtImpact(asset, at.point, at.number);
+    if (cut && (*cut)->fractureOf(kNone) != nullptr) {
+        broken.cut = at;
+        return std::move(*cut);
+    }
     parts.state.events.diagnostics.push_back(diagnostic(
         DiagnosticCode::PatternFallback, placeOf(body),
         "A body broke into the fragments of its pattern, since it cannot be fractured at the point of impact: " +
@@ -90,9 +96,25 @@ BodyDefinition fragmentDefinition(const SessionParts& parts, const PendingBreak&
     return definition;
 }
 
+/// Adds a break to the damage of the body's origin.
+void addDamage(const SessionParts& parts, const PendingBreak& broken) {
+    const PlayBody& body = broken.event.body;
+    const PlayAsset& asset = *broken.event.asset;
+    InstanceDamage& damage = parts.state.damage[body.origin];
+    if (damage.broken.empty()) {
+        damage = intactDamage(*findAsset(parts.scene.project, body.asset->bake->asset), *body.asset);
+    }
+    if (broken.cut) {
+        damage.cut = broken.cut;
+        damage.broken.assign(asset.fractures.size(), false);
+    }
+    damage.broken[asset.solid(body.fragment).fracture] = true;
+}
+
 /// Removes the whole from the world.
 void removeWhole(const SessionParts& parts, PendingBreak& broken, Stopwatch& watch) {
     broken.event.asset = assetToSwap(parts, broken);
+    addDamage(parts, broken);
     broken.event.pose = broken.pose;
     removeFromWorld(parts, broken.event.body.number);
     broken.event.milliseconds = watch.lap();

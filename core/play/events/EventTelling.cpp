@@ -9,8 +9,8 @@
 namespace rubble {
 namespace {
 
-constexpr double kApartTime = 0.1;       // s: bodies that were apart for so long hit each other anew
-constexpr double kMovedDistance = 0.01;  // m: a body that wakes and sleeps without moving so far has not settled
+constexpr double kApartTime = 0.1;         // s: bodies that were apart for so long hit each other anew
+constexpr double kSettledDistance = 0.01;  // m: a body that wakes and sleeps without moving so far has not settled
 
 std::uint32_t numberOf(const World& world, BodyId body) { return static_cast<std::uint32_t>(world.tag(body)); }
 
@@ -185,7 +185,7 @@ void addSettled(const SessionParts& parts, std::vector<EventRecord>& records) {
         PlayBody* const body = findBody(parts.state, numberOf(parts.world, id));
         RUBBLE_ASSERT(body != nullptr);
         const Vec3 centre = parts.world.state(id).centre;
-        const bool hasMoved = !body->restCentre || glm::distance(*body->restCentre, centre) > kMovedDistance;
+        const bool hasMoved = !body->restCentre || glm::distance(*body->restCentre, centre) > kSettledDistance;
         body->restCentre = centre;
         if (!hasMoved) continue;
         EventRecord record = recordOf(parts, EventKind::Settled, *body);

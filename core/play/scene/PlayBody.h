@@ -37,9 +37,10 @@ struct PlayBody {
 /// The unbroken solid that bodies come from: an instance or a projectile.
 struct PlayOrigin {
     std::string name;
-    Id instance = 0;            // 0: the ground, or thrown
-    Id asset = 0;               // 0: the ground, or a plain projectile
-    std::uint32_t variant = 0;  // of the asset
+    Id instance = 0;              // 0: the ground, or thrown
+    Id asset = 0;                 // 0: the ground, or a plain projectile
+    std::uint32_t variant = 0;    // of the asset
+    std::optional<Throw> thrown;  // of a plain projectile
 };
 
 /// The name of a body: "front 1.1", or with the fragment's path: "front 1.1/5.17".

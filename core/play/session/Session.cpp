@@ -3,6 +3,7 @@
 #include "core/asset/project/Ranges.h"
 #include "core/base/Assert.h"
 #include "core/base/Stopwatch.h"
+#include "core/play/breaking/ApplyDamage.h"
 #include "core/play/breaking/DebrisRemoval.h"
 #include "core/play/breaking/Swap.h"
 #include "core/play/events/EventTelling.h"
@@ -108,6 +109,12 @@ double Session::fadeOf(const PlayBody& body) const {
     return rubble::fadeOf(body, m_scene->project.debris, m_state->step, m_settings.dt);
 }
 bool Session::hasDestruction() const { return m_state->hasDestruction; }
+SessionDamage Session::damage() const { return damageOfInstances(*m_scene, *m_state); }
+
+Status Session::apply(const SessionDamage& damage) {
+    return applyDamage({*m_scene, m_settings, *m_state, m_world}, damage);
+}
+
 const PlayEvents& Session::events() const { return m_state->events; }
 const std::vector<PlayBreak>& Session::recentBreaks() const { return m_state->recentBreaks; }
 double Session::swapMilliseconds() const { return m_swapMilliseconds; }

@@ -48,6 +48,15 @@ public:
     /// How far a body has faded out, in [0, 1].
     double fadeOf(const PlayBody& body) const;
     bool hasDestruction() const;
+    /// The damage of all instances.
+    SessionDamage damage() const;
+    /// Breaks what is broken in a damage and not yet here, without force, level by level, in order of the bodies'
+    /// numbers: applied to a fresh session, the fragments are at their rest poses. Its events are not those of a step
+    /// and are dropped, but diagnostics.
+    ///
+    /// Errors, with the instance; nothing changes then: BadInput for a missing or unbreakable instance, a damage of
+    /// another bake, see damageFault(), or one that was cut at another point than the instance here.
+    Status apply(const SessionDamage& damage);
 
     const PlayEvents& events() const;
     /// The breaks of the last kRecentTime, for drawing their dust.
@@ -59,6 +68,8 @@ public:
     /// Everything that the next steps depend on, including pending inputs.
     std::shared_ptr<const SessionSnapshot> snapshot() const;
     void restore(const SessionSnapshot& snapshot);
+    /// Puts all bodies to sleep where they are, see World::sleepInPlace().
+    void sleepInPlace() { m_world.sleepInPlace(m_settings.dt); }
     /// The memory that a snapshot taken now needs, in bytes.
     std::size_t snapshotBytes() const;
 

@@ -104,6 +104,7 @@ void applyAction(const SessionParts& parts, const std::string& name, const Throw
         body.asset = parts.scene.assets.at({thrown.asset});
     } else {
         body.hull = std::make_shared<const Polytope>(projectileHull(thrown));
+        origin.thrown = thrown;
     }
     const Result<std::uint32_t> added = addBody(parts, *definition, body);
     if (!added) {

@@ -25,7 +25,7 @@ Status placeGround(const SessionParts& parts) {
     const Ground& ground = parts.scene.project.ground;
     if (!ground.isOn) return success();
     parts.state.origins.push_back({.name = "ground"});
-    const auto box = std::make_shared<const Polytope>(groundBox());
+    const std::shared_ptr<const Polytope> box = groundHull();
     const Result<std::shared_ptr<const Shape>> shape = makeShape({box.get(), 1});
     RUBBLE_ASSERT(shape.hasValue());
     const Result<std::uint32_t> added = addBody(parts,
@@ -61,6 +61,8 @@ Status placeInstance(const SessionParts& parts, const Instance& instance) {
 }
 
 }  // namespace
+
+std::shared_ptr<const Polytope> groundHull() { return std::make_shared<const Polytope>(groundBox()); }
 
 const Material& materialOf(const SessionState& state, const PlayScene& scene, Id asset) {
     const Id material = findAsset(scene.project, asset)->material;

@@ -4,6 +4,8 @@
 
 namespace rubble {
 
+/// The box that is the ground, its top at height 0.
+std::shared_ptr<const Polytope> groundHull();
 const Material& materialOf(const SessionState& state, const PlayScene& scene, Id asset);
 /// The physical material of a body of an asset. With the thesis preset every fragment weighs 100 kg.
 BodyMaterial bodyMaterial(const SessionParts& parts, const PlayAsset& asset, std::uint32_t fragment, PlayRole role);

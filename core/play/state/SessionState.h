@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/physics/world/World.h"
+#include "core/play/damage/InstanceDamage.h"
 #include "core/play/scene/PlayScene.h"
 #include "core/play/state/PlayEvents.h"
 
@@ -33,8 +34,9 @@ struct SessionState {
     std::vector<PlayBody> bodies;  // ascending number
     std::uint32_t nextNumber = 0;
     std::vector<PlayOrigin> origins;
-    std::vector<TimedInput> pending;  // ascending step; equal steps in the order they were added
-    std::vector<Material> materials;  // with their current values; ascending id
+    std::map<std::uint32_t, InstanceDamage> damage;  // by origin, of those that broke
+    std::vector<TimedInput> pending;                 // ascending step; equal steps in the order they were added
+    std::vector<Material> materials;                 // with their current values; ascending id
     std::map<Id, double> assetThresholds;
     std::map<Id, double> instanceThresholds;  // of instances with their own
     double lowest = 0.0;                      // m: bodies below it have left the world

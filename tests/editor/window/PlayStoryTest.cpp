@@ -9,8 +9,11 @@
 #include "tests/support/files/FileBytes.h"
 #include "tests/support/viewport/Pictures.h"
 
+#include <QDropEvent>
 #include <QLabel>
 #include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
 #include <QProcess>
 #include <QToolButton>
 #include <QTreeView>
@@ -127,6 +130,45 @@ private slots:
         advance(static_cast<int>(m_steps));
         QCOMPARE(hash(), m_hash);
     }
+    void savedStateIsLoadedAndDropped() {
+        const QString path = pathOf("moment.rubblestate");
+        test::onNextDialog<QFileDialog>([path](QFileDialog& dialog) { test::acceptFile(dialog, path); });
+        action("play-save-state")->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), kPatience);
+        const QImage saved = picture();
+        play().reset();
+        QTRY_VERIFY_WITH_TIMEOUT(play().hasSession() && play().frame()->step == 0, kPatience);
+        QVERIFY(action("play-save-state")->isEnabled());
+        test::onNextDialog<QFileDialog>([path](QFileDialog& dialog) { test::acceptFile(dialog, path); });
+        action("play-load-state")->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(play().hasSession() && play().frame()->step == m_steps, kPatience);
+        QCOMPARE(play().state(), PlayState::Paused);
+        QCOMPARE(hash(), m_hash);
+        QVERIFY(!action("play-save-replay")->isEnabled());                                    // its start is not known
+        QVERIFY(test::meanDifference(saved.copy(around()), picture().copy(around())) < 2.0);  // but for dust
+        play().play();
+        advance(10);
+        QCOMPARE(play().frame()->step, m_steps + 10);
+        drop(path);
+        QTRY_VERIFY_WITH_TIMEOUT(play().hasSession() && play().frame()->step == m_steps, kPatience);
+        QCOMPARE(hash(), m_hash);
+    }
+    void damagedStateIsRefusedWithASentence() {
+        const QString path = pathOf("damaged.rubblestate");
+        QByteArray bytes = bytesOfFile(pathOf("moment.rubblestate"));
+        bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+        file.close();
+        QString message;
+        test::onNextDialog<QMessageBox>([&message](QMessageBox& box) {
+            message = box.text() + box.informativeText();
+            box.accept();
+        });
+        drop(path);
+        QTRY_VERIFY_WITH_TIMEOUT(message.contains("its checksum does not fit"), kPatience);
+        QCOMPARE(hash(), m_hash);  // the simulation goes on
+    }
     void higherThresholdPreventsTheBreak() {
         QCOMPARE(play().state(), PlayState::Paused);  // at the end of the replay
         QTest::keyClick(&viewport(), Qt::Key_R);
@@ -182,6 +224,15 @@ private:
     QImage picture() {
         window().views().scene().playView().refresh();
         return viewport().grab().toImage().convertToFormat(QImage::Format_RGB888);
+    }
+    void drop(const QString& path) {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        QDragEnterEvent enter(QPoint(5, 5), Qt::CopyAction, &data, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&window(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent event(QPointF(5.0, 5.0), Qt::CopyAction, &data, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&window(), &event);
     }
     ContentHash hash() {
         ContentHash hash;

@@ -1,0 +1,190 @@
+#include "core/io/play/StateFile.h"
+
+#include "core/io/play/ReplayFile.h"
+#include "core/io/play/StateArchive.h"
+#include "core/io/system/AtomicFile.h"
+#include "core/io/system/FileErrors.h"
+#include "core/play/state/SessionFields.h"
+
+#include <zlib.h>
+
+namespace rubble {
+
+template <FieldsOf<RestingPose> Self, class Visit>
+void visitFields(Self& self, Visit& visit) {
+    auto& [centre, rotation] = self;
+    visit("centre", centre);
+    visit("rotation", rotation);
+}
+
+template <FieldsOf<RestingWorld> Self, class Visit>
+void visitFields(Self& self, Visit& visit) {
+    auto& [gravity, sleeping, poses] = self;
+    visit("gravity", gravity);
+    visit("sleeping", sleeping);
+    visit("poses", poses);
+}
+
+template <FieldsOf<SavedSession> Self, class Visit>
+void visitFields(Self& self, Visit& visit) {
+    auto& [dt, bakes, hash, state, world] = self;
+    visit("dt", dt);
+    visit("bakes", bakes);
+    visit("hash", hash);
+    visitFields(state, visit);
+    visit("world", world);
+}
+
+namespace {
+
+constexpr std::string_view kMagic = "RBLSTATE";
+
+/// What a file starts with.
+struct StateHeader {
+    std::uint32_t version = kStateVersion;
+    StateKind kind = StateKind::Whole;
+    ContentHash project;
+    std::uint64_t size = 0;  // bytes of the fields
+};
+constexpr std::size_t kHeaderBytes = 8 + 4 + 1 + 16 + 8;
+constexpr std::size_t kChecksumBytes = 16;
+
+template <FieldsOf<StateHeader> Self, class Visit>
+void visitFields(Self& self, Visit& visit) {
+    auto& [version, kind, project, size] = self;
+    visit("version", version);
+    visit("kind", kind);
+    visit("project", project);
+    visit("size", size);
+}
+
+template <class T>
+std::string bytesOf(const T& value) {
+    StateWriter writer;
+    writer("", value);
+    return writer.take();
+}
+
+/// The value of bytes of fixed size.
+template <class T>
+T valueOf(std::string_view bytes) {
+    T value;
+    StateReader reader(bytes);
+    reader("", value);
+    return value;
+}
+
+Error unreadable(const std::string& what) {
+    return {ErrorCode::BadInput, "The state cannot be read: " + what + "; save it again."};
+}
+
+std::string compressed(const std::string& bytes) {
+    uLongf size = compressBound(bytes.size());
+    std::string packed(size, '\0');
+    const int done = compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
+                               reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_SPEED);
+    RUBBLE_ASSERT(done == Z_OK);
+    packed.resize(size);
+    return packed;
+}
+
+Result<std::string> uncompressed(std::string_view packed, std::uint64_t size) {
+    constexpr std::uint64_t kMostFold = 1100;  // zlib compresses to no less than a 1032nd
+    if (size > kMaxStateBytes) {
+        return Error{ErrorCode::Limit, "The state takes " + std::to_string(size) + " bytes, but at most " +
+                                           std::to_string(kMaxStateBytes) + " are read."};
+    }
+    if (size > kMostFold * packed.size()) return unreadable("its size is wrong");
+    std::string bytes(size, '\0');
+    uLongf length = size;
+    uLong used = packed.size();
+    const int done = uncompress2(reinterpret_cast<Bytef*>(bytes.data()), &length,
+                                 reinterpret_cast<const Bytef*>(packed.data()), &used);
+    if (done != Z_OK || length != size || used != packed.size()) return unreadable("its compressed part is damaged");
+    return bytes;
+}
+
+/// Checks everything before the fields.
+Result<StateHeader> readHeader(std::string_view bytes, ContentHash project) {
+    if (!bytes.starts_with(kMagic)) return Error{ErrorCode::BadInput, "This is not a Rubble state."};
+    if (bytes.size() < kHeaderBytes + kChecksumBytes) return unreadable("it is cut off");
+    const auto header = valueOf<StateHeader>(bytes.substr(kMagic.size(), kHeaderBytes - kMagic.size()));
+    if (header.version == 0 || header.version > kStateVersion) {
+        return Error{ErrorCode::Unsupported, "The state is of version " + std::to_string(header.version) +
+                                                 ", but only version " + std::to_string(kStateVersion) +
+                                                 " can be read; use a newer version of Rubble."};
+    }
+    const std::string_view content = bytes.substr(0, bytes.size() - kChecksumBytes);
+    if (valueOf<ContentHash>(bytes.substr(content.size())) != contentHash(content)) {
+        return unreadable("its checksum does not fit, so bytes were changed or are missing");
+    }
+    if (header.kind != StateKind::Whole && header.kind != StateKind::Small) return unreadable("its kind is unknown");
+    if (header.project != project) {
+        return Error{ErrorCode::BadInput,
+                     "The state was saved from another project, or from another version of this "
+                     "one: its hash is " +
+                         header.project.hex() + ", that of the project " + project.hex() + "."};
+    }
+    return header;
+}
+
+std::uint64_t sizeOfFields(std::string_view bytes) {
+    return valueOf<StateHeader>(bytes.substr(kMagic.size(), kHeaderBytes - kMagic.size())).size;
+}
+
+}  // namespace
+
+std::string stateBytes(const SavedSession& saved, ContentHash project) {
+    const std::string fields = bytesOf(saved);
+    std::string bytes(kMagic);
+    bytes += bytesOf(StateHeader{.kind = saved.kind(), .project = project, .size = fields.size()});
+    bytes += compressed(fields);
+    return bytes + bytesOf(contentHash(bytes));
+}
+
+Result<SavedSession> readStateBytes(std::string_view bytes, ContentHash project) {
+    const Result<StateHeader> header = readHeader(bytes, project);
+    if (!header) return header.error();
+    const std::size_t packed = bytes.size() - kHeaderBytes - kChecksumBytes;
+    const Result<std::string> fields = uncompressed(bytes.substr(kHeaderBytes, packed), header->size);
+    if (!fields) return fields.error();
+    SavedSession saved;
+    StateReader reader(*fields);
+    visitFields(saved, reader);
+    reader.finish();
+    if (reader.fault()) return unreadable(*reader.fault());
+    if (saved.kind() != header->kind) return unreadable("its kind is not that of its world");
+    return saved;
+}
+
+Status saveState(const std::filesystem::path& path, const SavedSession& saved, ContentHash project) {
+    const std::string bytes = stateBytes(saved, project);
+    if (sizeOfFields(bytes) <= kMaxStateBytes) return writeFileAtomically(path, bytes);
+    return withPath(
+        "Cannot write", path,
+        {ErrorCode::Limit, "The state takes " + std::to_string(sizeOfFields(bytes)) + " bytes, but at most " +
+                               std::to_string(kMaxStateBytes) + " are read back; save a small state."});
+}
+
+Status saveState(const std::filesystem::path& path, const Session& session, StateKind kind) {
+    return saveState(path, savedSession(session, kind), projectHash(session.scene().project));
+}
+
+Result<SavedSession> loadSavedSession(const std::filesystem::path& path, ContentHash project) {
+    const Result<std::string> bytes = readFile(path);
+    if (!bytes) return bytes.error();
+    Result<SavedSession> saved = readStateBytes(*bytes, project);
+    if (!saved) return withPath("Cannot read", path, saved.error());
+    return saved;
+}
+
+Result<Session> loadState(const std::filesystem::path& path, std::shared_ptr<const PlayScene> scene,
+                          const SessionSettings& settings) {
+    Result<SavedSession> saved = loadSavedSession(path, projectHash(scene->project));
+    if (!saved) return saved.error();
+    Result<Session> session = resumedSession(std::move(scene), std::move(*saved), settings);
+    if (!session) return withPath("Cannot read", path, session.error());
+    return session;
+}
+
+}  // namespace rubble

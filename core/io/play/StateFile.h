@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/play/session/SavedSession.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace rubble {
+
+inline constexpr std::uint32_t kStateVersion = 1;
+/// A session of 8,000 bodies takes about 30 MB.
+inline constexpr std::size_t kMaxStateBytes = std::size_t{1} << 30;
+
+/// A state as the bytes of a file. `project` is the projectHash() of its project. All fields are described in
+/// docs/formats/state.md.
+std::string stateBytes(const SavedSession& saved, ContentHash project);
+
+/// Reads what stateBytes() wrote; resumedSession() checks what is in it.
+///
+/// Errors: BadInput for other bytes, changed ones, or a table that does not fit, with its place; or if the state is of
+/// another project, with both hashes; Unsupported for a newer version; Limit above kMaxStateBytes.
+Result<SavedSession> readStateBytes(std::string_view bytes, ContentHash project);
+
+/// Writes a state file atomically.
+///
+/// Errors, with the path: those of writeFileAtomically(); Limit above kMaxStateBytes.
+Status saveState(const std::filesystem::path& path, const SavedSession& saved, ContentHash project);
+Status saveState(const std::filesystem::path& path, const Session& session, StateKind kind);
+
+/// Reads a state file of a project.
+///
+/// Errors, with the path: those of readFile() and readStateBytes().
+Result<SavedSession> loadSavedSession(const std::filesystem::path& path, ContentHash project);
+
+/// A session at the moment of a state file. See resumedSession().
+///
+/// Errors, with the path: those of readFile(), readStateBytes() and resumedSession().
+Result<Session> loadState(const std::filesystem::path& path, std::shared_ptr<const PlayScene> scene,
+                          const SessionSettings& settings = {});
+
+}  // namespace rubble

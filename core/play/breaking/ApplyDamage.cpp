@@ -1,0 +1,132 @@
+#include "core/play/breaking/ApplyDamage.h"
+
+#include "core/base/MessageText.h"
+#include "core/play/breaking/CutAtImpact.h"
+#include "core/play/breaking/Swap.h"
+#include "core/play/state/SessionBodies.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+/// A damage to apply to the instance of an origin.
+struct Target {
+    InstanceDamage damage;                   // merged with what is broken already
+    std::shared_ptr<const PlayAsset> asset;  // what it is of
+};
+using Targets = std::map<std::uint32_t, Target>;  // by origin
+
+Error ofInstance(const PlayOrigin& origin, const std::string& message) {
+    return {ErrorCode::BadInput, "Instance " + quotedName(origin.name) + ": " + message};
+}
+
+const Instance* findInstance(const Project& project, Id id) {
+    const auto found = std::ranges::find(project.instances, id, &Instance::id);
+    return found == project.instances.end() ? nullptr : &*found;
+}
+
+/// What is broken of an origin.
+InstanceDamage damageOfOrigin(const PlayScene& scene, const SessionState& state, std::uint32_t index) {
+    const auto broken = state.damage.find(index);
+    if (broken != state.damage.end()) return broken->second;
+    const PlayOrigin& origin = state.origins[index];
+    return intactDamage(*findAsset(scene.project, origin.asset), *scene.assets.at({origin.asset, origin.variant}));
+}
+
+Result<Target> targetOf(const SessionParts& parts, std::uint32_t index, const InstanceDamage& damage) {
+    const PlayOrigin& origin = parts.state.origins[index];
+    const InstanceDamage before = damageOfOrigin(parts.scene, parts.state, index);
+    Result<InstanceDamage> merged = mergedDamage(before, damage);
+    if (!merged) return ofInstance(origin, merged.error().message);
+    if (!before.isIntact() && before.cut != merged->cut) {
+        return ofInstance(origin, "it was cut at another point already; merge the damages and start anew.");
+    }
+    if (!merged->isIntact() && findInstance(parts.scene.project, origin.instance)->isUnbreakable) {
+        return ofInstance(origin, "it is unbreakable, so no damage can be applied to it.");
+    }
+    Result<std::shared_ptr<const PlayAsset>> asset = damagedAsset(parts.scene, {origin.asset, origin.variant}, *merged);
+    if (!asset) return ofInstance(origin, asset.error().message);
+    return Target{std::move(*merged), std::move(*asset)};
+}
+
+Result<Targets> targetsOf(const SessionParts& parts, const SessionDamage& damage) {
+    Targets targets;
+    for (const auto& [instance, one] : damage) {
+        const auto origin = std::ranges::find(parts.state.origins, instance, &PlayOrigin::instance);
+        if (instance == 0 || origin == parts.state.origins.end()) {
+            return Error{ErrorCode::BadInput,
+                         "There is no instance " + std::to_string(instance) + ", which the damage is of."};
+        }
+        const auto index = static_cast<std::uint32_t>(origin - parts.state.origins.begin());
+        Result<Target> target = targetOf(parts, index, one);
+        if (!target) return target.error();
+        if (!target->damage.isIntact()) targets.emplace(index, std::move(*target));
+    }
+    return targets;
+}
+
+/// The bodies to break, with the cuts of those that are whole.
+std::vector<PendingBreak> nextBreaks(const SessionParts& parts, const Targets& targets) {
+    std::vector<PendingBreak> breaks;
+    for (const PlayBody& body : parts.state.bodies) {
+        const auto target = targets.find(body.origin);
+        if (target == targets.end() || body.fracture() == nullptr) continue;
+        const auto& [damage, asset] = target->second;
+        if (!damage.broken[asset->solid(body.fragment).fracture]) continue;
+        breaks.push_back(pendingBreak(parts, body));
+        breaks.back().event.point = breaks.back().mass.centre;
+        if (!damage.cut || body.fragment != kNone) continue;
+        breaks.back().cut = damage.cut;
+        breaks.back().cutAsset = asset;
+    }
+    return breaks;
+}
+
+}  // namespace
+
+SessionDamage damageOfInstances(const PlayScene& scene, const SessionState& state) {
+    SessionDamage damage;
+    for (std::uint32_t k = 0; k < state.origins.size(); ++k) {
+        if (state.origins[k].instance != 0) damage[state.origins[k].instance] = damageOfOrigin(scene, state, k);
+    }
+    return damage;
+}
+
+Result<std::shared_ptr<const PlayAsset>> damagedAsset(const PlayScene& scene, AssetVariant variant,
+                                                      const InstanceDamage& damage) {
+    const Asset& asset = *findAsset(scene.project, variant.asset);
+    std::shared_ptr<const PlayAsset> ready = scene.assets.at(variant);
+    const ContentHash bake = damageHash(asset, *ready->bake);
+    if (damage.cut && damage.bake == bake) {
+        if (!asset.cutAtImpact) return Error{ErrorCode::BadInput, "The asset is not cut at the point of impact."};
+        Result<std::shared_ptr<const PlayAsset>> cut = cutAtImpact(asset, damage.cut->point, damage.cut->number);
+        if (!cut) return cut.error();
+        ready = std::move(*cut);
+    }
+    if (const std::optional<std::string> fault = damageFault(damage, bake, *ready)) {
+        return Error{ErrorCode::BadInput, *fault};
+    }
+    return ready;
+}
+
+Status applyDamage(const SessionParts& parts, const SessionDamage& damage) {
+    const Result<Targets> targets = targetsOf(parts, damage);
+    if (!targets) return targets.error();
+    SessionState& state = parts.state;
+    PlayEvents before = std::move(state.events);
+    const std::size_t recentBreaks = state.recentBreaks.size();
+    state.events = {};
+    for (;;) {
+        std::vector<PendingBreak> breaks = nextBreaks(parts, *targets);
+        if (breaks.empty()) break;
+        applyBreaks(parts, std::move(breaks));
+    }
+    for (Diagnostic& one : state.events.diagnostics) before.diagnostics.push_back(std::move(one));
+    state.events = std::move(before);
+    state.recentBreaks.resize(recentBreaks);
+    for (const auto& [origin, target] : *targets) state.damage[origin] = target.damage;
+    return success();
+}
+
+}  // namespace rubble

@@ -1,0 +1,101 @@
+#include "core/play/damage/DamageBytes.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+constexpr std::string_view kMagic = "RDMG";
+constexpr std::size_t kHeader = 4 + 1 + 1 + 1 + 16 + 4;  // magic, version, kind, whether there is a cut, bake, count
+constexpr std::size_t kCut = 24;
+constexpr std::size_t kChecksum = 8;
+
+void add(std::string& bytes, std::uint64_t value, int size) {
+    for (int k = 0; k < size; ++k) bytes.push_back(static_cast<char>(value >> (8 * k)));
+}
+
+/// The little-endian number of `size` bytes from `at`.
+std::uint64_t numberAt(std::string_view bytes, std::size_t at, std::size_t size) {
+    std::uint64_t value = 0;
+    for (std::size_t k = size; k-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
+    return value;
+}
+
+Error malformed(const std::string& what) { return {ErrorCode::BadInput, "The damage cannot be read: " + what + "."}; }
+
+ImpactCut cutAt(std::string_view bytes, std::size_t at) {
+    return {.point = {std::bit_cast<double>(numberAt(bytes, at, 8)), std::bit_cast<double>(numberAt(bytes, at + 8, 8))},
+            .number = numberAt(bytes, at + 16, 8)};
+}
+
+/// Checks size, magic, version and checksum.
+Status checkBytes(std::string_view bytes) {
+    if (bytes.size() < kHeader + kChecksum) return malformed("it has " + std::to_string(bytes.size()) + " bytes only");
+    if (!bytes.starts_with(kMagic)) return malformed("it does not start with " + std::string(kMagic));
+    const std::string_view content = bytes.substr(0, bytes.size() - kChecksum);
+    if (contentHash(content).low != numberAt(bytes, content.size(), kChecksum)) {
+        return malformed("its checksum does not fit, so bytes were changed; send it again");
+    }
+    const std::uint64_t version = numberAt(bytes, 4, 1), kind = numberAt(bytes, 5, 1);
+    if (version == 0 || version > kDamageVersion) {
+        return Error{ErrorCode::Unsupported, "The damage is of version " + std::to_string(version) +
+                                                 ", but only version " + std::to_string(kDamageVersion) +
+                                                 " can be read."};
+    }
+    if (kind != static_cast<std::uint64_t>(DamageKind::Fractures)) {
+        return Error{ErrorCode::Unsupported, "The damage is of the unknown kind " + std::to_string(kind) + "."};
+    }
+    return success();
+}
+
+}  // namespace
+
+std::string damageBytes(const InstanceDamage& damage) {
+    std::string bytes(kMagic);
+    add(bytes, kDamageVersion, 1);
+    add(bytes, static_cast<std::uint64_t>(damage.kind), 1);
+    add(bytes, damage.cut ? 1 : 0, 1);
+    add(bytes, damage.bake.high, 8);
+    add(bytes, damage.bake.low, 8);
+    add(bytes, damage.broken.size(), 4);
+    if (damage.cut) {
+        add(bytes, std::bit_cast<std::uint64_t>(damage.cut->point.x), 8);
+        add(bytes, std::bit_cast<std::uint64_t>(damage.cut->point.y), 8);
+        add(bytes, damage.cut->number, 8);
+    }
+    for (std::size_t first = 0; first < damage.broken.size(); first += 8) {
+        unsigned octet = 0;
+        for (std::size_t k = first; k < std::min(first + 8, damage.broken.size()); ++k) {
+            octet |= (damage.broken[k] ? 1u : 0u) << (k - first);
+        }
+        add(bytes, octet, 1);
+    }
+    add(bytes, contentHash(bytes).low, kChecksum);
+    return bytes;
+}
+
+Result<InstanceDamage> damageOfBytes(std::string_view bytes) {
+    if (const Status checked = checkBytes(bytes); !checked) return checked.error();
+    const std::uint64_t hasCut = numberAt(bytes, 6, 1), count = numberAt(bytes, 23, 4);
+    if (hasCut > 1) return malformed("its cut is neither there nor absent");
+    const std::size_t bits = kHeader + (hasCut == 1 ? kCut : 0);
+    const std::size_t size = bits + (count + 7) / 8 + kChecksum;
+    if (bytes.size() != size) {
+        return malformed("of " + std::to_string(count) + " fractures it must have " + std::to_string(size) +
+                         " bytes, but it has " + std::to_string(bytes.size()));
+    }
+    InstanceDamage damage{.bake = {numberAt(bytes, 7, 8), numberAt(bytes, 15, 8)}, .broken = std::vector<bool>(count)};
+    if (hasCut == 1) damage.cut = cutAt(bytes, kHeader);
+    if (damage.cut && !(std::isfinite(damage.cut->point.x) && std::isfinite(damage.cut->point.y))) {
+        return malformed("the point of its cut is not finite");
+    }
+    for (std::size_t k = 0; k < count; ++k) damage.broken[k] = (numberAt(bytes, bits + k / 8, 1) >> (k % 8) & 1) != 0;
+    if (count % 8 != 0 && numberAt(bytes, bits + count / 8, 1) >> (count % 8) != 0) {
+        return malformed("it has bits beyond its last fracture");
+    }
+    return damage;
+}
+
+}  // namespace rubble

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/play/damage/InstanceDamage.h"
+
+#include <string_view>
+
+namespace rubble {
+
+inline constexpr std::uint8_t kDamageVersion = 1;
+
+/// A damage as bytes for networks and files: at most 64, and one for eight fractures. All fields are described in
+/// docs/formats/state.md.
+std::string damageBytes(const InstanceDamage& damage);
+
+/// Reads what damageBytes() wrote.
+///
+/// Errors: BadInput for other bytes, or if any was changed; Unsupported for a newer version or an unknown kind.
+Result<InstanceDamage> damageOfBytes(std::string_view bytes);
+
+}  // namespace rubble

@@ -1,0 +1,206 @@
+#include "core/play/session/VerifySession.h"
+
+#include "core/asset/checks/PlayFaults.h"
+#include "core/asset/checks/VerifyProject.h"
+#include "core/asset/project/Ranges.h"
+#include "core/play/breaking/ApplyDamage.h"
+#include "core/play/scene/Projectile.h"
+#include "core/play/session/SessionInputs.h"
+#include "core/play/state/SessionBodies.h"
+
+#include <algorithm>
+#include <set>
+
+namespace rubble {
+namespace {
+
+using Fault = std::optional<std::string>;
+using DamagedAssets = std::map<std::uint32_t, std::shared_ptr<const PlayAsset>>;  // by origin
+
+constexpr std::uint64_t kMaxStep = std::uint64_t{1} << 53;
+
+std::string elementOf(const char* table, std::size_t element, const std::string& what) {
+    return std::string(table) + '[' + std::to_string(element) + "]" + what;
+}
+
+bool isGround(const PlayScene& scene, std::size_t index, const PlayOrigin& origin) {
+    return scene.project.ground.isOn && index == 0 && origin.instance == 0 && origin.asset == 0 && !origin.thrown;
+}
+
+bool isKnown(ProjectileKind kind) { return kind >= ProjectileKind::Box && kind <= ProjectileKind::Asset; }
+
+/// Whether an origin is what placeScene() and throws add.
+bool isOrigin(const PlayScene& scene, std::size_t index, const PlayOrigin& origin) {
+    const std::size_t first = scene.project.ground.isOn ? 1 : 0;
+    if (index < first) return isGround(scene, index, origin);
+    if (index - first < scene.project.instances.size()) {
+        const Instance& instance = scene.project.instances[index - first];
+        return origin.instance == instance.id && origin.name == instance.name && !origin.thrown &&
+               AssetVariant{origin.asset, origin.variant} == variantOf(instance);
+    }
+    if (origin.instance != 0 || origin.variant != 0 || (origin.asset != 0) == origin.thrown.has_value()) return false;
+    if (!origin.thrown) return scene.assets.contains({origin.asset});
+    return isKnown(origin.thrown->kind) && origin.thrown->kind != ProjectileKind::Asset &&
+           !faultOf(Shot{.name = origin.name, .action = *origin.thrown}) &&
+           projectileBody(*origin.thrown, nullptr, nullptr).hasValue();
+}
+
+Fault verifyOrigins(const PlayScene& scene, const SessionState& state) {
+    const std::size_t placed = scene.project.instances.size() + (scene.project.ground.isOn ? 1 : 0);
+    if (state.origins.size() < placed) return "origins are fewer than the instances";
+    for (std::size_t k = 0; k < state.origins.size(); ++k) {
+        if (!isOrigin(scene, k, state.origins[k])) return elementOf("origins", k, " is not of the project");
+    }
+    return std::nullopt;
+}
+
+Fault verifyMaterials(const PlayScene& scene, const SessionState& state) {
+    Project changed = scene.project;
+    if (!std::ranges::equal(state.materials, changed.materials, {}, &Material::id, &Material::id)) {
+        return "materials are not those of the project";
+    }
+    changed.materials = state.materials;
+    if (const Fault fault = verifyProject(changed)) return "materials are out of range: " + *fault;
+    for (const auto* thresholds : {&state.assetThresholds, &state.instanceThresholds}) {
+        for (const auto& [id, threshold] : *thresholds) {
+            if (threshold <= 0.0) return "thresholds of " + std::to_string(id) + " are not above 0";
+        }
+    }
+    if (!std::ranges::equal(
+            state.assetThresholds, scene.project.assets, {}, [](const auto& one) { return one.first; }, &Asset::id)) {
+        return "assetThresholds are not of the project's assets";
+    }
+    for (const auto& [id, threshold] : state.instanceThresholds) {
+        if (std::ranges::find(scene.project.instances, id, &Instance::id) == scene.project.instances.end()) {
+            return "instanceThresholds are of the missing instance " + std::to_string(id);
+        }
+    }
+    return std::nullopt;
+}
+
+/// Makes what the damages are of.
+Fault prepareDamage(const PlayScene& scene, const SessionState& state, DamagedAssets& assets) {
+    for (const auto& [index, damage] : state.damage) {
+        const std::string place = "damage[" + std::to_string(index) + "]";
+        if (index >= state.origins.size() || state.origins[index].asset == 0) return place + " is of no asset";
+        if (damage.kind != DamageKind::Fractures) return place + ".kind is unknown";
+        if (damage.isIntact()) return place + " has nothing broken";
+        const PlayOrigin& origin = state.origins[index];
+        Result<std::shared_ptr<const PlayAsset>> asset = damagedAsset(scene, {origin.asset, origin.variant}, damage);
+        if (!asset) return place + " is wrong: " + asset.error().message;
+        assets[index] = std::move(*asset);
+    }
+    return std::nullopt;
+}
+
+/// Whether a fragment is free: it came free, and has not broken itself. kNone: the whole.
+bool isFree(const PlayAsset& asset, std::uint32_t fragment, const InstanceDamage* damage) {
+    const auto isBroken = [&](std::uint32_t fracture) {
+        return damage != nullptr && fracture != kNone && damage->broken[fracture];
+    };
+    if (fragment == kNone) return !isBroken(asset.whole.fracture);
+    if (damage == nullptr || fragment >= asset.fragments.size()) return false;
+    return isBroken(fractureContaining(asset, fragment)) && !isBroken(asset.fragments[fragment].fracture);
+}
+
+/// Gives a body its asset or hull. Returns the field that is wrong.
+const char* completeBody(const PlayScene& scene, const SessionState& state, const DamagedAssets& assets,
+                         PlayBody& body) {
+    const PlayOrigin& origin = state.origins[body.origin];
+    const bool isOfGround = isGround(scene, body.origin, origin);
+    if (body.role > PlayRole::Debris || (body.role == PlayRole::Ground) != isOfGround) return "role";
+    if (body.role == PlayRole::Instance ? origin.instance == 0
+                                        : body.role == PlayRole::Projectile && origin.instance != 0) {
+        return "role";
+    }
+    if ((body.role == PlayRole::Debris) != (body.fragment != kNone)) return "fragment";
+    bool isUnbreakable = false;
+    if (body.role == PlayRole::Instance) {
+        isUnbreakable = std::ranges::find(scene.project.instances, origin.instance, &Instance::id)->isUnbreakable;
+    }
+    if (body.isUnbreakable != isUnbreakable) return "isUnbreakable";
+    if (origin.asset == 0) {
+        body.hull = isOfGround ? groundHull() : std::make_shared<const Polytope>(projectileHull(*origin.thrown));
+        return body.fragment == kNone ? nullptr : "fragment";
+    }
+    const auto damage = state.damage.find(body.origin);
+    const bool isDamaged = damage != state.damage.end();
+    body.asset = isDamaged ? assets.at(body.origin) : scene.assets.at({origin.asset, origin.variant});
+    if (!isFree(*body.asset, body.fragment, isDamaged ? &damage->second : nullptr)) return "fragment";
+    return nullptr;
+}
+
+Fault completeBodies(const PlayScene& scene, const DamagedAssets& assets, SessionState& state) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> solids;
+    for (std::size_t k = 0; k < state.bodies.size(); ++k) {
+        PlayBody& body = state.bodies[k];
+        const bool isAscending = k == 0 || state.bodies[k - 1].number < body.number;
+        if (!isAscending || body.number >= state.nextNumber) return elementOf("bodies", k, ".number is wrong");
+        if (body.origin >= state.origins.size()) return elementOf("bodies", k, ".origin is wrong");
+        if (body.born > state.step) return elementOf("bodies", k, ".born is wrong");
+        if (const char* field = completeBody(scene, state, assets, body)) {
+            return elementOf("bodies", k, "." + std::string(field) + " is wrong");
+        }
+        if (!solids.emplace(body.origin, body.fragment).second) return elementOf("bodies", k, " is there twice");
+    }
+    return std::nullopt;
+}
+
+/// An input as if the body that it acts on were there: it may have gone since the input was added.
+PlayInput withBody(PlayInput input, const SessionState& state) {
+    if (state.bodies.empty()) return ReleaseInput{};
+    if (auto* grab = std::get_if<GrabInput>(&input)) grab->body = state.bodies.front().number;
+    if (auto* broken = std::get_if<BreakInput>(&input)) broken->body = state.bodies.front().number;
+    return input;
+}
+
+/// Whether the enumerations in an input have values that exist.
+bool hasKnownKinds(const PlayInput& input) {
+    const auto* shot = std::get_if<ShotInput>(&input);
+    const Throw* thrown = shot != nullptr ? std::get_if<Throw>(&shot->action) : nullptr;
+    return thrown == nullptr || isKnown(thrown->kind);
+}
+
+Fault verifyPending(const PlayScene& scene, const SessionState& state) {
+    std::uint64_t last = state.step;
+    for (std::size_t k = 0; k < state.pending.size(); ++k) {
+        const TimedInput& timed = state.pending[k];
+        if (timed.step < last) return elementOf("pending", k, ".step is in the past");
+        last = timed.step;
+        if (!hasKnownKinds(timed.input)) return elementOf("pending", k, " is of an unknown kind");
+        if (const Fault fault = faultOf(withBody(timed.input, state), scene, state)) {
+            return elementOf("pending", k, " is wrong: ") + *fault;
+        }
+    }
+    return std::nullopt;
+}
+
+Fault verifyToldImpacts(const SessionState& state) {
+    for (std::size_t k = 0; k < state.toldImpacts.size(); ++k) {
+        const ToldImpact& one = state.toldImpacts[k];
+        const auto isBefore = [](const ToldImpact& a, const ToldImpact& b) {
+            return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+        };
+        const bool isAscending = k == 0 || isBefore(state.toldImpacts[k - 1], one);
+        if (!isAscending || one.first >= one.second) return elementOf("toldImpacts", k, " is not in order");
+        if (one.apartSince != ToldImpact::kTouching && one.apartSince > state.step) {
+            return elementOf("toldImpacts", k, ".apartSince is wrong");
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Fault completeState(const PlayScene& scene, SessionState& state) {
+    if (state.step > kMaxStep) return "step is wrong";
+    if (Fault fault = verifyOrigins(scene, state)) return fault;
+    if (Fault fault = verifyMaterials(scene, state)) return fault;
+    DamagedAssets assets;
+    if (Fault fault = prepareDamage(scene, state, assets)) return fault;
+    if (Fault fault = completeBodies(scene, assets, state)) return fault;
+    if (Fault fault = verifyToldImpacts(state)) return fault;
+    return verifyPending(scene, state);
+}
+
+}  // namespace rubble

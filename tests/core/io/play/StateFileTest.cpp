@@ -1,0 +1,241 @@
+// Tests core/io/play/StateArchive.cpp, core/physics/state/VerifyContacts.cpp, core/physics/state/VerifyState.cpp,
+// core/play/session/SavedSession.cpp and core/play/session/VerifySession.cpp.
+#include "core/io/play/StateFile.h"
+
+#include "core/io/play/ReplayFile.h"
+#include "core/io/project/ProjectFile.h"
+#include "core/io/system/AtomicFile.h"
+#include "tests/support/TestProgram.h"
+#include "tests/support/play/Damages.h"
+#include "tests/support/play/RandomShots.h"
+
+#include <QTemporaryDir>
+
+#include <zlib.h>
+
+using namespace rubble;
+
+namespace {
+
+constexpr std::size_t kStateHeader = 37, kStateChecksum = 16;  // see docs/formats/state.md
+
+bool isLongRun() { return qEnvironmentVariableIsSet("RUBBLE_LONG"); }
+
+std::vector<std::shared_ptr<const PlayScene>> demoScenes() {
+    std::vector<std::shared_ptr<const PlayScene>> scenes{test::playSceneOf(test::threeBlocks())};
+    for (const char* name : {"pane", "wall-with-openings", "house"}) {
+        scenes.push_back(
+            test::playSceneOf(*loadProject(std::string(RUBBLE_SOURCE_DIR "/projects/") + name + ".rubble")));
+    }
+    return scenes;
+}
+
+std::string sealedState(std::string bytes) {
+    const ContentHash hash = contentHash(bytes);
+    bytes.append(reinterpret_cast<const char*>(&hash), sizeof(hash));
+    return bytes;
+}
+
+/// The fields of a state file.
+std::string fieldsOf(const std::string& bytes) {
+    std::uint64_t size = 0;
+    std::memcpy(&size, bytes.data() + 29, 8);
+    std::string fields(size, '\0');
+    uLongf length = size;
+    uncompress(reinterpret_cast<Bytef*>(fields.data()), &length,
+               reinterpret_cast<const Bytef*>(bytes.data() + kStateHeader),
+               bytes.size() - kStateHeader - kStateChecksum);
+    return fields;
+}
+
+/// A state file with other fields, and a size and checksum that fit them.
+std::string withFields(const std::string& bytes, const std::string& fields) {
+    std::string made = bytes.substr(0, kStateHeader);
+    const std::uint64_t size = fields.size();
+    std::memcpy(made.data() + 29, &size, 8);
+    uLongf length = compressBound(size);
+    std::string packed(length, '\0');
+    compress2(reinterpret_cast<Bytef*>(packed.data()), &length, reinterpret_cast<const Bytef*>(fields.data()), size, 1);
+    return sealedState(made + packed.substr(0, length));
+}
+
+Result<Session> sessionOfBytes(const std::shared_ptr<const PlayScene>& scene, const std::string& bytes,
+                               const SessionSettings& settings = {}) {
+    Result<SavedSession> saved = readStateBytes(bytes, projectHash(scene->project));
+    if (!saved) return saved.error();
+    return resumedSession(scene, std::move(*saved), settings);
+}
+
+std::string bytesOfSession(const Session& session, StateKind kind = StateKind::Whole) {
+    return stateBytes(savedSession(session, kind), projectHash(session.scene().project));
+}
+
+/// A session in the middle of breaking.
+Session brokenSession(const std::shared_ptr<const PlayScene>& scene) {
+    Session session = *Session::start(scene);
+    test::addInput(session, BreakInput{2});
+    test::addInput(
+        session,
+        ShotInput{
+            "throw",
+            Throw{.size = Vec3(0.2), .mass = 30.0, .from = {4.2, 0.6, 1.0}, .to = {4.2, 0.6, 0.0}, .speed = 20.0}});
+    if (!session.add(TimedInput{500, GravityInput{{0.0, -5.0, 0.0}}})) qFatal("not added");
+    for (int k = 0; k < 40; ++k) session.step();
+    return session;
+}
+
+std::string stateFault(const Result<Session>& session) { return session ? std::string() : session.error().message; }
+
+}  // namespace
+
+class StateFileTest : public QObject {
+    Q_OBJECT
+private slots:
+    void goesOnAsIfItHadNeverBeenSaved() {
+        constexpr int kSeed = 23;
+        qInfo("seed %d", kSeed);
+        Random random(kSeed);
+        const auto scenes = demoScenes();
+        const int shots = isLongRun() ? 300 : 12;
+        std::size_t largest = 0;
+        for (int k = 0; k < shots; ++k) {
+            const auto& scene = scenes[static_cast<std::size_t>(k) % scenes.size()];
+            Session session = *Session::start(scene);
+            test::addRandomShots(session, random);
+            const std::uint64_t steps = random.below(240);
+            for (std::uint64_t step = 0; step < steps; ++step) session.step();
+            const std::string bytes = bytesOfSession(session);
+            largest = std::max(largest, bytes.size());
+            Result<Session> loaded = sessionOfBytes(
+                scene, bytes, {.threads = 1 + k % 3, .lanes = k % 2 == 0 ? SimdWidth::Scalar : widestSimd()});
+            QVERIFY2(loaded.hasValue(), stateFault(loaded).c_str());
+            QVERIFY(loaded->hash() == session.hash());
+            QCOMPARE(bytesOfSession(*loaded), bytes);
+            for (int step = 1; step <= 300; ++step) {
+                session.step();
+                loaded->step();
+                if (step == 1 || step == 300) QVERIFY2(loaded->hash() == session.hash(), QByteArray::number(k));
+            }
+            QCOMPARE(loaded->events().diagnostics.size(), session.events().diagnostics.size());
+        }
+        qInfo("largest: %d bytes", static_cast<int>(largest));
+    }
+    void filesAreWrittenAndRead() {
+        const QTemporaryDir folder;
+        const std::string path = folder.filePath("moment.rubblestate").toStdString();
+        const auto scene = test::playSceneOf(test::threeBlocks());
+        const Session session = brokenSession(scene);
+        QVERIFY(saveState(path, session, StateKind::Whole).hasValue());
+        const Result<Session> loaded = loadState(path, scene);
+        QVERIFY(loaded.hasValue());
+        QCOMPARE(loaded->stepsDone(), std::uint64_t{40});
+        QVERIFY(loaded->hash() == session.hash());
+        QVERIFY(loaded->damage() == session.damage());
+        const Result<Session> missing = loadState(path + "x", scene);
+        QVERIFY(!missing && missing.error().code == ErrorCode::NotFound);
+    }
+    void anotherProjectIsRefusedWithBothHashes() {
+        const auto scene = test::playSceneOf(test::threeBlocks());
+        Project other = scene->project;
+        other.instances[0].pose.position.x += 0.1;
+        const std::string message =
+            stateFault(sessionOfBytes(test::playSceneOf(other), bytesOfSession(brokenSession(scene))));
+        QVERIFY2(message.find(projectHash(other).hex()) != std::string::npos, message.c_str());
+        QVERIFY2(message.find(projectHash(scene->project).hex()) != std::string::npos, message.c_str());
+    }
+    void anotherBakeIsRefused() {
+        const auto scene = test::playSceneOf(test::threeBlocks());
+        SavedSession saved = savedSession(brokenSession(scene), StateKind::Whole);
+        saved.bakes.begin()->second.low ^= 1;
+        const std::string message = stateFault(resumedSession(scene, saved));
+        QVERIFY2(message.starts_with("The state is of another bake of asset \"block\", "), message.c_str());
+    }
+    void changedFilesAreRefused() {
+        constexpr int kSeed = 29;
+        qInfo("seed %d", kSeed);
+        Random random(kSeed);
+        const auto scene = test::playSceneOf(test::threeBlocks());
+        const std::string bytes = bytesOfSession(brokenSession(scene));
+        for (int k = 0; k < (isLongRun() ? 5000 : 500); ++k) {
+            std::string changed = bytes;
+            const std::size_t place = random.below(bytes.size());
+            changed[place] = static_cast<char>(changed[place] ^ static_cast<char>(1 + random.below(255)));
+            QVERIFY(!stateFault(sessionOfBytes(scene, changed)).empty());
+            QVERIFY(!stateFault(sessionOfBytes(scene, bytes.substr(0, place))).empty());
+            QVERIFY(!stateFault(sessionOfBytes(scene, sealedState(bytes.substr(0, place)))).empty());
+        }
+    }
+    /// Where the checksum fits, what contradicts itself is refused with its place; what does not can be simulated.
+    void wrongContentIsRefusedWithItsPlace() {
+        constexpr int kSeed = 31;
+        qInfo("seed %d", kSeed);
+        Random random(kSeed);
+        const auto scene = test::playSceneOf(test::threeBlocks());
+        const std::string bytes = bytesOfSession(brokenSession(scene)), fields = fieldsOf(bytes);
+        QCOMPARE(withFields(bytes, fields), bytes);
+        int refused = 0;
+        const int rounds = isLongRun() ? 10000 : 600;
+        for (int k = 0; k < rounds; ++k) {
+            std::string changed = fields;
+            const std::size_t place = random.below(fields.size());
+            changed[place] = static_cast<char>(changed[place] ^ static_cast<char>(1u << random.below(8)));
+            if (random.below(4) == 0) changed[place] = static_cast<char>(random.below(256));
+            if (random.below(20) == 0) changed.resize(place);
+            Result<Session> session = sessionOfBytes(scene, withFields(bytes, changed), {.checksEnergy = false});
+            if (!session) {
+                ++refused;
+                QVERIFY2(session.error().message.starts_with("The state"), stateFault(session).c_str());
+                continue;
+            }
+            for (int step = 0; step < 5; ++step) session->step();
+        }
+        qInfo("%d of %d refused", refused, rounds);
+        QVERIFY(refused > rounds / 10);
+    }
+    void thePlaceOfAWrongIndexIsNamed() {
+        const auto scene = test::playSceneOf(test::threeBlocks());
+        const SavedSession saved = savedSession(brokenSession(scene), StateKind::Whole);
+        SavedSession wrong = saved;
+        wrong.state.bodies[3].fragment = 4000;
+        QCOMPARE(stateFault(resumedSession(scene, wrong)),
+                 std::string("The state cannot be used: bodies[3].fragment is wrong; save it again."));
+        wrong = saved;
+        auto& world = std::get<WorldState>(wrong.world);
+        const std::uint32_t last = saved.state.bodies.back().body.index;
+        world.proxies[world.bodies[last].firstProxy].next = 7000;
+        QCOMPARE(
+            stateFault(resumedSession(scene, wrong)),
+            "The state cannot be used: world.bodies[" + std::to_string(last) + "].firstProxy is wrong; save it again.");
+        wrong = saved;
+        std::get<WorldState>(wrong.world).poses[2].centre.x += 0.5f;
+        QVERIFY(stateFault(resumedSession(scene, wrong)).find("have the hash") != std::string::npos);
+    }
+    void bodiesOfASmallStateSleepWhereTheyRest() {
+        const auto scene = test::playSceneOf(test::threeBlocks());
+        Session session = brokenSession(scene);
+        for (int k = 0; k < 400; ++k) session.step();
+        const std::string bytes = bytesOfSession(session, StateKind::Small);
+        QVERIFY(bytes.size() < bytesOfSession(session).size() / 5);
+        Result<Session> loaded = sessionOfBytes(scene, bytes);
+        QVERIFY2(loaded.hasValue(), stateFault(loaded).c_str());
+        QCOMPARE(bytesOfSession(*loaded, StateKind::Small), bytes);
+        QVERIFY(loaded->damage() == session.damage());
+        QCOMPARE(loaded->bodies().size(), session.bodies().size());
+        for (int k = 0; k < 600; ++k) loaded->step();
+        for (std::size_t k = 0; k < session.bodies().size(); ++k) {
+            const PlayBody &before = session.bodies()[k], &after = loaded->bodies()[k];
+            QCOMPARE(after.number, before.number);
+            QCOMPARE(after.fragment, before.fragment);
+            const BodyState now = loaded->world().state(after.body);
+            QVERIFY(now.asleep || loaded->world().kind(after.body) == BodyKind::Static);
+            QVERIFY(glm::distance(now.centre, session.world().state(before.body).centre) < 1e-3);
+        }
+        test::addInput(*loaded, ShotInput{"blast", Explosion{.at = {2.0, 0.2, 0.0}, .impulse = 3000.0}});
+        loaded->step();
+        QVERIFY(std::ranges::any_of(loaded->bodies(),
+                                    [&](const PlayBody& body) { return !loaded->world().state(body.body).asleep; }));
+    }
+};
+
+RUBBLE_TEST(StateFileTest)
+#include "StateFileTest.moc"
