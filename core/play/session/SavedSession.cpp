@@ -155,9 +155,15 @@ SavedSession savedSession(const Session& session, StateKind kind) {
     SavedSession saved{.dt = session.stepLength(), .bakes = bakesOf(session.scene()), .state = snapshot->state};
     saved.state.events = {};
     saved.state.recentBreaks.clear();
+    for (PlayBody& body : saved.state.bodies) {
+        body.asset.reset();
+        body.hull.reset();
+    }
     if (kind == StateKind::Whole) {
         saved.hash = session.hash();
-        saved.world = snapshot->world->state;
+        auto& world = saved.world.emplace<WorldState>(snapshot->world->state);
+        world.events = {};
+        for (Body& body : world.bodies) body.shape.reset();
         return saved;
     }
     saved.world = restingWorld(saved.state, snapshot->world->state);
