@@ -32,7 +32,11 @@ std::uint32_t indexOf(const Json& value) {
 }
 
 ReplayStep stepOf(const Json& value, bool isDetailed) {
-    ReplayStep step{.hash = std::strtoull(value.at("hash").get<std::string>().c_str(), nullptr, 16)};
+    const auto hexOf = [&](const char* key) {
+        return std::strtoull(value.at(key).get<std::string>().c_str(), nullptr, 16);
+    };
+    ReplayStep step{.hash = hexOf("hash")};
+    if (value.contains("events")) step.events = hexOf("events");
     const Json& moved = value.at("moved");
     const std::size_t length = isDetailed ? 5 : 2;
     for (std::size_t k = 0; k + length <= moved.size(); k += length) {

@@ -102,8 +102,8 @@ HitEvent joined(std::span<const HitEvent> hits) {
 }
 
 EventRecord impactRecord(const SessionParts& parts, const HitEvent& hit) {
-    // The body meant is the one that the artist placed or that came of it, rather than a plain projectile or the ground;
-    // of two, that with the lower number.
+    // The body meant is the one that the artist placed or that came of it, rather than a plain projectile or the
+    // ground; of two, that with the lower number.
     const PlayBody* body = findBody(parts.state, numberOf(parts.world, hit.first));
     const PlayBody* other = findBody(parts.state, numberOf(parts.world, hit.second));
     RUBBLE_ASSERT(body != nullptr && other != nullptr);

@@ -8,7 +8,6 @@
 
 #include <sstream>
 
-
 using namespace rubble;
 
 namespace {

@@ -83,7 +83,8 @@ private slots:
         const std::string second = R"(    {"hash": "0000000000000005", "moved": [], "broke": [7, 1320.5, 9, 0], )"
                                    R"("events": "0000000000abcdef"},)";
         const std::string third =
-            ",\n" R"(    {"hash": "0000000000000006", "moved": [], "broke": [], "events": "0000000000000000"})";
+            ",\n"
+            R"(    {"hash": "0000000000000006", "moved": [], "broke": [], "events": "0000000000000000"})";
         QCOMPARE(replayFault(text, second + '\n', ""),
                  QString("steps[1]: changed after the recording, or what was here was removed."));
         QCOMPARE(replayFault(text, third, ""),
