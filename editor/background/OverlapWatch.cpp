@@ -44,9 +44,7 @@ void OverlapWatch::check() {
 
 void OverlapWatch::report(std::vector<InstanceOverlap> overlaps) {
     const Project& project = m_document.project();
-    const auto isGone = [&](Id id) {
-        return id != 0 && std::ranges::find(project.instances, id, &Instance::id) == project.instances.end();
-    };
+    const auto isGone = [&](Id id) { return id != 0 && findInstance(project, id) == nullptr; };
     std::erase_if(overlaps,
                   [&](const InstanceOverlap& overlap) { return isGone(overlap.first) || isGone(overlap.second); });
     m_overlaps = std::move(overlaps);

@@ -180,6 +180,4 @@ Edit moveInstances(const QString& text, const Project& project, std::span<const 
     return edit;
 }
 
-const Instance* findInstance(const Project& project, Id id) { return findById(project.instances, id); }
-
 }  // namespace rubble

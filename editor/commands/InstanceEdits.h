@@ -46,7 +46,4 @@ Edit unlockAllInstances(const Project& project);
 Edit moveInstances(const QString& text, const Project& project, std::span<const Id> instances,
                    std::span<const Pose> poses, quint64 mergeKey);
 
-/// The instance with an id, or null.
-const Instance* findInstance(const Project& project, Id id);
-
 }  // namespace rubble

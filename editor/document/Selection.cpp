@@ -87,9 +87,7 @@ void Selection::setSubject(Part subject) {
 
 void Selection::prune(const Project& project) {
     std::set<Id> instances = m_instances;
-    std::erase_if(instances, [&](Id id) {
-        return std::ranges::find(project.instances, id, &Instance::id) == project.instances.end();
-    });
+    std::erase_if(instances, [&](Id id) { return findInstance(project, id) == nullptr; });
     if (!findAsset(project, m_asset)) setAsset(project.assets.empty() ? 0 : project.assets.front().id);
     if (!findMaterial(project, m_material)) setMaterial(0);
     if (instances != m_instances) setInstances(project, std::move(instances));

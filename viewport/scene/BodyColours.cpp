@@ -29,8 +29,8 @@ bool isQuantity(SceneColouring colouring) {
 
 double thresholdOf(const Project& project, const AssetModel& model, Id instance) {
     if (project.damage.isThesis) return project.damage.thesisThreshold;
-    const auto placed = std::ranges::find(project.instances, instance, &Instance::id);
-    if (placed != project.instances.end() && placed->threshold) return *placed->threshold;
+    const Instance* placed = findInstance(project, instance);
+    if (placed != nullptr && placed->threshold) return *placed->threshold;
     const Asset* asset = findAsset(project, model.asset.id);
     return asset != nullptr ? rubble::thresholdOf(project, *asset) : model.asset.threshold;
 }

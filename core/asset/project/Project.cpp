@@ -32,6 +32,7 @@ AssetMaterials materialsOf(const Project& project, const Asset& asset) {
 const Material* findMaterial(const Project& project, Id id) { return findById(project.materials, id); }
 
 const Asset* findAsset(const Project& project, Id id) { return findById(project.assets, id); }
+const Instance* findInstance(const Project& project, Id id) { return findById(project.instances, id); }
 
 const Asset* findAsset(const Project& project, const std::string& name) {
     const auto found = std::ranges::find(project.assets, name, &Asset::name);

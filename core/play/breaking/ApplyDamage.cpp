@@ -21,11 +21,6 @@ Error ofInstance(const PlayOrigin& origin, const std::string& message) {
     return {ErrorCode::BadInput, "Instance " + quotedName(origin.name) + ": " + message};
 }
 
-const Instance* findInstance(const Project& project, Id id) {
-    const auto found = std::ranges::find(project.instances, id, &Instance::id);
-    return found == project.instances.end() ? nullptr : &*found;
-}
-
 /// What is broken of an origin.
 InstanceDamage damageOfOrigin(const PlayScene& scene, const SessionState& state, std::uint32_t index) {
     const auto broken = state.damage.find(index);

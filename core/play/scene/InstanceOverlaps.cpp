@@ -10,8 +10,8 @@ namespace rubble {
 namespace {
 
 std::string nameOf(const Project& project, Id instance) {
-    const auto found = std::ranges::find(project.instances, instance, &Instance::id);
-    return found != project.instances.end() ? quotedName(found->name) : std::to_string(instance);
+    const Instance* found = findInstance(project, instance);
+    return found != nullptr ? quotedName(found->name) : std::to_string(instance);
 }
 
 double depthInGround(const PosedHulls& body, const Ground& ground) {

@@ -50,8 +50,7 @@ BodyKind kindOf(const PlayScene& scene, const SessionState& state, const PlayBod
     if (body.role == PlayRole::Ground) return BodyKind::Static;
     if (body.role != PlayRole::Instance) return BodyKind::Dynamic;
     const Id id = state.origins[body.origin].instance;
-    return std::ranges::find(scene.project.instances, id, &Instance::id)->isFixed ? BodyKind::Static
-                                                                                  : BodyKind::Dynamic;
+    return findInstance(scene.project, id)->isFixed ? BodyKind::Static : BodyKind::Dynamic;
 }
 
 std::shared_ptr<const Shape> shapeOf(const SessionState& state, const PlayBody& body) {

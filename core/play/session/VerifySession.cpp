@@ -71,7 +71,7 @@ Fault verifyMaterials(const PlayScene& scene, const SessionState& state) {
         return "assetThresholds are not of the project's assets";
     }
     for (const auto& [id, threshold] : state.instanceThresholds) {
-        if (std::ranges::find(scene.project.instances, id, &Instance::id) == scene.project.instances.end()) {
+        if (findInstance(scene.project, id) == nullptr) {
             return "instanceThresholds are of the missing instance " + std::to_string(id);
         }
     }
@@ -116,7 +116,7 @@ const char* completeBody(const PlayScene& scene, const SessionState& state, cons
     if ((body.role == PlayRole::Debris) != (body.fragment != kNone)) return "fragment";
     bool isUnbreakable = false;
     if (body.role == PlayRole::Instance) {
-        isUnbreakable = std::ranges::find(scene.project.instances, origin.instance, &Instance::id)->isUnbreakable;
+        isUnbreakable = findInstance(scene.project, origin.instance)->isUnbreakable;
     }
     if (body.isUnbreakable != isUnbreakable) return "isUnbreakable";
     if (origin.asset == 0) {
