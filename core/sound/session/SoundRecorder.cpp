@@ -3,14 +3,12 @@
 #include "core/geometry/search/Box3.h"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 
 namespace rubble {
 namespace {
 
-constexpr double kLeastEnergy = 1.0;  // J
-constexpr double kParted = 0.1;       // s: bodies that touch again sooner have not parted
+constexpr double kLeastEnergy = 1.0;  // J: breaks without a blow are heard, too
+constexpr double kLeastMass = 1e-3;   // kg
 constexpr double kNearestView = 3.0;  // m
 
 Listener listenerOf(const Session& session) {
@@ -22,67 +20,54 @@ Listener listenerOf(const Session& session) {
     return {.position = around.centre() + Vec3(0.0, 0.0, std::max(kNearestView, around.diagonal()))};
 }
 
-/// The material of an asset; stone for the ground, metal for projectiles that are no asset.
-SoundMaterial materialOf(const Session& session, const PlayBody& body) {
-    if (body.asset == nullptr) return body.role == PlayRole::Ground ? SoundMaterial::Stone : SoundMaterial::Metal;
-    const Project& project = session.scene().project;
-    const Material* material = findMaterial(project, findAsset(project, body.asset->bake->asset)->material);
-    return closestSoundMaterial(material->density, material->youngsModulus);
+/// What a material of the project sounds like; stone for the ground, metal for projectiles that are no asset.
+SoundMaterial soundMaterialOf(const Session& session, Id id, std::uint32_t body) {
+    if (id == 0) return session.scene().project.ground.isOn && body == 0 ? SoundMaterial::Stone : SoundMaterial::Metal;
+    const Material& material = *findMaterial(session.scene().project, id);
+    return closestSoundMaterial(material.density, material.youngsModulus);
 }
 
-/// The body of an event; null if it is gone since.
-const PlayBody* bodyOf(const Session& session, BodyId body) {
-    if (!session.world().contains(body)) return nullptr;
-    return session.body(static_cast<std::uint32_t>(session.world().tag(body)));
+/// The mass of a body, kg; 0 if it is fixed, or gone since.
+double massOf(const Session& session, std::uint32_t number) {
+    const PlayBody* const body = session.body(number);
+    return body != nullptr ? session.world().mass(body->body) : 0.0;
 }
 
-double timeOf(const Session& session) { return static_cast<double>(session.stepsDone()) * session.stepLength(); }
+/// The lighter body rings most; what is fixed does not.
+SoundCue impactCue(const Session& session, const EventRecord& impact) {
+    const double mass = massOf(session, impact.body), otherMass = massOf(session, impact.other);
+    const SoundMaterial material = soundMaterialOf(session, impact.materials[0], impact.body),
+                        other = soundMaterialOf(session, impact.materials[1], impact.other);
+    const bool isOwn = otherMass == 0.0 || (mass > 0.0 && mass <= otherMass);
+    return {.kind = CueKind::Impact,
+            .first = isOwn ? material : other,
+            .second = isOwn ? other : material,
+            .energy = impact.energy,
+            .mass = std::max(isOwn ? mass : otherMass, kLeastMass),
+            .point = impact.point};
+}
+
+SoundCue breakCue(const Session& session, const EventRecord& broken) {
+    const SoundMaterial material = soundMaterialOf(session, broken.materials[0], broken.body);
+    return {.kind = CueKind::Broken,
+            .first = material,
+            .second = material,
+            .energy = std::max(broken.energy, kLeastEnergy),
+            .mass = std::max(broken.mass, kLeastMass),
+            .point = broken.point};
+}
 
 }  // namespace
 
 SoundRecorder::SoundRecorder(const Session& session) : m_listener(listenerOf(session)) {}
 
 void SoundRecorder::add(const Session& session) {
-    m_seconds = timeOf(session);
-    for (const HitEvent& hit : session.world().events().hits) addImpact(session, hit);
-    for (const PlayBreak& broken : session.events().breaks) addBreak(session, broken);
-}
-
-void SoundRecorder::addImpact(const Session& session, const HitEvent& hit) {
-    const PlayBody *first = bodyOf(session, hit.first), *second = bodyOf(session, hit.second);
-    if (first == nullptr || second == nullptr) return;
-    // An impulse that stops an approach takes half its product with the speed.
-    const double energy = 0.5 * hit.impulse * hit.approachSpeed;
-    if (energy < kLeastEnergy) return;
-    const std::uint64_t step = session.stepsDone();
-    const auto [last, isNew] = m_lastHits.try_emplace({first->number, second->number}, step);
-    const bool isAgain = !isNew && static_cast<double>(step - last->second) * session.stepLength() < kParted;
-    last->second = step;
-    if (isAgain) return;
-    const double firstMass = session.world().mass(hit.first), secondMass = session.world().mass(hit.second);
-    // The lighter body rings most; what is fixed has the mass 0 here, and does not.
-    const bool isFirst = secondMass == 0.0 || (firstMass > 0.0 && firstMass <= secondMass);
-    m_cues.push_back({.time = m_seconds,
-                      .kind = CueKind::Impact,
-                      .first = materialOf(session, isFirst ? *first : *second),
-                      .second = materialOf(session, isFirst ? *second : *first),
-                      .energy = energy,
-                      .mass = std::max(isFirst ? firstMass : secondMass, 1e-3),
-                      .point = hit.point});
-}
-
-void SoundRecorder::addBreak(const Session& session, const PlayBreak& broken) {
-    const SoundMaterial material = materialOf(session, broken.body);
-    const double mass =
-        propertiesOf(material).density * broken.body.asset->solid(broken.body.fragment).shape->mass.volume;
-    const double energy = std::max(kLeastEnergy, broken.impact * broken.impact / (2.0 * mass));
-    m_cues.push_back({.time = m_seconds,
-                      .kind = CueKind::Broken,
-                      .first = material,
-                      .second = material,
-                      .energy = energy,
-                      .mass = mass,
-                      .point = broken.point});
+    m_seconds = static_cast<double>(session.stepsDone()) * session.stepLength();
+    for (const EventRecord& record : session.events().told.records) {
+        if (record.kind != EventKind::Impact && record.kind != EventKind::Broken) continue;
+        m_cues.push_back(record.kind == EventKind::Impact ? impactCue(session, record) : breakCue(session, record));
+        m_cues.back().time = m_seconds;
+    }
 }
 
 }  // namespace rubble

@@ -3,20 +3,18 @@
 #include "core/play/session/Session.h"
 #include "core/sound/mix/SoundTrack.h"
 
-#include <map>
-#include <utility>
 #include <vector>
 
 namespace rubble {
 
-/// Records what is heard of a session while it is played. It only reads the session.
+/// Records what is heard of a session while it is played: the impacts and breaks that its steps tell. It only reads the
+/// session.
 class SoundRecorder {
 public:
     /// Heard from in front of the instances, towards +z, as far away as they are large, and 3 m at least.
     explicit SoundRecorder(const Session& session);
 
-    /// Must be called after each step. Breaks are cues, and impacts of at least 1 J. Two bodies that hit each other
-    /// again within 0.1 s are one impact.
+    /// Must be called after each step.
     void add(const Session& session);
     const std::vector<SoundCue>& cues() const { return m_cues; }
     const Listener& listener() const { return m_listener; }
@@ -26,13 +24,9 @@ public:
     Result<StereoTrack> track() const { return mixedTrack(m_cues, m_seconds, m_listener); }
 
 private:
-    void addImpact(const Session& session, const HitEvent& hit);
-    void addBreak(const Session& session, const PlayBreak& broken);
-
     Listener m_listener;
     double m_seconds = 0.0;
     std::vector<SoundCue> m_cues;
-    std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t> m_lastHits;  // steps, by numbers of both bodies
 };
 
 }  // namespace rubble

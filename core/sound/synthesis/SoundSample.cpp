@@ -133,10 +133,6 @@ std::vector<float> synthesized(const SoundRecipe& recipe) {
             addCracks(buffer, recipe, 16, 0.5, 0.6, random);
             break;
         }
-        case CueKind::Settled:
-            addBlow(buffer, 0, recipe, recipe.mass, 0.4, random);
-            addCracks(buffer, recipe, 4, 0.15, 0.3, random);
-            break;
     }
     return normalized(buffer);
 }

@@ -10,7 +10,7 @@ namespace rubble {
 
 inline constexpr int kSampleRate = 48000;  // Hz
 
-enum class CueKind : std::uint8_t { Impact, Broken, Settled };
+enum class CueKind : std::uint8_t { Impact, Broken };
 
 /// A mode of a body that rings.
 struct SoundMode {
@@ -37,8 +37,7 @@ struct SoundRecipe {
 };
 
 /// A mono sample whose peak is 1: the modes of both materials and the noise of the contact; for a break also a burst of
-/// noise and cracks, each of a smaller body; for what settles a few soft contacts. At most 1.5 s long. The same bits
-/// everywhere.
+/// noise and cracks, each of a smaller body. At most 1.5 s long. The same bits everywhere.
 std::vector<float> synthesized(const SoundRecipe& recipe);
 
 }  // namespace rubble
