@@ -1,5 +1,6 @@
 #include "app/cli/simulation/ProjectSimulation.h"
 
+#include "core/base/QuantityText.h"
 #include "core/base/Version.h"
 #include "core/io/play/EventsJson.h"
 #include "core/io/play/ReplayFile.h"
@@ -47,10 +48,6 @@ Result<Session> sessionOf(const PreparedProject& project, const PlayPlan& plan) 
     return session;
 }
 
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 /// What a small state does not hold of a session, a sentence each.
 std::vector<std::string> lossesOf(const Session& session) {
     std::vector<std::string> losses;
@@ -59,11 +56,11 @@ std::vector<std::string> lossesOf(const Session& session) {
         return !state.asleep && (state.velocity != Vec3(0.0) || state.angularVelocity != Vec3(0.0));
     };
     if (const auto moving = std::ranges::count_if(session.bodies(), isMoving); moving > 0) {
-        losses.push_back(counted(static_cast<std::size_t>(moving), "body was", "bodies were") +
+        losses.push_back(countText(static_cast<std::size_t>(moving), "body was", "bodies were") +
                          " still moving; the small state holds where they were, at rest.");
     }
     if (const std::size_t pending = session.snapshot()->state.pending.size(); pending > 0) {
-        losses.push_back(counted(pending, "shot is", "shots are") +
+        losses.push_back(countText(pending, "shot is", "shots are") +
                          " still to come; the small state does not hold them.");
     }
     return losses;

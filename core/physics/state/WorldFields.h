@@ -7,10 +7,10 @@
 
 namespace rubble {
 
-// The fields of a WorldState, for writing and reading: visit(name, field) is called for each. A member that is added to
-// a struct does not compile until it is visited here. Shapes are shared and not visited, nor are the events of the last
-// step, which the next step clears.
-
+/// The structs of a WorldState, const or not, whose fields visitFields() visits for writing and reading: visit(name,
+/// field) is called for each, in the order of their declaration. A member that is added to a struct does not compile
+/// until it is visited here. Shapes are shared and not visited, nor are the events of the last step, which the next
+/// step clears.
 template <class Self, class T>
 concept FieldsOf = std::same_as<std::remove_const_t<Self>, T>;
 

@@ -32,19 +32,25 @@ void reportLeft(const SessionParts& parts, const PlayBody& body, const std::stri
                                                             ": " + reason + "."));
 }
 
+/// A body that is to be removed.
+struct Gone {
+    std::uint32_t number = 0;
+    RemovalReason reason = RemovalReason::None;
+};
+
 /// Adds the debris that exceeds a number of fragments: sleeping first, then the smallest, then the oldest. Returns the
 /// number of bodies visited.
-std::size_t addExcess(const SessionParts& parts, std::uint32_t maxFragments, std::vector<std::uint32_t>& gone) {
+std::size_t addExcess(const SessionParts& parts, std::uint32_t maxFragments, std::vector<Gone>& gone) {
     std::vector<std::tuple<bool, double, std::uint32_t>> debris;  // awake, volume, number
     for (const PlayBody& body : parts.state.bodies) {
-        if (!body.isDebris() || std::ranges::binary_search(gone, body.number)) continue;
+        if (!body.isDebris() || std::ranges::binary_search(gone, body.number, {}, &Gone::number)) continue;
         debris.emplace_back(!parts.world.state(body.body).asleep, parts.world.shape(body.body).mass.volume,
                             body.number);
     }
     if (debris.size() <= maxFragments) return parts.state.bodies.size();
     const auto end = debris.begin() + static_cast<std::ptrdiff_t>(debris.size() - maxFragments);
     std::ranges::nth_element(debris, end);
-    for (auto body = debris.begin(); body != end; ++body) gone.push_back(std::get<2>(*body));
+    for (auto body = debris.begin(); body != end; ++body) gone.push_back({std::get<2>(*body), RemovalReason::Budget});
     return parts.state.bodies.size();
 }
 
@@ -68,22 +74,18 @@ double fadeOf(const PlayBody& body, const Debris& debris, std::uint64_t step, do
 
 std::size_t removeDebris(const SessionParts& parts) {
     const Debris& debris = parts.scene.project.debris;
-    std::vector<std::uint32_t> gone, faded, left;
+    std::vector<Gone> gone;  // by number
     std::size_t visited = parts.state.bodies.size();
     for (const PlayBody& body : parts.state.bodies) {
         const bool isFaded = fadeOf(body, debris, parts.state.step, parts.settings.dt) >= 1.0;
         const std::optional<std::string> reason = isFaded ? std::nullopt : reasonToLeave(parts, body);
         if (reason) reportLeft(parts, body, *reason);
-        if (isFaded) faded.push_back(body.number);
-        if (reason) left.push_back(body.number);
-        if (isFaded || reason) gone.push_back(body.number);
+        if (isFaded) gone.push_back({body.number, RemovalReason::Lifetime});
+        if (reason) gone.push_back({body.number, RemovalReason::LeftWorld});
     }
     if (debris.maxFragments) visited += addExcess(parts, *debris.maxFragments, gone);
-    std::ranges::sort(gone);
-    for (const std::uint32_t number : gone) {
-        const RemovalReason reason = std::ranges::binary_search(faded, number)  ? RemovalReason::Lifetime
-                                     : std::ranges::binary_search(left, number) ? RemovalReason::LeftWorld
-                                                                                : RemovalReason::Budget;
+    std::ranges::sort(gone, {}, &Gone::number);
+    for (const auto& [number, reason] : gone) {
         parts.state.events.removed.push_back(removalOf(parts, *findBody(parts.state, number), reason));
         removeFromWorld(parts, number);
         ++visited;

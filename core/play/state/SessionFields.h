@@ -5,9 +5,8 @@
 
 namespace rubble {
 
-// The fields of a SessionState, for writing and reading, as those in WorldFields.h. Assets and hulls of bodies follow
-// from their origins and are not visited, nor are the events of the last step and the breaks whose dust is drawn.
-
+/// Visits the fields of the structs of a SessionState, as those in WorldFields.h. Assets and hulls of bodies follow
+/// from their origins and are not visited, nor are the events of the last step and the breaks whose dust is drawn.
 template <FieldsOf<ContentHash> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
     auto& [high, low] = self;
