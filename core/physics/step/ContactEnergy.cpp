@@ -21,7 +21,15 @@ StartMotion freeFlight(StartMotion motion, const BodyMotion& body, const SolverS
     return motion;
 }
 
+/// Whether a velocity without damping is so far from that of free flight that it needs no exact comparison.
+bool isFarFromFree(const StartMotion& start, const BodyMotion& now, const SolverStep& step) {
+    constexpr float kFar = 1e-3f;  // of the speed, or m/s below 1 m/s: more than rounding
+    const Vec3f difference = now.velocity - start.velocity - step.gravity * step.dt;
+    return now.linearDamping == 0.0f && lengthSquared(difference) > kFar * kFar * (1.0f + lengthSquared(now.velocity));
+}
+
 bool fliesFreely(const StartMotion& start, const BodyMotion& now, const SolverStep& step) {
+    if (isFarFromFree(start, now, step)) return false;
     const StartMotion flown = freeFlight(start, now, step);
     return flown.velocity == now.velocity && flown.angularVelocity == now.angularVelocity;
 }
@@ -32,14 +40,12 @@ double lossOf(const WorldState& state, std::uint32_t number, const SolverStep& s
     const BodyMotion& motion = state.motions[number];
     if (!body.isDynamic() || fliesFreely(start, motion, step)) return 0.0;
     const Mat3f matrix = state.poses[number].rotation.matrix();
-    const Vec3f gained = motion.angularVelocity - start.angularVelocity;
-    const Vec3f momentum =  // twice the mean one
-        matrix * (body.inertia * matrix.transposedTimes(motion.angularVelocity + start.angularVelocity));
-    const Vec3 velocities = toDouble(motion.velocity) + toDouble(start.velocity);
-    const Vec3 change = toDouble(motion.velocity) - toDouble(start.velocity);
-    const double kinetic =
-        0.5 * body.mass * glm::dot(change, velocities) + 0.5 * glm::dot(toDouble(gained), toDouble(momentum));
-    return body.mass * glm::dot(toDouble(step.gravity), toDouble(motion.deltaPosition)) - kinetic;
+    const Vec3f change = motion.velocity - start.velocity, velocities = motion.velocity + start.velocity;
+    const Vec3f rotationChange = matrix.transposedTimes(motion.angularVelocity - start.angularVelocity);
+    const Vec3f rotations = matrix.transposedTimes(motion.angularVelocity + start.angularVelocity);
+    const float kinetic = 0.5f * (dot(change, velocities) * static_cast<float>(body.mass) +
+                                  dot(rotationChange, body.inertia * rotations));
+    return body.mass * dot(step.gravity, motion.deltaPosition) - kinetic;
 }
 
 /// The work of gravity on a body in the step, less that at its mean velocity, J.
