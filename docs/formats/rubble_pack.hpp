@@ -1,12 +1,13 @@
-// rubble_pack.hpp - reads the packs that Rubble exports. One header, C++17, the standard library only, no exceptions.
+// rubble_pack.hpp - reads the packs that Rubble exports, and the events that it tells. One header, C++17, the standard
+// library only, no exceptions.
 //
 //     rubble_pack::Pack pack;
 //     std::string fault;
 //     if (!rubble_pack::load("wall/pack.json", pack, fault)) return fail(fault);
 //     for (const rubble_pack::Body& fragment : pack.fragments) addBody(fragment.mass, fragment.hulls, fragment.offset);
 //
-// The fields are described in pack.md, beside this file. All indices in a pack that was read are in range and need no
-// checks. Metres, kilograms, seconds; right-handed, y up.
+// The fields are described in pack.md and events.md, beside this file. All indices in a pack that was read are in range
+// and need no checks. Metres, kilograms, seconds; right-handed, y up.
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the authors of Rubble
@@ -25,6 +26,7 @@
 // OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -33,6 +35,7 @@
 #include <fstream>
 #include <initializer_list>
 #include <locale>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -144,6 +147,62 @@ inline bool parse(std::string_view json, Pack& pack, std::string& fault);
 
 /// Reads a file.
 inline bool load(const std::string& path, Pack& pack, std::string& fault);
+
+/// The kinds of events, in the order in which a step tells them.
+enum class EventKind { Impact, Bonds, Detached, Broken, Settled, Removed };
+constexpr std::size_t kEventKinds = 6;
+
+/// Why a body was removed; None: it was not.
+enum class RemovalReason { None, Lifetime, Budget, LeftWorld };
+
+struct Box {
+    Vec3 min, max;  // m
+};
+
+/// Something that happened to a body in a step.
+struct Event {
+    std::uint64_t step = 0;  // after which it holds
+    EventKind kind = EventKind::Impact;
+    std::uint32_t body = 0;                    // its number
+    std::uint32_t other = kNone;               // of the body that it touched; kNone: none
+    std::uint32_t instance = 0;                // id; 0: the ground, or thrown
+    std::string fragment;                      // its path in the asset; empty: the whole
+    Vec3 point;                                // m, in the world
+    Vec3 normal;                               // from `other` into `body`
+    double impulse = 0.0;                      // N·s, along the normal
+    double speed = 0.0;                        // m/s, of the approach
+    double energy = 0.0;                       // J: that both bodies lost, or that the break took
+    double area = 0.0;                         // m^2, of the faces that opened
+    double mass = 0.0;                         // kg, of what came free, came to rest or is gone
+    std::uint32_t count = 0;                   // of fragments that came free
+    std::array<std::uint32_t, 2> materials{};  // ids, of both bodies; of the body and its inside. 0: none
+    Box box;                                   // of what changed, in the world
+    RemovalReason reason = RemovalReason::None;
+};
+
+/// Events of a kind that happened and are not told one by one.
+struct OmittedEvents {
+    std::uint32_t count = 0;
+    double energy = 0.0;  // J
+};
+
+/// The rest of a step.
+struct EventSums {
+    std::uint64_t step = 0;
+    std::array<OmittedEvents, kEventKinds> omitted{};  // by kind
+    double restEnergy = 0.0;                           // J, that contacts took without an impact
+};
+
+struct EventLog {
+    std::vector<Event> events;    // ascending step
+    std::vector<EventSums> sums;  // ascending step
+};
+
+/// Parses events as JSON lines. On an error returns false, sets `fault` to a message and does not change the log.
+inline bool parseEvents(std::string_view lines, EventLog& log, std::string& fault);
+
+/// Reads a file.
+inline bool loadEvents(const std::string& path, EventLog& log, std::string& fault);
 
 namespace detail {
 
@@ -403,18 +462,28 @@ public:
         if (fault.empty() && value->kind != kind) refuse(value, std::string("expected ") + expected);
         return fault.empty();
     }
+    /// A member of an object; none if it is missing.
+    static std::optional<Value> find(const Value& object, const char* key) {
+        const std::vector<Node>& nodes = object.document->nodes;
+        for (std::uint32_t child = object.node + 1; child < object->end; child = nodes[child].end) {
+            if (object.document->texts[nodes[child].key] == key) return Value{object.document, child, &object, key, 0};
+        }
+        return std::nullopt;
+    }
     /// What `read` makes of a member of an object.
     template <class Read>
     auto at(const Value& object, const char* key, Read read) {
         if (is(object, Kind::Object, "an object")) {
-            const std::vector<Node>& nodes = object.document->nodes;
-            for (std::uint32_t child = object.node + 1; child < object->end; child = nodes[child].end) {
-                if (object.document->texts[nodes[child].key] == key)
-                    return read(Value{object.document, child, &object, key, 0});
-            }
+            if (const std::optional<Value> value = find(object, key)) return read(*value);
             refuse(object, std::string("the key \"") + key + "\" is missing");
         }
         return decltype(read(object)){};
+    }
+    /// The same; of a missing one `absent`.
+    template <class Read>
+    auto at(const Value& object, const char* key, Read read, decltype(read(object)) absent) {
+        const std::optional<Value> value = is(object, Kind::Object, "an object") ? find(object, key) : std::nullopt;
+        return value ? read(*value) : absent;
     }
     double number(const Value& value) { return is(value, Kind::Number, "a number") ? value->number : 0.0; }
     double positive(const Value& value) {
@@ -438,15 +507,15 @@ public:
         return is(value, Kind::Text, "a text") ? value.document->texts[value->text] : std::string();
     }
     /// Which of the words it is.
-    std::size_t oneOf(const Value& value, std::initializer_list<std::string_view> words) {
+    template <class Words>
+    std::size_t oneOf(const Value& value, const Words& words) {
         const std::string read = text(value);
-        std::size_t which = 0;
-        for (const std::string_view word : words) {
-            if (read == word) return which;
-            ++which;
-        }
-        refuse(value, "\"" + read + "\" is not known to this reader");
-        return 0;
+        const auto found = std::find(std::begin(words), std::end(words), read);
+        if (found == std::end(words)) refuse(value, "\"" + read + "\" is not known to this reader");
+        return found == std::end(words) ? 0 : static_cast<std::size_t>(found - std::begin(words));
+    }
+    std::size_t oneOf(const Value& value, std::initializer_list<std::string_view> words) {
+        return oneOf<std::initializer_list<std::string_view>>(value, words);
     }
     /// Calls `visit` with every element of an array.
     template <class Visit>
@@ -483,11 +552,8 @@ public:
     }
     /// A number that may be missing, at least 0.
     double optionalAt(const Value& object, const char* key) {
-        const Document& all = *object.document;
-        double read = 0.0;
-        for (std::uint32_t child = object.node + 1; child < object->end; child = all.nodes[child].end) {
-            if (all.texts[all.nodes[child].key] == key) read = number(Value{&all, child, &object, key, 0});
-        }
+        const double read = at(
+            object, key, [&](const Value& value) { return number(value); }, 0.0);
         if (!(read >= 0.0)) refuse(object, std::string("the key \"") + key + "\" is below 0");
         return read;
     }
@@ -624,7 +690,99 @@ public:
         read.meshes = listAt(root, "meshes", [&](const Value& value) { return mesh(value, count); });
         return read;
     }
+
+    static constexpr std::array<std::string_view, kEventKinds> kKinds{"impact", "bonds",   "detached",
+                                                                      "broken", "settled", "removed"};
+    static constexpr double kMaxCount = 9007199254740992.0;  // the whole numbers below are doubles
+
+    std::uint64_t step(const Value& value) {
+        return at(value, "step", [&](const Value& v) {
+            const double read = number(v);
+            if (fault.empty() && !(read >= 0.0 && read < kMaxCount && read == std::floor(read)))
+                refuse(v, "expected a step");
+            return fault.empty() ? static_cast<std::uint64_t>(read) : 0;
+        });
+    }
+    std::uint32_t countAt(const Value& value, const char* key) {
+        return at(value, key, [&](const Value& v) { return index(v, std::size_t{kNone}); });
+    }
+    Box box(const Value& value) {
+        const std::vector<Vec3> corners = list(value, [&](const Value& v) { return vector(v); });
+        if (fault.empty() && corners.size() != 2) refuse(value, "expected 2 corners");
+        return fault.empty() ? Box{corners[0], corners[1]} : Box{};
+    }
+    Event event(const Value& value) {
+        const auto optionalNumber = [&](const char* key) {
+            return at(
+                value, key, [&](const Value& v) { return number(v); }, 0.0);
+        };
+        const auto whole = [&](const Value& v) { return index(v, std::size_t{kNone}); };
+        Event read;
+        read.step = step(value);
+        read.kind = at(value, "kind", [&](const Value& v) { return static_cast<EventKind>(oneOf(v, kKinds)); });
+        read.body = countAt(value, "body");
+        read.other = at(value, "other", whole, kNone);
+        read.instance = countAt(value, "instance");
+        read.fragment = textAt(value, "fragment");
+        read.point = vectorAt(value, "point");
+        read.normal = at(
+            value, "normal", [&](const Value& v) { return vector(v); }, Vec3{});
+        read.impulse = optionalNumber("impulse");
+        read.speed = optionalNumber("speed");
+        read.energy = optionalNumber("energy");
+        read.area = optionalNumber("area");
+        read.mass = optionalNumber("mass");
+        read.count = at(value, "count", whole, 0u);
+        read.materials = at(value, "materials", [&](const Value& v) {
+            const std::vector<std::uint32_t> pair = list(v, whole);
+            if (fault.empty() && pair.size() != 2) refuse(v, "expected 2 materials");
+            return fault.empty() ? std::array<std::uint32_t, 2>{pair[0], pair[1]} : std::array<std::uint32_t, 2>{};
+        });
+        read.box = at(value, "box", [&](const Value& v) { return box(v); });
+        read.reason = at(
+            value, "reason",
+            [&](const Value& v) {
+                return static_cast<RemovalReason>(1 + oneOf(v, {"lifetime", "budget", "leftWorld"}));
+            },
+            RemovalReason::None);
+        return read;
+    }
+    EventSums sums(const Value& value) {
+        EventSums read;
+        read.step = step(value);
+        read.restEnergy = numberAt(value, "restEnergy");
+        at(value, "omitted", [&](const Value& omitted) {
+            std::size_t kind = 0;
+            for (const std::string_view name : kKinds) {
+                read.omitted[kind++] = at(
+                    omitted, name.data(),
+                    [&](const Value& v) {
+                        return OmittedEvents{countAt(v, "count"), numberAt(v, "energy")};
+                    },
+                    OmittedEvents{});
+            }
+            return 0;
+        });
+        return read;
+    }
+    /// Adds a line of events to a log.
+    void addLine(const Value& value, EventLog& log) {
+        if (textAt(value, "kind") == "sums") {
+            log.sums.push_back(sums(value));
+        } else {
+            log.events.push_back(event(value));
+        }
+    }
 };
+
+/// The bytes of a file; none if it cannot be read.
+inline std::optional<std::string> bytesOf(const std::string& path, std::string& fault) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream bytes;
+    if (file && (file.peek() == std::ifstream::traits_type::eof() || bytes << file.rdbuf())) return bytes.str();
+    fault = "Cannot read \"" + path + "\".";
+    return std::nullopt;
+}
 
 }  // namespace detail
 
@@ -646,13 +804,39 @@ inline bool parse(std::string_view json, Pack& pack, std::string& fault) {
 }
 
 inline bool load(const std::string& path, Pack& pack, std::string& fault) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream bytes;
-    if (!file || !(bytes << file.rdbuf())) {
-        fault = "Cannot read \"" + path + "\".";
-        return false;
+    const std::optional<std::string> json = detail::bytesOf(path, fault);
+    if (!json) return false;
+    if (parse(*json, pack, fault)) return true;
+    fault = "\"" + path + "\": " + fault;
+    return false;
+}
+
+inline bool parseEvents(std::string_view lines, EventLog& log, std::string& fault) {
+    EventLog read;
+    for (std::size_t start = 0, number = 1; start < lines.size(); ++number) {
+        const std::size_t end = std::min(lines.find('\n', start), lines.size());
+        detail::Parser parser(lines.substr(start, end - start));
+        detail::Document document;
+        detail::Reader reader;
+        if (parser.parse(document)) {
+            reader.addLine(detail::Value{&document, 0, nullptr, nullptr, 0}, read);
+        } else {
+            reader.fault = parser.fault();
+        }
+        if (!reader.fault.empty()) {
+            fault = "Line " + std::to_string(number) + ": " + reader.fault;
+            return false;
+        }
+        start = end + 1;
     }
-    if (parse(bytes.str(), pack, fault)) return true;
+    log = std::move(read);
+    return true;
+}
+
+inline bool loadEvents(const std::string& path, EventLog& log, std::string& fault) {
+    const std::optional<std::string> lines = detail::bytesOf(path, fault);
+    if (!lines) return false;
+    if (parseEvents(*lines, log, fault)) return true;
     fault = "\"" + path + "\": " + fault;
     return false;
 }
