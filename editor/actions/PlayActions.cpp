@@ -155,6 +155,8 @@ void PlayActions::addOverlays() {
     const std::tuple<bool PlayOverlays::*, QString, QString> overlays[] = {
         {&PlayOverlays::hasHeat, tr("Threshold &Heat Map"),
          tr("Colour bodies by impact ÷ threshold of the aimed throw or of recent impacts")},
+        {&PlayOverlays::hasCollapse, tr("&What Would Fall"),
+         tr("Colour the body at the pointer, and what would fall if it were removed")},
         {&PlayOverlays::hasContacts, tr("&Contacts"), tr("Show contact points, overlapping ones in red")},
         {&PlayOverlays::hasNormals, tr("Contact &Normals"), tr("Show contact normals")},
         {&PlayOverlays::hasImpulses, tr("Contact &Impulses"), tr("Show contact impulses as arrows")},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <array>
 #include <ranges>
 #include <utility>
 
@@ -266,6 +267,7 @@ void PlayEngine::setOverlays(const PlayOverlays& overlays) {
 void PlayEngine::orderForecast(const std::optional<Throw>& thrown) {
     const std::optional<Throw> wanted = m_hasHeat ? thrown : std::nullopt;
     const std::uint64_t step = session().stepsDone();
+    m_hasCollapse = overlays.hasCollapse;
     const bool isOther = wanted != m_forecastThrow || step < m_forecastStep;
     if (isOther) {
         m_builder.setForecast(std::nullopt);
@@ -294,10 +296,37 @@ PlayFrame PlayEngine::frame() {
                     .scene = m_builder.sceneOf(session()),
                     .step = session().stepsDone(),
                     .length = m_timeline.length(),
+/// Asks what would fall without the body at the pointer, if that or, for a while, the scene has changed.
+void PlayEngine::forecastCollapse() {
+    const std::optional<CastHit> hit = m_hasCollapse && m_aim ? firstHit(session().world(), m_aim->ray) : std::nullopt;
+    const PlayBody* body = hit ? session().body(static_cast<std::uint32_t>(session().world().tag(hit->body))) : nullptr;
+    if (body == nullptr || body->role == PlayRole::Ground) {
+        m_collapse.reset();
+        return m_builder.setCollapse(std::nullopt);
+    }
+    const std::uint64_t step = session().stepsDone();
+    const bool isRecent =
+        step >= m_collapseStep && step < m_collapseStep + stepOf(kForecastInterval, session().stepLength());
+    if (m_collapse && m_collapseBody == body->number && isRecent) return;
+    const std::array removed{body->number};
+    const Result<Collapse> collapse = wouldFall(session(), removed);
+    RUBBLE_ASSERT(collapse.hasValue());
+    m_collapseBody = body->number;
+    m_collapseStep = step;
+    BodyCollapse shown{.removed = body->number};
+    for (const FallingIsland& island : collapse->islands)
+        std::ranges::copy(island.bodies, std::back_inserter(shown.falling));
+    std::ranges::sort(shown.falling);
+    m_collapse = CollapseForecast{session().nameOf(*body), shown.falling.size(), collapse->mass, collapse->first,
+                                  collapse->last};
+    m_builder.setCollapse(std::move(shown));
+}
+
                     .statistics = statisticsOf(session()),
                     .aimed = aimed,
                     .hasForecast = m_hasForecast,
                     .grabbed = grabbedBody(session().world()),
+    forecastCollapse();
                     .hasDestruction = hasDestruction(),
                     .loop = m_loop,
                     .branches = branches()};
@@ -305,6 +334,7 @@ PlayFrame PlayEngine::frame() {
     return frame;
 }
 
+                    .collapse = m_collapse,
 PlayUpdate PlayEngine::takeUpdate() {
     PlayFrame newest = frame();  // it may order a forecast
     PlayUpdate update = std::exchange(m_update, {});

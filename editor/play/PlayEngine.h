@@ -83,6 +83,7 @@ private:
     std::vector<PlayBranch> branches() const;
     void orderForecast(const std::optional<Throw>& thrown);
 
+    void forecastCollapse();
     struct Aim {
         ChargedThrow thrown;
         Ray ray;
@@ -98,6 +99,10 @@ private:
     std::optional<PlayLoop> m_loop;
     std::optional<Aim> m_aim;
     bool m_hasHeat = false;                // the heat overlay is on: it shows what the aimed throw will do
+    bool m_hasCollapse = false;  // the collapse overlay is on
+    std::optional<CollapseForecast> m_collapse;
+    std::uint32_t m_collapseBody = 0;      // the number of its body
+    std::uint64_t m_collapseStep = 0;      // of which it is
     std::optional<Throw> m_forecastThrow;  // of the newest order
     std::uint64_t m_forecastStep = 0;      // of the newest order
     bool m_hasForecast = false;            // the result of that throw is known

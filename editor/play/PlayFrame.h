@@ -74,6 +74,15 @@ struct GrabbedBody {
     bool isTooHeavy() const { return force < weight; }
 };
 
+/// What would fall without the body at the pointer.
+struct CollapseForecast {
+    std::string name;        // of that body
+    std::size_t bodies = 0;  // that would fall
+    double mass = 0.0;       // kg, of these
+    double first = 0.0;      // s, until the first and the last of them have fallen on what stands below; infinite where
+    double last = 0.0;       // there is nothing
+};
+
 /// The state after a step as it is displayed.
 struct PlayFrame {
     std::shared_ptr<const PlayScene> played;
@@ -83,9 +92,10 @@ struct PlayFrame {
     double shownFrom = 0.0;    // clock time at which the interpolation from the previous frame starts, s
     double shownFor = 0.0;     // duration of the interpolation, s; 0: none
     PlayStatistics statistics;
-    std::optional<Throw> aimed;            // the throw being aimed
-    std::optional<Trajectory> trajectory;  // its trajectory
-    bool hasForecast = false;              // the heat overlay shows what it will do
+    std::optional<Throw> aimed;                // the throw being aimed
+    std::optional<Trajectory> trajectory;      // its trajectory
+    bool hasForecast = false;                  // the heat overlay shows what it will do
+    std::optional<CollapseForecast> collapse;  // if its overlay is on
     std::optional<GrabbedBody> grabbed;
     bool hasDestruction = true;  // bodies can break from here on
     std::optional<PlayLoop> loop;

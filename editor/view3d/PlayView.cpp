@@ -1,9 +1,12 @@
 #include "editor/view3d/PlayView.h"
 
+#include "editor/document/ShownText.h"
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QLocale>
+
+#include <cmath>
 
 namespace rubble {
 
@@ -107,6 +110,16 @@ QStringList PlayView::statisticsLines() const {
     };
 }
 
+QString PlayView::collapseText(const CollapseForecast& collapse) {
+    const QString name = nameText(collapse.name);
+    if (collapse.bodies == 0) return tr("Without %1 nothing would fall").arg(name);
+    const QString falling = tr("Without %1 %Ln body(s) would fall, %2", nullptr, static_cast<int>(collapse.bodies))
+                                .arg(name, localizedQuantity(QuantityKind::Mass, collapse.mass));
+    if (std::isinf(collapse.first)) return falling;
+    if (std::isinf(collapse.last)) return tr("%1, the first for %2").arg(falling, playTimeText(collapse.first));
+    return tr("%1, for up to %2").arg(falling, playTimeText(collapse.last));
+}
+
 void PlayView::setGrab(PlayHud::Content& content, const GrabbedBody& grabbed) const {
     const std::optional<QPointF> from = m_viewport.pointOf(grabbed.point), to = m_viewport.pointOf(grabbed.target);
     if (!from || !to) return;
@@ -139,6 +152,7 @@ PlayHud::Content PlayView::content() const {
     const std::optional<PlayFrame>& frame = m_controller.frame();
     if (!frame) return content;
     if (m_hasStatistics) content.statistics = statisticsLines();
+    if (frame->collapse) content.statistics << collapseText(*frame->collapse);
     content.hasHeat = m_controller.overlays().hasHeat;
     content.isForecast = frame->hasForecast;
     content.charge = m_tool.charge();

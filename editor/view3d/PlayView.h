@@ -29,6 +29,7 @@ private:
     void updateState();
     void showFrame();
     PlayHud::Content content() const;
+    static QString collapseText(const CollapseForecast& collapse);
     void setGrab(PlayHud::Content& content, const GrabbedBody& grabbed) const;
     QStringList statisticsLines() const;
     void updateFrameRate();

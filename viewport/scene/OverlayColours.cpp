@@ -11,6 +11,8 @@ namespace {
 constexpr Colour kBreaks{0.93, 0.08, 0.30};
 constexpr double kColdest = 0.2;  // start of the ramp: darker colours are hard to see on a dark ground
 constexpr Colour kAsleep{0.30, 0.44, 0.68};
+constexpr Colour kRemoved{1.0, 0.72, 0.10};
+constexpr Colour kStanding{0.62, 0.66, 0.70};
 constexpr Colour kStatic{0.62, 0.62, 0.64};  // static bodies belong to no island
 
 Colour unpacked(std::uint32_t rgb) {
@@ -40,7 +42,7 @@ Colour heatColour(double value) {
 }
 
 void tintBodies(RenderScene& scene, std::span<const BodyTint> bodies, const Session& session,
-                const PlayOverlays& overlays, std::span<const BodyHeat> heat) {
+                const PlayOverlays& overlays, std::span<const BodyHeat> heat, const BodyCollapse* collapse) {
     std::vector<std::uint32_t> islands, numbers;
     if (overlays.hasIslands && !overlays.hasHeat) {
         islands = session.world().islands();
@@ -55,10 +57,19 @@ void tintBodies(RenderScene& scene, std::span<const BodyTint> bodies, const Sess
         };
         if (overlays.hasHeat) paint(heatColour(heatOf(heat, body.number)));
         if (!islands.empty()) paint(islandColour(islands[body.id.index], numbers));
-        if (overlays.hasSleep && body.isAsleep) {
+        const auto tint = [&](const Colour& colour) {
             for (std::uint32_t* surface : {&appearance.outside, &appearance.inside}) {
-                *surface = packed(mixed(unpacked(*surface), kAsleep, 0.75)) | (*surface & kTransparencyBits);
+                *surface = packed(mixed(unpacked(*surface), colour, 0.75)) | (*surface & kTransparencyBits);
             }
+        };
+        if (overlays.hasSleep && body.isAsleep) tint(kAsleep);
+        if (collapse == nullptr) continue;
+        if (body.number == collapse->removed) {
+            paint(kRemoved);
+        } else if (std::ranges::binary_search(collapse->falling, body.number)) {
+            paint(kBreaks);
+        } else {
+            tint(kStanding);
         }
     }
 }

@@ -21,8 +21,9 @@ struct BodyTint {
 };
 
 /// Colours the bodies of a scene by island or heat, and sleeping ones blue, as the overlays say. `heat`: by ascending
-/// number; missing bodies have none. Without islands and heat, awake bodies keep their colours.
+/// number; missing bodies have none. Without islands and heat, awake bodies keep their colours. `collapse`, if there is
+/// one: its bodies in signal colours, all others paler.
 void tintBodies(RenderScene& scene, std::span<const BodyTint> bodies, const Session& session,
-                const PlayOverlays& overlays, std::span<const BodyHeat> heat);
+                const PlayOverlays& overlays, std::span<const BodyHeat> heat, const BodyCollapse* collapse = nullptr);
 
 }  // namespace rubble

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 namespace rubble {
 
@@ -14,6 +15,7 @@ struct PlayOverlays {
     bool hasSleep = false;     // colours sleeping bodies blue
     bool hasHeat = false;      // colours bodies by impact ÷ threshold: see heatColour()
     bool hasHulls = false;     // collision hulls
+    bool hasCollapse = false;  // colours the body at the pointer, and what would fall without it
     bool operator==(const PlayOverlays&) const = default;
 };
 
@@ -21,6 +23,12 @@ struct PlayOverlays {
 struct BodyHeat {
     std::uint32_t body = 0;  // its number
     double value = 0.0;
+};
+
+/// A body, and those that would fall if it were removed.
+struct BodyCollapse {
+    std::uint32_t removed = 0;           // its number
+    std::vector<std::uint32_t> falling;  // numbers, ascending
 };
 
 inline constexpr double kDeepOverlap = 0.005;  // m: more than resting contacts reach

@@ -186,7 +186,10 @@ void SessionSceneBuilder::addOverlays(const Session& session, RenderScene& scene
     if (m_overlays.hasContacts || m_overlays.hasNormals || m_overlays.hasImpulses) {
         addContactLines(scene, session, m_overlays, m_arrowScale);
     }
-    if (!m_overlays.hasBoxes && !m_overlays.hasIslands && !m_overlays.hasSleep && !m_overlays.hasHeat) return;
+    if (!m_overlays.hasBoxes && !m_overlays.hasIslands && !m_overlays.hasSleep && !m_overlays.hasHeat &&
+        !m_overlays.hasCollapse) {
+        return;
+    }
     const std::vector<BodyTint> tints = tintsOf(session);
     if (m_overlays.hasBoxes) {
         for (const BodyTint& body : tints) addBodyBox(scene, session.world().box(body.id), body.body);
@@ -195,7 +198,8 @@ void SessionSceneBuilder::addOverlays(const Session& session, RenderScene& scene
         scene.appearances[body.body].outside = m_layout.appearances[body.body].outside;
         scene.appearances[body.body].inside = m_layout.appearances[body.body].inside;
     }
-    tintBodies(scene, tints, session, m_overlays, m_forecast ? *m_forecast : m_impacts);
+    const BodyCollapse* collapse = m_overlays.hasCollapse && m_collapse ? &*m_collapse : nullptr;
+    tintBodies(scene, tints, session, m_overlays, m_forecast ? *m_forecast : m_impacts, collapse);
 }
 
 /// Copies the previous scene into the new layout: the bodies that have a slot in both.

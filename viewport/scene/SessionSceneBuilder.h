@@ -38,6 +38,8 @@ public:
     /// Sets what the heat overlay shows: a break forecast, by ascending body number. Without one, the default, it shows
     /// the recent impacts, fading within a second.
     void setForecast(std::optional<std::vector<BodyForecast>> bodies);
+    /// Sets what the collapse overlay shows; nothing by default.
+    void setCollapse(std::optional<BodyCollapse> collapse) { m_collapse = std::move(collapse); }
 
 private:
     /// The geometry of an asset, or of a projectile without one.
@@ -74,9 +76,10 @@ private:
     double m_arrowScale = 1.0;
     std::optional<std::vector<BodyHeat>> m_forecast;  // by ascending body number
     std::vector<BodyHeat> m_impacts;                  // likewise
-    std::vector<Model> m_models;                      // one per batch; the scene's assets first
-    std::vector<Slots> m_slots;                       // one per origin
-    RenderScene m_layout;                             // what all scenes share, with all bodies hidden
+    std::optional<BodyCollapse> m_collapse;
+    std::vector<Model> m_models;  // one per batch; the scene's assets first
+    std::vector<Slots> m_slots;   // one per origin
+    RenderScene m_layout;         // what all scenes share, with all bodies hidden
     std::vector<std::shared_ptr<RenderScene>> m_pool;
     std::shared_ptr<const RenderScene> m_previous;  // the last scene built, in the layout of m_layout
     std::uint64_t m_previousStep = 0;

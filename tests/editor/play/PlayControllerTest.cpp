@@ -5,6 +5,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/House.h"
 #include "tests/support/editor/PlayStage.h"
+#include "tests/support/play/RestingProjects.h"
 
 #include <QElapsedTimer>
 #include <QSignalSpy>
@@ -414,6 +415,33 @@ private slots:
         QVERIFY(!stage.controller.frame()->trajectory && !stage.controller.frame()->aimed);
         stage.settle();
         QVERIFY(!stage.controller.frame()->trajectory);
+    }
+    void whatWouldFallFollowsThePointer() {
+        Project project = test::stackProject();
+        test::Stage stage(project);
+        stage.start();
+        stage.advance(30);
+        const auto collapseAt = [&](double height) {
+            stage.controller.aim(Ray{{0.0, height, 4.0}, {0.0, 0.0, -1.0}});
+            stage.advance(1);
+            return stage.controller.frame()->collapse;
+        };
+        QVERIFY(!collapseAt(0.25));
+        stage.controller.setOverlays({.hasCollapse = true});
+        const auto lowest = collapseAt(0.25);
+        QVERIFY(lowest && lowest->bodies == 4 && std::abs(lowest->mass - 2000.0) < 0.1);
+        QVERIFY(lowest->first > 0.2 && lowest->last > lowest->first && lowest->last < 0.7);
+        QCOMPARE(collapseAt(1.75)->bodies, std::size_t{1});
+        QCOMPARE(collapseAt(2.25)->bodies, std::size_t{0});
+        QVERIFY(!collapseAt(9.0));  // nothing is there
+        stage.controller.pause();
+        stage.settle();
+        stage.controller.aim(Ray{{0.0, 1.25, 4.0}, {0.0, 0.0, -1.0}});
+        stage.settle();
+        QCOMPARE(stage.controller.frame()->collapse->bodies, std::size_t{2});
+        stage.controller.setOverlays({});
+        stage.settle();
+        QVERIFY(!stage.controller.frame()->collapse);
     }
     void aimingShowsTheTrajectory() {
         test::Stage stage;

@@ -7,6 +7,8 @@
 #include "viewport/scene/ContactLines.h"
 #include "viewport/scene/SessionSceneBuilder.h"
 
+#include <set>
+
 using namespace rubble;
 using test::addInput;
 
@@ -111,6 +113,22 @@ private slots:
         shown.builder.setOverlays({});
         shown.step(0);
         QCOMPARE(shown.lookOf(1).outside, awake);
+    }
+    void whatWouldFallIsMarked() {
+        Shown shown(blocks(), {.hasCollapse = true});
+        const std::uint32_t standing = shown.lookOf(3).outside;
+        shown.builder.setCollapse(BodyCollapse{.removed = 1, .falling = {2}});
+        shown.step(0);
+        const std::set<std::uint32_t> colours{standing, shown.lookOf(1).outside, shown.lookOf(2).outside,
+                                              shown.lookOf(3).outside};
+        QCOMPARE(colours.size(), std::size_t{4});
+        shown.builder.setCollapse(std::nullopt);
+        shown.step(0);
+        QCOMPARE(shown.lookOf(3).outside, standing);
+        shown.builder.setCollapse(BodyCollapse{.removed = 1, .falling = {2}});
+        shown.builder.setOverlays({});
+        shown.step(0);
+        QCOMPARE(shown.lookOf(1).outside, Shown(blocks(), {}).lookOf(1).outside);
     }
     void heatShowsForecastOrCoolingImpacts() {
         Project project = test::floatingBlock(5);
