@@ -72,6 +72,7 @@ Change exchange(Project& project, SceneSettings& scene) {
     std::swap(project.gravity, scene.gravity);
     std::swap(project.damage, scene.damage);
     std::swap(project.debris, scene.debris);
+    std::swap(project.events, scene.events);
     return {Part::Scene, 0, ChangeKind::Modified};
 }
 
@@ -151,7 +152,7 @@ bool isNoChange(const Project& project, const Edit& edit) {
 }
 
 SceneSettings sceneSettings(const Project& project) {
-    return {project.ground, project.gravity, project.damage, project.debris};
+    return {project.ground, project.gravity, project.damage, project.debris, project.events};
 }
 
 }  // namespace rubble

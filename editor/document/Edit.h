@@ -16,6 +16,7 @@ struct SceneSettings {
     Vec3 gravity{0.0, -9.81, 0.0};  // m/s²
     Damage damage;
     Debris debris;
+    EventSettings events;
     bool operator==(const SceneSettings&) const = default;
 };
 

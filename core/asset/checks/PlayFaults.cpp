@@ -82,6 +82,12 @@ std::optional<std::string> faultOf(const Debris& debris) {
                                      {ProjectNumber::DebrisFade, debris.fade}});
 }
 
+std::optional<std::string> faultOf(const EventSettings& events) {
+    return rangeFault("The settings of events",
+                      {{ProjectNumber::EventEnergy, events.leastEnergy},
+                       {ProjectNumber::EventRecords, static_cast<double>(events.maxRecords)}});
+}
+
 std::optional<std::string> faultOf(const Shot& shot) {
     const std::string owner = ownerText("Saved throw", shot.id, shot.name);
     if (Sentence fault = rangeFault(owner, {{ProjectNumber::ShotTime, shot.time}})) return fault;

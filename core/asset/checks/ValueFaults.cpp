@@ -147,7 +147,8 @@ std::optional<std::string> sceneFault(const Project& project) {
                                     {{ProjectNumber::Threshold, project.damage.thesisThreshold, "thesis threshold"}})) {
         return fault;
     }
-    return faultOf(project.debris);
+    if (Sentence fault = faultOf(project.debris)) return fault;
+    return faultOf(project.events);
 }
 
 std::optional<std::string> valueFault(const Project& project) {

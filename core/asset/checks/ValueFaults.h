@@ -19,7 +19,7 @@ std::optional<std::string> faultOf(const Material& material);
 /// Without the surface (see surfaceFault()) and the derived threshold.
 std::optional<std::string> faultOf(const Asset& asset);
 std::optional<std::string> faultOf(const Instance& instance);
-/// The same for ground, gravity, damage and debris.
+/// The same for ground, gravity, damage, debris and events.
 std::optional<std::string> sceneFault(const Project& project);
 /// The same for the threshold that follows from the material of an asset: valid numbers can give one out of range.
 std::optional<std::string> thresholdFault(const Asset& asset, const Material& material);

@@ -175,6 +175,13 @@ struct Debris {
     bool operator==(const Debris&) const = default;
 };
 
+/// The settings for telling what happens in play.
+struct EventSettings {
+    double leastEnergy = 1.0;       // J: weaker impacts are only counted and summed
+    std::uint32_t maxRecords = 16;  // a step, >= 1; at least one for each kind that happened
+    bool operator==(const EventSettings&) const = default;
+};
+
 enum class ProjectileKind { Box, Ball, Plank, Asset };
 
 /// Throws a projectile.
@@ -249,6 +256,7 @@ struct Project {
     Damage damage;
     Debris debris;
     std::vector<Shot> shots;
+    EventSettings events;
     std::vector<PlayTest> playTests;
     bool operator==(const Project&) const = default;
 };

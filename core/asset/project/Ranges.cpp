@@ -81,6 +81,8 @@ constexpr std::array<NumberRange, kProjectNumbers> kRanges{{
     zeroOrAbove("fade", "s", 1e9, 1.0),
     {"maximum number of fragments", "", 1.0, 4294967295.0, false, 1000.0,
      "a 32-bit count; without debris use a lifetime"},
+    zeroOrAbove("least energy", "J", 1e15, 1.0, "0 tells every impact"),
+    {"maximum number per step", "", 1.0, 1e6, false, 16.0, "the rest of a step is counted and summed"},
     eitherSign("place", "m", kMaxCoordinate, 0.0),
     between("size", "m", 1e-3, 1e3, 0.5, "a projectile needs volume; larger ones are no projectiles"),
     zeroOrAbove("speed", "m/s", kMaxSpeed, 10.0, "the direction is given by the target"),

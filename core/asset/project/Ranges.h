@@ -46,6 +46,8 @@ enum class ProjectNumber {
     DebrisLifetime,
     DebrisFade,
     DebrisFragments,
+    EventEnergy,
+    EventRecords,
     ShotPosition,
     ProjectileSize,
     ProjectileSpeed,
@@ -71,7 +73,7 @@ enum class ProjectNumber {
     MetresPerUnit,  // of a mesh file
     Threads,
 };
-inline constexpr int kProjectNumbers = 58;
+inline constexpr int kProjectNumbers = 60;
 
 /// The values that a number of a project can have. Files, command line, inspector and play read them here.
 struct NumberRange {

@@ -24,13 +24,14 @@ constexpr std::array<std::string_view, 16> kInRecipe{"name",      "prism",      
                                                      "edits",     "intents",     "surface",       "fragmentThresholds"};
 
 /// Keys that are no words for users, and the lists whose elements are called by another word.
-constexpr std::array<std::array<std::string_view, 2>, 11> kWords{{{"materials", "material"},
+constexpr std::array<std::array<std::string_view, 2>, 12> kWords{{{"materials", "material"},
                                                                   {"assets", "asset"},
                                                                   {"instances", "instance"},
                                                                   {"shots", "shot"},
                                                                   {"playTests", "test"},
                                                                   {"expectations", "expectation"},
                                                                   {"mostPieces", "maximum fragments"},
+                                                                  {"maxRecords", "most per step"},
                                                                   {"thesis", "thesis preset"},
                                                                   {"thesisThreshold", "thesis threshold"},
                                                                   {"uvScale", "UV scale"},
@@ -57,7 +58,9 @@ Json jsonOf(Project project) {
         asset.surface.reset();
         asset.texture.reset();
     }
-    return Json::parse(projectText(project));
+    Json json = Json::parse(projectText(project));
+    json["events"] = {{"leastEnergy", project.events.leastEnergy}, {"maxRecords", project.events.maxRecords}};
+    return json;
 }
 
 /// The names of all elements of a project by id.

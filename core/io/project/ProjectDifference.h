@@ -12,9 +12,9 @@ namespace rubble {
 std::vector<RecipeChange> assetChanges(const Project& before, const Asset& earlier, const Project& after,
                                        const Asset& later);
 
-/// All changed values of a project outside its assets: materials, instances, ground, gravity, damage, debris, shots and
-/// play-tests. Found in the JSON of both states, so that no value is forgotten. Elements are matched by their ids, the
-/// rest by their names. The next id counts only where nothing else differs, assets included.
+/// All changed values of a project outside its assets: materials, instances, ground, gravity, damage, debris, events,
+/// shots and play-tests. Found in the JSON of both states, so that no value is forgotten. Elements are matched by their
+/// ids, the rest by their names. The next id counts only where nothing else differs, assets included.
 std::vector<RecipeChange> settingChanges(const Project& before, const Project& after);
 
 /// The differences between two states of a project.

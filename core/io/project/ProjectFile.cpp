@@ -89,7 +89,8 @@ void readTextures(const JsonValue& root, std::vector<Asset>& assets) {
 
 /// Version 5 added strength and toughness of materials, and thresholds derived from them.
 Project readProjectVersion5(const JsonValue& root) {
-    Project project = readProjectSinceVersion2(root, {readMaterial, readAsset, readInstance}, {"images"});
+    Project project = readProjectSinceVersion2(root, {readMaterial, readAsset, readInstance}, {"events", "images"});
+    if (root["events"].isPresent()) project.events = readEventSettings(root["events"]);
     readTextures(root, project.assets);
     return project;
 }
@@ -160,6 +161,7 @@ std::string projectText(const Project& project) {
     writeVector(json, "gravity", project.gravity);
     writeDamage(json, project.damage);
     writeDebris(json, project.debris);
+    if (project.events != EventSettings{}) writeEventSettings(json, project.events);
     json.list("shots", project.shots, writeShot);
     json.list("playTests", project.playTests, writePlayTest);
     if (!images.empty()) writeImages(json, images);

@@ -104,4 +104,16 @@ Debris readDebris(const JsonValue& value) {
             .maxFragments = value["mostPieces"].optional([](const JsonValue& most) { return most.index(); })};
 }
 
+void writeEventSettings(JsonWriter& json, const EventSettings& events) {
+    json.openObject("events");
+    json.number("leastEnergy", events.leastEnergy);
+    json.wholeNumber("maxRecords", events.maxRecords);
+    json.close();
+}
+
+EventSettings readEventSettings(const JsonValue& value) {
+    value.requireObject({"leastEnergy", "maxRecords"});
+    return {.leastEnergy = value["leastEnergy"].number(), .maxRecords = value["maxRecords"].index()};
+}
+
 }  // namespace rubble

@@ -6,11 +6,12 @@
 
 namespace rubble {
 
-/// Write an instance as an element of an array; ground, damage and debris as members of an object.
+/// Write an instance as an element of an array; ground, damage, debris and settings of events as members of an object.
 void writeInstance(JsonWriter& json, const Instance& instance);
 void writeGround(JsonWriter& json, const Ground& ground);
 void writeDamage(JsonWriter& json, const Damage& damage);
 void writeDebris(JsonWriter& json, const Debris& debris);
+void writeEventSettings(JsonWriter& json, const EventSettings& events);
 
 /// Read what the functions above wrote. They check types only; verifyProject() checks the values.
 Instance readInstance(const JsonValue& value);
@@ -19,5 +20,6 @@ Instance readInstanceBeforeVersion3(const JsonValue& value);
 Ground readGround(const JsonValue& value);
 Damage readDamage(const JsonValue& value);
 Debris readDebris(const JsonValue& value);
+EventSettings readEventSettings(const JsonValue& value);
 
 }  // namespace rubble

@@ -144,7 +144,7 @@ void addImpacts(const SessionParts& parts, std::vector<EventRecord>& records) {
         if (told.contains(first, second)) continue;
         rest -= hit.energy;
         records.push_back(impactRecord(parts, hit));
-        if (hit.energy >= parts.settings.events.leastEnergy) told.add(first, second);
+        if (hit.energy >= parts.scene.project.events.leastEnergy) told.add(first, second);
     }
 }
 
@@ -252,7 +252,7 @@ std::vector<EventRecord> happenedEvents(const SessionParts& parts) {
 
 void tellEvents(const SessionParts& parts, std::vector<EventRecord> happened) {
     EventReport& report = parts.state.events.told;
-    const EventSettings& settings = parts.settings.events;
+    const EventSettings& settings = parts.scene.project.events;
     for (const PlayRemoval& removal : parts.state.events.removed) happened.push_back(removalRecord(parts, removal));
     std::array<std::vector<EventRecord>, kEventKinds> kinds;
     for (EventRecord& record : happened) {

@@ -79,10 +79,4 @@ struct EventReport {
     std::uint64_t hash() const;
 };
 
-/// What is told.
-struct EventSettings {
-    std::uint32_t maxRecords = 16;  // a step, at least one for each kind that happened
-    double leastEnergy = 1.0;       // J: weaker impacts are only counted and summed
-};
-
 }  // namespace rubble

@@ -15,7 +15,6 @@ struct SessionSettings {
     bool hasDestruction = true;  // until a DestructionInput changes it
     int threads = 1;
     SimdWidth lanes = widestSimd();
-    EventSettings events;
     bool checksEnergy = true;  // RUBBLE_ASSERT that only sources add energy; not where damaged assets are examined
 };
 

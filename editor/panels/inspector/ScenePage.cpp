@@ -28,11 +28,13 @@ ScenePage::ScenePage(Document& document, QWidget* parent)
     auto* ground = new Section("ground", tr("Ground"), this);
     auto* gravity = new Section("gravity", tr("Gravity"), this);
     auto* damage = new Section("damage", tr("Damage"), this);
-    for (Section* section : {ground, gravity, damage}) layout->addWidget(section);
+    auto* events = new Section("events", tr("Events"), this);
+    for (Section* section : {ground, gravity, damage, events}) layout->addWidget(section);
     layout->addStretch();
     buildGround(*ground);
     buildGravity(*gravity);
     buildDamage(*damage);
+    buildEvents(*events);
     m_form.setRefused([this](const QString& sentence) { emit refused(sentence); });
 }
 
@@ -105,6 +107,23 @@ void ScenePage::buildDamage(Section& section) {
         threshold, tr("Set Common Threshold"), [](const SceneSettings& scene) { return scene.damage.thesisThreshold; },
         [](SceneSettings& scene, double entered) { scene.damage.thesisThreshold = entered; });
     m_thesisThreshold = threshold;
+}
+
+void ScenePage::buildEvents(Section& section) {
+    auto* energy = section.addRow(tr("Least Energy"), new NumberField,
+                                  tr("Impacts that take less energy are only counted and summed"));
+    energy->setFormat(Units::energies());
+    energy->setRange(fieldRange(ProjectNumber::EventEnergy));
+    m_form.bind(
+        energy, tr("Set Least Energy of Events"), [](const SceneSettings& scene) { return scene.events.leastEnergy; },
+        [](SceneSettings& scene, double entered) { scene.events.leastEnergy = entered; });
+    auto* most = section.addRow(tr("Most per Step"), new NumberField,
+                                tr("The strongest events of a step are told one by one, the rest counted and summed"));
+    most->setRange(wholeFieldRange(ProjectNumber::EventRecords));
+    m_form.bind(
+        most, tr("Set Most Events per Step"),
+        [](const SceneSettings& scene) { return static_cast<double>(scene.events.maxRecords); },
+        [](SceneSettings& scene, double entered) { scene.events.maxRecords = static_cast<std::uint32_t>(entered); });
 }
 
 void ScenePage::refresh() {

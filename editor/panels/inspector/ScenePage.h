@@ -5,7 +5,7 @@
 
 namespace rubble {
 
-/// The inspector's page for the scene: ground, gravity and damage rule.
+/// The inspector's page for the scene: ground, gravity, damage rule and events.
 class ScenePage : public QWidget {
     Q_OBJECT
 public:
@@ -20,6 +20,7 @@ private:
     void buildGround(Section& section);
     void buildGravity(Section& section);
     void buildDamage(Section& section);
+    void buildEvents(Section& section);
 
     Document& m_document;
     Form<SceneSettings> m_form;

@@ -40,6 +40,8 @@ constexpr UnitOfFamily kSpeeds[] = {{"m/s", 1, 0},         {"cm/s", 1, 2},
 constexpr UnitOfFamily kAccelerations[] = {{"m/s²", 1, 0}, {"cm/s²", 1, 2}, {"ft/s²", 3048, 4}, {"g", 980665, 5}};
 constexpr UnitOfFamily kForces[] = {
     {"N", 1, 0}, {"kN", 1, -3}, {"MN", 1, -6}, {"lbf", 44482216152605, 13}, {"kgf", 980665, 5}};
+constexpr UnitOfFamily kEnergies[] = {
+    {"J N·m Ws", 1, 0}, {"kJ", 1, -3}, {"MJ", 1, -6}, {"Wh", 3600, 0}, {"ft·lbf", 13558179483314004, 16}};
 constexpr UnitOfFamily kImpulses[] = {{"N·s kg·m/s", 1, 0}, {"kN·s", 1, -3}, {"lbf·s", 44482216152605, 13}};
 constexpr UnitOfFamily kImpulsesPerArea[] = {
     {"N·s/m² Pa·s", 1, 0}, {"kN·s/m² kPa·s", 1, -3}, {"N·s/cm²", 1, -4}, {"psi·s", 6894757293168361, 12}};
@@ -64,6 +66,7 @@ std::span<const UnitOfFamily> unitsOf(UnitFamily family) {
         case UnitFamily::Speed: return kSpeeds;
         case UnitFamily::Acceleration: return kAccelerations;
         case UnitFamily::Force: return kForces;
+        case UnitFamily::Energy: return kEnergies;
         case UnitFamily::Impulse: return kImpulses;
         case UnitFamily::ImpulsePerArea: return kImpulsesPerArea;
         case UnitFamily::Pressure: return kPressures;

@@ -41,6 +41,7 @@ NumberFormat Units::milliseconds() { return {QStringLiteral("ms"), 3, UnitFamily
 NumberFormat Units::speeds() { return {QStringLiteral("m/s"), 0, UnitFamily::Speed}; }
 NumberFormat Units::accelerations() { return {QStringLiteral("m/s²"), 0, UnitFamily::Acceleration}; }
 NumberFormat Units::forces() { return {QStringLiteral("N"), 0, UnitFamily::Force}; }
+NumberFormat Units::energies() { return {QStringLiteral("J"), 0, UnitFamily::Energy}; }
 NumberFormat Units::impulses() { return {QStringLiteral("N·s"), 0, UnitFamily::Impulse}; }
 NumberFormat Units::impulsesPerArea() { return {QStringLiteral("N·s/m²"), 0, UnitFamily::ImpulsePerArea}; }
 NumberFormat Units::megapascals() { return {QStringLiteral("MPa"), -6, UnitFamily::Pressure}; }

@@ -19,6 +19,7 @@ enum class UnitFamily {
     Speed,
     Acceleration,
     Force,
+    Energy,
     Impulse,
     ImpulsePerArea,
     Pressure,
@@ -55,6 +56,7 @@ struct Units {
     static NumberFormat speeds();
     static NumberFormat accelerations();
     static NumberFormat forces();
+    static NumberFormat energies();
     static NumberFormat impulses();
     static NumberFormat impulsesPerArea();
     static NumberFormat megapascals();

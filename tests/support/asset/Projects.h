@@ -144,6 +144,7 @@ inline Project fullProject() {
     project.damage = {.rule = DamageRule::Momentum, .isThesis = true, .thesisThreshold = 1500.0};
     project.debris = {.lifetime = 12.5, .fade = 0.75, .maxFragments = 300};
     project.shots = everyShot();
+    project.events = {.leastEnergy = 1.0 / 3.0, .maxRecords = 24};
     project.playTests = everyPlayTest();
     return project;
 }

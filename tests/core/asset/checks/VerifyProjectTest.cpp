@@ -188,6 +188,12 @@ private slots:
             [](Project& p) { p.debris.fade = -1.0; });
         row("The debris: the maximum number of fragments is 0, but it must be at least 1.",
             [](Project& p) { p.debris.maxFragments = 0; });
+        row("Test 8 \"stands\": the state \"../a.rubblestate\" must be the name of a file beside the project.",
+            [](Project& p) { p.playTests[0].state = "../a.rubblestate"; });
+        row("The settings of events: the least energy is -1, but it must be from 0 to 1e+15.",
+            [](Project& p) { p.events.leastEnergy = -1.0; });
+        row("The settings of events: the maximum number per step is 0, but it must be from 1 to 1000000.",
+            [](Project& p) { p.events.maxRecords = 0; });
         row("Saved throw 7 \"box\": the time is -1, but it must be from 0 to 100000.",
             [](Project& p) { p.shots[0].time = -1.0; });
         row("Saved throw 7 \"box\": the size in y is 0, but it must be from 0.001 to 1000.", [](Project& p) {

@@ -49,6 +49,8 @@ private slots:
         QCOMPARE(defaultOf(ProjectNumber::Gravity), project.gravity.y);
         QCOMPARE(defaultOf(ProjectNumber::GroundHeight), project.ground.height);
         QCOMPARE(defaultOf(ProjectNumber::DebrisFade), project.debris.fade);
+        QCOMPARE(defaultOf(ProjectNumber::EventEnergy), project.events.leastEnergy);
+        QCOMPARE(defaultOf(ProjectNumber::EventRecords), static_cast<double>(project.events.maxRecords));
         QCOMPARE(defaultOf(ProjectNumber::ProjectileSize), Throw().size.x);
         QCOMPARE(defaultOf(ProjectNumber::Mass), Throw().mass);
         QCOMPARE(defaultOf(ProjectNumber::ProjectileSpeed), Throw().speed);

@@ -71,6 +71,7 @@ nlohmann::json fullJson() { return nlohmann::json::parse(projectText(fullProject
 bool isOptionalValue(const std::string& place, const nlohmann::json& value) {
     if (value.is_discarded()) {
         if (place == "shots[2].action.radius") return true;  // the hammer's
+        if (place == "events" || place.ends_with("].state")) return true;
         return place.ends_with("].unbreakable") || place.ends_with("].youngsModulus") ||
                place.ends_with("].strengthRule") || place.ends_with("].fragmentThresholds") ||
                (place.find("].level") != std::string::npos && place.ends_with(".threshold"));

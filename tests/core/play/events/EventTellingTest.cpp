@@ -118,7 +118,9 @@ class EventTellingTest : public QObject {
 private slots:
     /// From 4.5 m, at 9.4 m/s, it breaks; its fragments come to rest one by one.
     void fallBreakAndRest() {
-        Session session = sessionOf(fallingBlock(), {.events = {.maxRecords = 1000}});
+        Project project = fallingBlock();
+        project.events.maxRecords = 1000;
+        Session session = sessionOf(project);
         std::array<std::uint32_t, kEventKinds> counts{};
         for (int step = 0; step < 400; ++step) {
             session.step();
@@ -225,7 +227,9 @@ private slots:
     void strongestAreTold() {
         for (const std::uint32_t most : {1u, 2u, 4u, 16u}) {
             const auto play = [&](std::uint32_t records) {
-                Session session = sessionOf(stack(), {.events = {.maxRecords = records}});
+                Project project = stack();
+                project.events.maxRecords = records;
+                Session session = sessionOf(project);
                 addInput(
                     session,
                     ShotInput{"shot",

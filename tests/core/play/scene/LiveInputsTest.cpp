@@ -86,6 +86,7 @@ private slots:
         QVERIFY(!after([](Project& now) { now.ground.height = -1.0; }));
         QVERIFY(!after([](Project& now) { now.damage.isThesis = true; }));
         QVERIFY(!after([](Project& now) { now.debris.lifetime = 3.0; }));
+        QVERIFY(!after([](Project& now) { now.events.maxRecords = 3; }));
     }
     void clearingAnInstancesThresholdNeedsARestart() {
         Project played = test::floatingBlock();

@@ -46,6 +46,9 @@ private slots:
         row(Units::speeds(), "10 mph", 4.4704);
         row(Units::accelerations(), "-1 g", -9.80665);
         row(Units::forces(), "2 kN", 2000.0);
+        row(Units::energies(), "2 kJ", 2000.0);
+        row(Units::energies(), "0.5 Nm", 0.5);
+        row(Units::energies(), "3 ft lbf", 3 * 0.3048 * 4.4482216152605);
         row(Units::impulses(), "1.2 kNs", 1200.0);
         row(Units::impulses(), "3 N s", 3.0);
         row(Units::impulsesPerArea(), "2 kPa*s", 2000.0);
