@@ -300,7 +300,7 @@ void PlayActions::saveState() {
     if (dialog.exec() != QDialog::Accepted) return;
     const QString path = dialog.selectedFiles().first();
     controller().requestState([this, path](const std::shared_ptr<const SavedSession>& saved) {
-        const Status written = rubble::saveState(toPath(path), *saved, projectHash(m_workspace.project()));
+        const Status written = rubble::saveState(toPath(path), *saved, sceneHash(m_workspace.project()));
         if (!written) return showError(&m_views.window(), written.error());
         m_views.showStatus(tr("Saved %1.").arg(fileNameText(path)));
     });
@@ -312,7 +312,7 @@ void PlayActions::openState() {
 }
 
 void PlayActions::loadState(const QString& path) {
-    Result<SavedSession> saved = loadSavedSession(toPath(path), projectHash(m_workspace.project()));
+    Result<SavedSession> saved = loadSavedSession(toPath(path), sceneHash(m_workspace.project()));
     if (!saved) return showError(&m_views.window(), saved.error());
     m_views.setSceneVisible(true);
     m_views.scene().viewport().setFocus();

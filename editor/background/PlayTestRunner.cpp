@@ -1,12 +1,28 @@
 #include "editor/background/PlayTestRunner.h"
 
+#include "core/io/play/ReplayFile.h"
+#include "core/io/play/StateFile.h"
+#include "editor/document/FilePath.h"
+
 #include <algorithm>
 #include <utility>
 
 namespace rubble {
 
-PlayTestRunner::PlayTestRunner(const Document& document, const Bakes& bakes, QObject* parent)
-    : QObject(parent), m_document(document), m_bakes(bakes) {
+namespace {
+
+/// Plays a test of a project in a folder.
+Result<PlayTestOutcome> outcomeIn(const std::filesystem::path& folder, const std::shared_ptr<const PlayScene>& scene,
+                                  const PlayTest& test, const TaskContext& task) {
+    const auto state = loadStart(test, folder, sceneHash(scene->project));
+    if (!state) return state.error();
+    return runPlayTest(scene, test, {.threads = task.threads}, task, state->get());
+}
+
+}  // namespace
+
+PlayTestRunner::PlayTestRunner(const Document& document, const DocumentFile& file, const Bakes& bakes, QObject* parent)
+    : QObject(parent), m_document(document), m_file(file), m_bakes(bakes) {
     connect(&document, &Document::changed, this, &PlayTestRunner::discard);
     connect(&m_job, &BackgroundJob::progressed, this, &PlayTestRunner::progressed);
     connect(&m_job, &BackgroundJob::failed, this, [this](const QString& sentence) {
@@ -46,9 +62,10 @@ void PlayTestRunner::run(std::vector<Id> tests) {
     if (!m_bakes.areCurrent(m_document.project())) {
         return emit statusMessage(tr("Some assets are not baked yet; try again in a moment."));
     }
+    for (const Id test : tests) m_outcomes.erase(test);
     m_job.start(
-        [this, tests = std::move(tests), project = m_document.project(), bakes = m_bakes.assetBakes()](
-            const TaskContext& task, const BackgroundJob::Post& post) {
+        [this, tests = std::move(tests), project = m_document.project(), bakes = m_bakes.assetBakes(),
+         folder = toPath(m_file.path()).parent_path()](const TaskContext& task, const BackgroundJob::Post& post) {
             const Result<std::shared_ptr<const PlayScene>> scene = playScene(project, bakes, task);
             const auto count = static_cast<double>(tests.size());
             for (std::size_t k = 0; k < tests.size() && !task.isCancelled(); ++k) {
@@ -56,9 +73,8 @@ void PlayTestRunner::run(std::vector<Id> tests) {
                 if (test == project.playTests.end()) continue;
                 const TaskContext stage =
                     task.stage(static_cast<double>(k) / count, static_cast<double>(k + 1) / count);
-                const SessionSettings settings{.threads = task.threads};
                 const Result<PlayTestOutcome> outcome =
-                    scene ? runPlayTest(*scene, *test, settings, stage) : Result<PlayTestOutcome>(scene.error());
+                    scene ? outcomeIn(folder, *scene, *test, stage) : Result<PlayTestOutcome>(scene.error());
                 post([this, outcome] { add(outcome); });
                 if (!outcome) return false;
             }

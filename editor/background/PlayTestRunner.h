@@ -2,7 +2,7 @@
 
 #include "core/play/session/PlayTestRun.h"
 #include "editor/document/Bakes.h"
-#include "editor/document/Document.h"
+#include "editor/document/DocumentFile.h"
 #include "editor/document/jobs/BackgroundJob.h"
 
 #include <map>
@@ -14,7 +14,8 @@ namespace rubble {
 class PlayTestRunner : public QObject {
     Q_OBJECT
 public:
-    PlayTestRunner(const Document& document, const Bakes& bakes, QObject* parent = nullptr);
+    /// `file` is the document's: states that tests start from lie beside it.
+    PlayTestRunner(const Document& document, const DocumentFile& file, const Bakes& bakes, QObject* parent = nullptr);
 
     bool isBusy() const { return m_job.isRunning(); }
     /// Runs tests of the project, one after the other; cancels a run in progress.
@@ -37,6 +38,7 @@ private:
     void add(const Result<PlayTestOutcome>& outcome);
 
     const Document& m_document;
+    const DocumentFile& m_file;
     const Bakes& m_bakes;
     BackgroundJob m_job;
     std::map<Id, PlayTestOutcome> m_outcomes;

@@ -1,10 +1,11 @@
 #include "editor/play/PlayEngine.h"
 
 #include "core/asset/project/Ranges.h"
+#include "core/play/queries/WouldFall.h"
 
 #include <algorithm>
-#include <iterator>
 #include <array>
+#include <iterator>
 #include <ranges>
 #include <utility>
 
@@ -52,11 +53,14 @@ std::optional<GrabbedBody> grabbedBody(const World& world) {
                        .force = spring->force};
 }
 
-/// The session that a script starts with. The pending inputs of a state become inputs of the script.
+/// The session that a script starts with. The pending inputs of a state become inputs of the script, before its own of
+/// the same step.
 Result<Session> startOf(const std::shared_ptr<const PlayScene>& scene, PlayScript& script) {
     if (!script.state) return Session::start(scene, script.settings);
     SavedSession saved = *script.state;
-    script.inputs = std::exchange(saved.state.pending, {});
+    const std::vector<TimedInput> pending = std::exchange(saved.state.pending, {});
+    script.inputs.insert(script.inputs.begin(), pending.begin(), pending.end());
+    std::ranges::stable_sort(script.inputs, {}, &TimedInput::step);
     return resumedSession(scene, std::move(saved), script.settings);
 }
 
@@ -75,14 +79,18 @@ PlayScript scriptOf(const Replay& replay) {
     return script;
 }
 
-PlayScript scriptOf(const Project& project, const PlayTest& test, std::uint64_t begin) {
+PlayScript scriptOf(const Project& project, const PlayTest& test, std::uint64_t begin,
+                    std::shared_ptr<const SavedSession> state) {
     PlayScript script{.begin = begin};
-    script.steps = std::max<std::uint64_t>(stepOf(test.duration, script.settings.dt), 1);
+    const double dt = state ? state->dt : script.settings.dt;
+    const std::uint64_t first = state ? state->state.step : 0;
+    script.steps = first + std::max<std::uint64_t>(stepOf(test.duration, dt), 1);
     for (const Shot& shot : project.shots) {
         if (std::ranges::find(test.shots, shot.id) == test.shots.end()) continue;
-        script.inputs.emplace_back(stepOf(shot.time, script.settings.dt), ShotInput{shot.name, shot.action});
+        script.inputs.emplace_back(first + stepOf(shot.time, dt), ShotInput{shot.name, shot.action});
     }
     std::ranges::stable_sort(script.inputs, {}, &TimedInput::step);
+    script.state = std::move(state);
     return script;
 }
 
@@ -259,6 +267,7 @@ void PlayEngine::aim(std::optional<ChargedThrow> thrown, const Ray& ray) {
 
 void PlayEngine::setOverlays(const PlayOverlays& overlays) {
     m_hasHeat = overlays.hasHeat;
+    m_hasCollapse = overlays.hasCollapse;
     m_builder.setOverlays(overlays);
 }
 
@@ -267,7 +276,6 @@ void PlayEngine::setOverlays(const PlayOverlays& overlays) {
 void PlayEngine::orderForecast(const std::optional<Throw>& thrown) {
     const std::optional<Throw> wanted = m_hasHeat ? thrown : std::nullopt;
     const std::uint64_t step = session().stepsDone();
-    m_hasCollapse = overlays.hasCollapse;
     const bool isOther = wanted != m_forecastThrow || step < m_forecastStep;
     if (isOther) {
         m_builder.setForecast(std::nullopt);
@@ -288,14 +296,6 @@ void PlayEngine::setForecast(const Throw& thrown, const std::vector<BodyForecast
     m_hasForecast = true;
 }
 
-PlayFrame PlayEngine::frame() {
-    std::optional<Throw> aimed;
-    if (m_aim) aimed = throwOf(m_aim->thrown, m_aim->ray);
-    orderForecast(aimed);
-    PlayFrame frame{.played = m_scene,
-                    .scene = m_builder.sceneOf(session()),
-                    .step = session().stepsDone(),
-                    .length = m_timeline.length(),
 /// Asks what would fall without the body at the pointer, if that or, for a while, the scene has changed.
 void PlayEngine::forecastCollapse() {
     const std::optional<CastHit> hit = m_hasCollapse && m_aim ? firstHit(session().world(), m_aim->ray) : std::nullopt;
@@ -322,11 +322,20 @@ void PlayEngine::forecastCollapse() {
     m_builder.setCollapse(std::move(shown));
 }
 
+PlayFrame PlayEngine::frame() {
+    std::optional<Throw> aimed;
+    if (m_aim) aimed = throwOf(m_aim->thrown, m_aim->ray);
+    orderForecast(aimed);
+    forecastCollapse();
+    PlayFrame frame{.played = m_scene,
+                    .scene = m_builder.sceneOf(session()),
+                    .step = session().stepsDone(),
+                    .length = m_timeline.length(),
                     .statistics = statisticsOf(session()),
                     .aimed = aimed,
                     .hasForecast = m_hasForecast,
+                    .collapse = m_collapse,
                     .grabbed = grabbedBody(session().world()),
-    forecastCollapse();
                     .hasDestruction = hasDestruction(),
                     .loop = m_loop,
                     .branches = branches()};
@@ -334,7 +343,6 @@ void PlayEngine::forecastCollapse() {
     return frame;
 }
 
-                    .collapse = m_collapse,
 PlayUpdate PlayEngine::takeUpdate() {
     PlayFrame newest = frame();  // it may order a forecast
     PlayUpdate update = std::exchange(m_update, {});

@@ -20,8 +20,9 @@ struct PlayScript {
     std::shared_ptr<const SavedSession> state;  // that it starts from; null: from the start
 };
 PlayScript scriptOf(const Replay& replay);
-/// The shots of a play-test for its duration, displayed from step `begin` on.
-PlayScript scriptOf(const Project& project, const PlayTest& test, std::uint64_t begin);
+/// The shots of a play-test for its duration, displayed from step `begin` on. `state`: what it starts from.
+PlayScript scriptOf(const Project& project, const PlayTest& test, std::uint64_t begin,
+                    std::shared_ptr<const SavedSession> state = nullptr);
 
 /// From half a second before a step until a second after it; `dt` is the length of a step, s.
 PlayLoop loopAround(std::uint64_t step, double dt);
@@ -82,8 +83,8 @@ private:
     void discardRecordsAfter(std::uint64_t step);
     std::vector<PlayBranch> branches() const;
     void orderForecast(const std::optional<Throw>& thrown);
-
     void forecastCollapse();
+
     struct Aim {
         ChargedThrow thrown;
         Ray ray;
@@ -98,11 +99,11 @@ private:
     std::map<std::uint32_t, ImpactLog> m_branchLogs;  // by branch
     std::optional<PlayLoop> m_loop;
     std::optional<Aim> m_aim;
-    bool m_hasHeat = false;                // the heat overlay is on: it shows what the aimed throw will do
     bool m_hasCollapse = false;  // the collapse overlay is on
     std::optional<CollapseForecast> m_collapse;
     std::uint32_t m_collapseBody = 0;      // the number of its body
     std::uint64_t m_collapseStep = 0;      // of which it is
+    bool m_hasHeat = false;                // the heat overlay is on: it shows what the aimed throw will do
     std::optional<Throw> m_forecastThrow;  // of the newest order
     std::uint64_t m_forecastStep = 0;      // of the newest order
     bool m_hasForecast = false;            // the result of that throw is known

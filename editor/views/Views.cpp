@@ -132,7 +132,8 @@ void Views::addDocks() {
     auto* messages = new MessagesPanel(m_messages, document);
     auto* play = new PlayPanel(document, m_workspace.play());
     m_playTools = new PlayToolsPanel(document, m_workspace.play());
-    auto* tests = m_tests = new PlayTestPanel(document, m_workspace.play(), m_workspace.playTests());
+    auto* tests = m_tests =
+        new PlayTestPanel(document, m_workspace.file(), m_workspace.play(), m_workspace.playTests());
     m_strength = new StrengthPanel(document, selection, m_workspace.bakes(), m_workspace.swapAudits());
     connect(&document, &Document::refused, this, &Views::showRefusal);
     connect(m_tree, &ProjectTree::refused, this, &Views::showRefusal);

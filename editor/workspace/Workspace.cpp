@@ -12,7 +12,7 @@ Workspace::Workspace(Project project, const QString& backups, QObject* parent)
       m_problems(m_document, m_bakes),
       m_baker(m_document, m_selection, m_bakes),
       m_play(m_document, m_bakes),
-      m_playTests(m_document, m_bakes),
+      m_playTests(m_document, m_file, m_bakes),
       m_swapAudits(m_document, m_bakes) {
     m_selection.prune(m_document.project());
     const auto exitRemoved = [this] { exitRemovedFragments(m_selection, m_document.project(), m_bakes); };

@@ -258,6 +258,13 @@
             <numerusform>%Ln breaks, the last computed in %1</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Without %1 %Ln body(s) would fall, %2</source>
+        <translation>
+            <numerusform>Without %1 %Ln body would fall, %2</numerusform>
+            <numerusform>Without %1 %Ln bodys would fall, %2</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>rubble::ProblemModel</name>

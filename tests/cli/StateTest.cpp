@@ -65,7 +65,7 @@ private slots:
         const ProgramOutcome ended = runProgram(
             RUBBLE_CLI, {"simulate", RUBBLE_SOURCE_DIR "/projects/pane.rubble", "--steps", "1", "--state", state});
         QCOMPARE(ended.exit, 1);
-        QVERIFY2(ended.error.contains("The state was saved from another project"), qPrintable(ended.error));
+        QVERIFY2(ended.error.contains("The state was saved from another scene"), qPrintable(ended.error));
     }
     void optionsOfTheStartAreRefused() {
         const ProgramOutcome ended = simulateHouse({"--steps", "1", "--state", "x.rubblestate", "--dt", "0.01"});

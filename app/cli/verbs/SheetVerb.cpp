@@ -9,6 +9,8 @@
 #include "core/asset/project/Ranges.h"
 #include "core/base/QuantityText.h"
 #include "core/io/json/JsonWriter.h"
+#include "core/io/play/ReplayFile.h"
+#include "core/io/play/StateFile.h"
 #include "viewport/video/ContactSheetPage.h"
 #include "viewport/video/ContactSheetPainter.h"
 
@@ -20,8 +22,8 @@ namespace {
 
 constexpr const char* kSheetFooter =
     R"(Draws variants of an asset, generated with other random seeds, side by side in one picture, and measures them; 0
-is the asset itself. With --shot and --at all are simulated to the same step first. The table has one row
-per variant, in the order of the picture.
+is the asset itself. With --shot and --at all are simulated to the same step first, with --state from a saved
+moment in which the asset is intact. The table has one row per variant, in the order of the picture.
 
 Examples:
   rubble-cli sheet house.rubble --asset wall --variants 12 --out sheet.png --sort smallestPiece
@@ -34,6 +36,7 @@ struct SheetOptions {
     VariantRecipe recipe;
     std::string shot;
     std::uint64_t step = 60;
+    std::string state;  // file that variants start from; empty: the scene
     std::string sort = "number";
     std::string theme = "light";
     bool isJson = false;
@@ -58,6 +61,10 @@ Result<SheetRequest> requestFor(const Project& project, const SheetOptions& opti
     const Result<std::vector<Shot>> shots = selectedShots(project, {.names = {options.shot}, .file = {}}, context);
     if (!shots) return shots.error();
     request.stage = SheetStage{.shots = {shots->front().id}, .step = options.step};
+    if (options.state.empty()) return request;
+    Result<SavedSession> saved = loadSavedSession(options.state, sceneHash(project));
+    if (!saved) return saved.error();
+    request.stage->state = std::make_shared<const SavedSession>(std::move(*saved));
     return request;
 }
 
@@ -152,6 +159,9 @@ Verb addSheet(CLI::App& program) {
         .wholeInRange(ProjectNumber::Step)
         .needs(shot)
         .valueName("STEP");
+    command.option("--state", options->state, "Start from a saved state, in which the asset is intact")
+        .needs(shot)
+        .valueName("FILE");
     command.option("--sort", options->sort, "Sort by one of " + joinedText(measureNames()))
         .oneOf(measureNames())
         .valueName("MEASURE");

@@ -7,6 +7,8 @@
 #include "app/cli/verbs/Verb.h"
 #include "core/base/MessageText.h"
 #include "core/io/play/JUnitXml.h"
+#include "core/io/play/ReplayFile.h"
+#include "core/io/play/StateFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/CreatedDirectories.h"
 #include "viewport/render/OffscreenRenderer.h"
@@ -22,7 +24,7 @@ namespace {
 
 constexpr const char* kTestFooter =
     R"(Runs the tests that are saved in the project, with their saved throws, and prints the expectations that are not
-met. Exits with 1 if a test fails.
+met. Exits with 1 if a test fails. A test may start from a state that lies beside the project.
 
 Examples:
   rubble-cli test house.rubble
@@ -65,10 +67,10 @@ std::string resultText(const PlayTestOutcome& outcome) {
 }
 
 /// Renders the moment at which a test failed and prints the picture's path.
-Status renderFailure(const std::shared_ptr<const PlayScene>& scene, const PlayTest& test,
+Status renderFailure(const std::shared_ptr<const PlayScene>& scene, const PlayTest& test, const SavedSession* start,
                      const PlayTestOutcome& outcome, const TestOptions& options, const CliContext& context) {
     const TaskContext task{.cancel = context.cancel};
-    Result<Session> session = sessionOf(scene, test, {.threads = options.threads});
+    Result<Session> session = sessionOf(scene, test, {.threads = options.threads}, start);
     if (!session) return session.error();
     SessionSceneBuilder builder(scene);
     const Box3 framed = withSpaceForDebris(boundsOf(*builder.sceneOf(*session)));
@@ -92,19 +94,22 @@ Result<std::vector<TimedPlayTest>> runTests(const Project& project, const std::v
     const Result<std::shared_ptr<const PlayScene>> scene =
         playScene(project, {.cancel = context.cancel, .threads = options.threads});
     if (!scene) return scene.error();
+    const std::filesystem::path folder = std::filesystem::path(options.file).parent_path();
     std::vector<TimedPlayTest> done;
     for (const PlayTest& test : tests) {
+        const auto state = loadStart(test, folder, sceneHash(project));
+        if (!state) return state.error();
         ProgressLine line(context, "Playing " + quotedName(test.name));
         const auto start = std::chrono::steady_clock::now();
-        Result<PlayTestOutcome> outcome =
-            runPlayTest(*scene, test, {.threads = options.threads},
-                        {.cancel = context.cancel, .progress = [&](double fraction) { line.show(fraction); }});
+        Result<PlayTestOutcome> outcome = runPlayTest(
+            *scene, test, {.threads = options.threads},
+            {.cancel = context.cancel, .progress = [&](double fraction) { line.show(fraction); }}, state->get());
         line.clear();
         if (!outcome) return outcome.error();
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
         if (const Status written = printText(resultText(*outcome), context); !written) return written.error();
         if (!outcome->isPassed() && !options.pictures.empty()) {
-            const Status rendered = renderFailure(*scene, test, *outcome, options, context);
+            const Status rendered = renderFailure(*scene, test, state->get(), *outcome, options, context);
             if (!rendered) return rendered.error();
         }
         done.push_back({std::move(*outcome), passed.count()});

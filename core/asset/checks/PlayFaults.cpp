@@ -97,6 +97,9 @@ std::optional<std::string> faultOf(const Shot& shot) {
 std::optional<std::string> faultOf(const PlayTest& test) {
     const std::string owner = ownerText("Test", test.id, test.name);
     if (Sentence fault = rangeFault(owner, {{ProjectNumber::TestDuration, test.duration}})) return fault;
+    if (test.state.find_first_of("/\\") != std::string::npos || test.state == "..") {
+        return owner + ": the state " + quotedName(test.state) + " must be the name of a file beside the project.";
+    }
     for (const Expectation& expectation : test.expectations) {
         if (Sentence fault = rangeFault(owner, {{numberOf(expectation.kind), expectation.value}})) return fault;
     }

@@ -239,6 +239,7 @@ struct Expectation {
 struct PlayTest {
     Id id = 0;
     std::string name;
+    std::string state;  // name of the state beside the project that it starts from; empty: from the scene
     std::vector<Id> shots;
     double duration = 5.0;  // s
     std::vector<Expectation> expectations;
@@ -255,8 +256,8 @@ struct Project {
     Vec3 gravity{0.0, -9.81, 0.0};  // m/s²
     Damage damage;
     Debris debris;
-    std::vector<Shot> shots;
     EventSettings events;
+    std::vector<Shot> shots;
     std::vector<PlayTest> playTests;
     bool operator==(const Project&) const = default;
 };

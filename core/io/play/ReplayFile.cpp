@@ -255,6 +255,15 @@ std::uint32_t versionOf(const Replay& replay) {
 
 ContentHash projectHash(const Project& project) { return contentHash(projectText(project)); }
 
+ContentHash sceneHash(Project project) {
+    project.nextId = 0;
+    project.shots.clear();
+    project.playTests.clear();
+    project.events = {};
+    for (Asset& asset : project.assets) asset.requirements.clear();
+    return projectHash(project);
+}
+
 std::string replayText(const Replay& replay) {
     JsonWriter json;
     json.openObject();

@@ -15,6 +15,9 @@ inline constexpr std::uint32_t kReplayVersion = 3;
 
 /// Returns the hash that identifies a replay's project: that of projectText().
 ContentHash projectHash(const Project& project);
+/// Returns the hash that identifies a state's scene: that of the project without its saved throws, tests, requirements
+/// and settings of events, which a state outlives.
+ContentHash sceneHash(Project project);
 
 /// Returns a replay as JSON: the inputs, one step per line, the keyframes, and the seals of each list. All fields are
 /// described in docs/formats/replay.md.

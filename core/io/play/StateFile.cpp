@@ -1,5 +1,6 @@
 #include "core/io/play/StateFile.h"
 
+#include "core/base/MessageText.h"
 #include "core/io/play/ReplayFile.h"
 #include "core/io/play/StateArchive.h"
 #include "core/io/system/AtomicFile.h"
@@ -43,7 +44,7 @@ constexpr std::string_view kMagic = "RBLSTATE";
 struct StateHeader {
     std::uint32_t version = kStateVersion;
     StateKind kind = StateKind::Whole;
-    ContentHash project;
+    ContentHash scene;
     std::uint64_t size = 0;  // bytes of the fields
 };
 constexpr std::size_t kHeaderBytes = 8 + 4 + 1 + 16 + 8;
@@ -51,10 +52,10 @@ constexpr std::size_t kChecksumBytes = 16;
 
 template <FieldsOf<StateHeader> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
-    auto& [version, kind, project, size] = self;
+    auto& [version, kind, scene, size] = self;
     visit("version", version);
     visit("kind", kind);
-    visit("project", project);
+    visit("scene", scene);
     visit("size", size);
 }
 
@@ -105,7 +106,7 @@ Result<std::string> uncompressed(std::string_view packed, std::uint64_t size) {
 }
 
 /// Checks everything before the fields.
-Result<StateHeader> readHeader(std::string_view bytes, ContentHash project) {
+Result<StateHeader> readHeader(std::string_view bytes, ContentHash scene) {
     if (!bytes.starts_with(kMagic)) return Error{ErrorCode::BadInput, "This is not a Rubble state."};
     if (bytes.size() < kHeaderBytes + kChecksumBytes) return unreadable("it is cut off");
     const auto header = valueOf<StateHeader>(bytes.substr(kMagic.size(), kHeaderBytes - kMagic.size()));
@@ -119,11 +120,11 @@ Result<StateHeader> readHeader(std::string_view bytes, ContentHash project) {
         return unreadable("its checksum does not fit, so bytes were changed or are missing");
     }
     if (header.kind != StateKind::Whole && header.kind != StateKind::Small) return unreadable("its kind is unknown");
-    if (header.project != project) {
+    if (header.scene != scene) {
         return Error{ErrorCode::BadInput,
-                     "The state was saved from another project, or from another version of this "
+                     "The state was saved from another scene, or from another version of this "
                      "one: its hash is " +
-                         header.project.hex() + ", that of the project " + project.hex() + "."};
+                         header.scene.hex() + ", that of the scene " + scene.hex() + "."};
     }
     return header;
 }
@@ -134,16 +135,16 @@ std::uint64_t sizeOfFields(std::string_view bytes) {
 
 }  // namespace
 
-std::string stateBytes(const SavedSession& saved, ContentHash project) {
+std::string stateBytes(const SavedSession& saved, ContentHash scene) {
     const std::string fields = bytesOf(saved);
     std::string bytes(kMagic);
-    bytes += bytesOf(StateHeader{.kind = saved.kind(), .project = project, .size = fields.size()});
+    bytes += bytesOf(StateHeader{.kind = saved.kind(), .scene = scene, .size = fields.size()});
     bytes += compressed(fields);
     return bytes + bytesOf(contentHash(bytes));
 }
 
-Result<SavedSession> readStateBytes(std::string_view bytes, ContentHash project) {
-    const Result<StateHeader> header = readHeader(bytes, project);
+Result<SavedSession> readStateBytes(std::string_view bytes, ContentHash scene) {
+    const Result<StateHeader> header = readHeader(bytes, scene);
     if (!header) return header.error();
     const std::size_t packed = bytes.size() - kHeaderBytes - kChecksumBytes;
     const Result<std::string> fields = uncompressed(bytes.substr(kHeaderBytes, packed), header->size);
@@ -157,8 +158,8 @@ Result<SavedSession> readStateBytes(std::string_view bytes, ContentHash project)
     return saved;
 }
 
-Status saveState(const std::filesystem::path& path, const SavedSession& saved, ContentHash project) {
-    const std::string bytes = stateBytes(saved, project);
+Status saveState(const std::filesystem::path& path, const SavedSession& saved, ContentHash scene) {
+    const std::string bytes = stateBytes(saved, scene);
     if (sizeOfFields(bytes) <= kMaxStateBytes) return writeFileAtomically(path, bytes);
     return withPath(
         "Cannot write", path,
@@ -167,20 +168,28 @@ Status saveState(const std::filesystem::path& path, const SavedSession& saved, C
 }
 
 Status saveState(const std::filesystem::path& path, const Session& session, StateKind kind) {
-    return saveState(path, savedSession(session, kind), projectHash(session.scene().project));
+    return saveState(path, savedSession(session, kind), sceneHash(session.scene().project));
 }
 
-Result<SavedSession> loadSavedSession(const std::filesystem::path& path, ContentHash project) {
+Result<SavedSession> loadSavedSession(const std::filesystem::path& path, ContentHash scene) {
     const Result<std::string> bytes = readFile(path);
     if (!bytes) return bytes.error();
-    Result<SavedSession> saved = readStateBytes(*bytes, project);
+    Result<SavedSession> saved = readStateBytes(*bytes, scene);
     if (!saved) return withPath("Cannot read", path, saved.error());
     return saved;
 }
 
+Result<std::shared_ptr<const SavedSession>> loadStart(const PlayTest& test, const std::filesystem::path& folder,
+                                                      ContentHash scene) {
+    if (test.state.empty()) return std::shared_ptr<const SavedSession>();
+    Result<SavedSession> saved = loadSavedSession(folder / test.state, scene);
+    if (!saved) return Error{saved.error().code, "Test " + quotedName(test.name) + ": " + saved.error().message};
+    return std::make_shared<const SavedSession>(std::move(*saved));
+}
+
 Result<Session> loadState(const std::filesystem::path& path, std::shared_ptr<const PlayScene> scene,
                           const SessionSettings& settings) {
-    Result<SavedSession> saved = loadSavedSession(path, projectHash(scene->project));
+    Result<SavedSession> saved = loadSavedSession(path, sceneHash(scene->project));
     if (!saved) return saved.error();
     Result<Session> session = resumedSession(std::move(scene), std::move(*saved), settings);
     if (!session) return withPath("Cannot read", path, session.error());

@@ -127,6 +127,7 @@ void writePlayTest(JsonWriter& json, const PlayTest& test) {
     json.openObject();
     json.wholeNumber("id", test.id);
     json.text("name", test.name);
+    if (!test.state.empty()) json.text("state", test.state);
     json.openArray("shots", JsonLayout::Inline);
     for (const Id shot : test.shots) json.wholeNumber({}, shot);
     json.close();
@@ -136,9 +137,10 @@ void writePlayTest(JsonWriter& json, const PlayTest& test) {
 }
 
 PlayTest readPlayTest(const JsonValue& value) {
-    value.requireObject({"id", "name", "shots", "duration", "expectations"});
+    value.requireObject({"id", "name", "shots", "duration", "expectations"}, {"state"});
     return {.id = value["id"].index(),
             .name = value["name"].text(),
+            .state = value["state"].isPresent() ? value["state"].text() : std::string(),
             .shots = value["shots"].list([](const JsonValue& shot) { return shot.index(); }),
             .duration = value["duration"].number(),
             .expectations = value["expectations"].list(readExpectation)};

@@ -4,6 +4,7 @@
 #include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
 #include "core/geometry/hull/AspectRatio.h"
+#include "core/play/session/PlayTestRun.h"
 
 #include <algorithm>
 #include <array>
@@ -125,16 +126,11 @@ private:
         auto scene = std::make_shared<PlayScene>(*m_shared);
         scene->project = projectWith(scene->project, entry.asset);
         scene->assets[{entry.asset.id}] = *ready;
-        const SheetStage& stage = *m_request.stage;
-        Result<Session> session = Session::start(std::move(scene), {.dt = stage.stepLength});
+        Result<Session> session = start(entry, std::move(scene));
         if (!session) return session.error();
-        for (const Shot& shot : m_request.project.shots) {
-            if (std::ranges::find(stage.shots, shot.id) == stage.shots.end()) continue;
-            if (const Status added = session->add(shot); !added) return added.error();
-        }
         const auto moved = std::make_shared<Session>(std::move(*session));
         AssetObserver observer(*moved, entry.asset.id);
-        while (moved->stepsDone() < stage.step) {
+        for (std::uint64_t step = 0; step < m_request.stage->step; ++step) {
             if (task.isCancelled()) return TaskContext::cancelled();
             moved->step();
             observer.afterStep();
@@ -143,6 +139,15 @@ private:
         entry.figures.isPlayed = true;
         entry.session = moved;
         return success();
+    }
+
+    Result<Session> start(const SheetEntry& entry, std::shared_ptr<const PlayScene> scene) const {
+        const SheetStage& stage = *m_request.stage;
+        const PlayTest test{.shots = stage.shots};
+        if (!stage.state) return sessionOf(std::move(scene), test, {.dt = stage.stepLength});
+        const Result<SavedSession> state = withBake(*stage.state, entry.asset, *entry.bake);
+        if (!state) return state.error();
+        return sessionOf(std::move(scene), test, {}, &*state);
     }
 
     const SheetRequest& m_request;

@@ -2,7 +2,7 @@
 
 #include "core/asset/bake/AssetBakes.h"
 #include "core/asset/bake/VariantGeneration.h"
-#include "core/play/session/Session.h"
+#include "core/play/session/SavedSession.h"
 
 #include <functional>
 
@@ -24,9 +24,10 @@ const char* nameOf(SheetMeasure measure);
 
 /// The shots that all variants are played with, and the step at which they are compared.
 struct SheetStage {
-    std::vector<Id> shots;           // of the project
-    std::uint64_t step = 0;          // number of steps played
-    double stepLength = 1.0 / 60.0;  // s
+    std::vector<Id> shots;                      // of the project
+    std::uint64_t step = 0;                     // number of steps played
+    double stepLength = 1.0 / 60.0;             // s; with a state its own
+    std::shared_ptr<const SavedSession> state;  // that they start from, in which the asset is intact; null: the scene
     bool operator==(const SheetStage&) const = default;
 };
 

@@ -13,7 +13,7 @@ constexpr double kUntouched = 0.01;  // m
 /// Observes the run of a test.
 class TestObserver {
 public:
-    explicit TestObserver(const Session& session) : m_session(session) {
+    explicit TestObserver(const Session& session) : m_session(session), m_firstStep(session.stepsDone()) {
         for (const PlayBody& body : session.bodies()) {
             if (body.role == PlayRole::Instance)
                 m_starts.push_back({body.number, session.world().state(body.body).centre});
@@ -98,7 +98,8 @@ private:
     ExpectationOutcome standsUntouched(const Expectation& expectation) const {
         ExpectationOutcome outcome{.expected = nameOf(expectation.instance, "everything") + " stays intact for " +
                                                messageText(expectation.value) + " s"};
-        const auto until = static_cast<std::uint64_t>(std::floor(expectation.value / m_session.stepLength() + 1e-6));
+        const std::uint64_t until =
+            m_firstStep + static_cast<std::uint64_t>(std::floor(expectation.value / m_session.stepLength() + 1e-6));
         outcome.step = std::min(until, m_session.stepsDone());
         outcome.isMet = until <= m_session.stepsDone();
         outcome.seen = !outcome.isMet              ? "the test ended earlier"
@@ -184,6 +185,7 @@ private:
     }
 
     const Session& m_session;
+    const std::uint64_t m_firstStep;
     std::vector<Start> m_starts;
     std::vector<Move> m_firstMoves;
     std::vector<std::uint32_t> m_fragmentCounts;  // by origin
@@ -199,28 +201,32 @@ std::uint64_t PlayTestOutcome::failedAt() const {
     return failed == expectations.end() ? 0 : failed->step;
 }
 
-Result<Session> sessionOf(std::shared_ptr<const PlayScene> scene, const PlayTest& test,
-                          const SessionSettings& settings) {
-    Result<Session> session = Session::start(scene, settings);
+Result<Session> sessionOf(std::shared_ptr<const PlayScene> scene, const PlayTest& test, const SessionSettings& settings,
+                          const SavedSession* start) {
+    Result<Session> session =
+        start != nullptr ? resumedSession(scene, *start, settings) : Session::start(scene, settings);
     if (!session) return session.error();
     for (const Shot& shot : scene->project.shots) {
         if (std::ranges::find(test.shots, shot.id) == test.shots.end()) continue;
-        if (const Status added = session->add(shot); !added) return added.error();
+        const std::uint64_t step = session->stepsDone() + stepOf(shot.time, session->stepLength());
+        const Status added = session->add(TimedInput{step, ShotInput{shot.name, shot.action}});
+        if (!added) return added.error();
     }
     return session;
 }
 
 Result<PlayTestOutcome> runPlayTest(std::shared_ptr<const PlayScene> scene, const PlayTest& test,
-                                    const SessionSettings& settings, const TaskContext& task) {
-    Result<Session> session = sessionOf(std::move(scene), test, settings);
+                                    const SessionSettings& settings, const TaskContext& task,
+                                    const SavedSession* start) {
+    Result<Session> session = sessionOf(std::move(scene), test, settings, start);
     if (!session) return session.error();
     TestObserver observer(*session);
-    const std::uint64_t steps = std::max<std::uint64_t>(stepOf(test.duration, settings.dt), 1);
-    while (session->stepsDone() < steps) {
+    const std::uint64_t steps = std::max<std::uint64_t>(stepOf(test.duration, session->stepLength()), 1);
+    for (std::uint64_t step = 1; step <= steps; ++step) {
         if (task.isCancelled()) return TaskContext::cancelled();
         session->step();
         observer.afterStep();
-        task.report(static_cast<double>(session->stepsDone()) / static_cast<double>(steps));
+        task.report(static_cast<double>(step) / static_cast<double>(steps));
     }
     PlayTestOutcome outcome{.test = test.id, .name = test.name, .steps = steps, .hash = session->hash()};
     for (const Expectation& expectation : test.expectations)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/play/session/Session.h"
+#include "core/play/session/SavedSession.h"
 
 #include <string>
 #include <vector>
@@ -18,7 +18,7 @@ struct ExpectationOutcome {
 struct PlayTestOutcome {
     Id test = 0;
     std::string name;
-    std::uint64_t steps = 0;
+    std::uint64_t steps = 0;                       // played
     std::vector<ExpectationOutcome> expectations;  // in the test's order
     ContentHash hash;                              // after the last step
     bool isPassed() const;
@@ -26,13 +26,15 @@ struct PlayTestOutcome {
     std::uint64_t failedAt() const;
 };
 
-/// A session at its start with the test's shots pending.
+/// A session at the start of a test, with its shots pending: at the scene's own, or at a saved moment, from which the
+/// times of the shots count then.
 ///
-/// Errors: those of Session::start() and Session::add().
+/// Errors: those of Session::start(), resumedSession() and Session::add().
 Result<Session> sessionOf(std::shared_ptr<const PlayScene> scene, const PlayTest& test,
-                          const SessionSettings& settings = {});
+                          const SessionSettings& settings = {}, const SavedSession* start = nullptr);
 
-/// Plays a test of the scene's project and evaluates its expectations.
+/// Plays a test of the scene's project and evaluates its expectations. With a saved moment it starts there, and what
+/// happened before does not count; steps are those of the session.
 ///
 /// StandsUntouched: within `value` seconds the instance, or any instance, neither moves more than 1 cm nor breaks.
 /// Breaks, DoesNotBreak: the instance, or any instance. BreaksIntoAtLeast: its fragments at the end, removed ones
@@ -41,6 +43,7 @@ Result<Session> sessionOf(std::shared_ptr<const PlayScene> scene, const PlayTest
 ///
 /// Errors: those of sessionOf(); Cancelled.
 Result<PlayTestOutcome> runPlayTest(std::shared_ptr<const PlayScene> scene, const PlayTest& test,
-                                    const SessionSettings& settings = {}, const TaskContext& task = {});
+                                    const SessionSettings& settings = {}, const TaskContext& task = {},
+                                    const SavedSession* start = nullptr);
 
 }  // namespace rubble

@@ -171,6 +171,21 @@ SavedSession savedSession(const Session& session, StateKind kind) {
     return saved;
 }
 
+Result<SavedSession> withBake(SavedSession saved, const Asset& variant, const Bake& bake) {
+    for (const auto& [index, damage] : saved.state.damage) {
+        if (index >= saved.state.origins.size() || saved.state.origins[index].asset != variant.id) continue;
+        return Error{ErrorCode::BadInput, quotedName(saved.state.origins[index].name) +
+                                              " is broken in the state, but variants need one in which asset " +
+                                              quotedName(variant.name) + " is intact."};
+    }
+    std::erase_if(saved.bakes, [&](const auto& one) { return one.first.asset == variant.id; });
+    saved.bakes[{variant.id}] = damageHash(variant, bake);
+    for (PlayOrigin& origin : saved.state.origins) {
+        if (origin.asset == variant.id) origin.variant = 0;
+    }
+    return saved;
+}
+
 Result<Session> resumedSession(std::shared_ptr<const PlayScene> scene, SavedSession saved, SessionSettings settings) {
     const auto* resting = std::get_if<RestingWorld>(&saved.world);
     settings.dt = saved.dt;

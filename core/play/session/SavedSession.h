@@ -40,6 +40,11 @@ struct SavedSession {
 /// The present moment of a session. A small state drops motions, contacts and pending inputs.
 SavedSession savedSession(const Session& session, StateKind kind);
 
+/// A state as if another bake of an asset had been in use when it was saved, that of `variant`, for all its instances.
+///
+/// Errors: BadInput if an instance or projectile of the asset is broken in it.
+Result<SavedSession> withBake(SavedSession saved, const Asset& variant, const Bake& bake);
+
 /// A session at the saved moment. `settings` gives threads and lanes; the rest is saved. Stepping a whole state gives
 /// the same bits as going on with the session that was saved. The bodies of a small one sleep, if sleeping is on.
 ///

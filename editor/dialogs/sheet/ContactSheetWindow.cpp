@@ -1,19 +1,25 @@
 #include "editor/dialogs/sheet/ContactSheetWindow.h"
 
 #include "core/asset/project/Ranges.h"
+#include "core/io/play/ReplayFile.h"
+#include "core/io/play/StateFile.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/dialogs/MessageBoxes.h"
 #include "editor/dialogs/sheet/ContactSheetText.h"
 #include "editor/dialogs/sheet/VariantDelegate.h"
 #include "editor/dialogs/sheet/VariationTree.h"
+#include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/Icon.h"
 #include "editor/widgets/ScreenFit.h"
+#include "editor/widgets/StateField.h"
 #include "editor/workspace/ViewportStyle.h"
 #include "editor/workspace/Workspace.h"
 
 #include <QCloseEvent>
 #include <QComboBox>
+#include <QDir>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QItemSelectionModel>
@@ -76,6 +82,7 @@ ContactSheetWindow::ContactSheetWindow(Workspace& workspace, const Units& units,
       m_variants(new QSpinBox),
       m_spread(new QSpinBox),
       m_shot(new QComboBox),
+      m_state(new StateField(workspace.file())),
       m_step(new QSpinBox),
       m_sort(new QComboBox),
       m_list(new QListWidget),
@@ -152,6 +159,7 @@ void ContactSheetWindow::connectSignals() {
 void ContactSheetWindow::connectSettings() {
     connect(m_variants, &QSpinBox::valueChanged, &m_refresh, qOverload<>(&QTimer::start));
     connect(m_step, &QSpinBox::valueChanged, this, &ContactSheetWindow::refreshLater);
+    connect(m_state, &StateField::edited, this, &ContactSheetWindow::refreshLater);
     connect(m_variations, &QTreeWidget::itemChanged, this, &ContactSheetWindow::refreshLater);
     connect(m_shot, &QComboBox::currentIndexChanged, this, [this] {
         updateState();
@@ -201,6 +209,9 @@ QWidget* ContactSheetWindow::createSettings() {
     form->addRow(tr("&Variants:"), m_variants);
     m_shot->setObjectName("sheet-shot");
     form->addRow(tr("Saved t&hrow:"), m_shot);
+    m_state->setObjectName("sheet-state");
+    m_state->setToolTip(tr("Set the scene, or the state beside the project, that variants start from"));
+    form->addRow(tr("Star&t:"), m_state);
     setRange(*m_step, ProjectNumber::Step);
     m_step->setValue(kDefaultStep);
     m_step->setToolTip(tr("Set the simulation step at which variants are shown"));
@@ -261,10 +272,16 @@ VariantRecipe ContactSheetWindow::recipe() const {
             .locked = m_locked};
 }
 
-std::optional<SheetStage> ContactSheetWindow::stage() const {
+Result<std::optional<SheetStage>> ContactSheetWindow::stage() const {
     const Id shot = m_shot->currentData().toUInt();
-    if (shot == 0) return std::nullopt;
-    return SheetStage{.shots = {shot}, .step = static_cast<std::uint64_t>(m_step->value())};
+    if (shot == 0) return std::optional<SheetStage>();
+    SheetStage stage{.shots = {shot}, .step = static_cast<std::uint64_t>(m_step->value())};
+    if (m_state->state().isEmpty()) return std::optional(std::move(stage));
+    const QFileInfo file(QFileInfo(m_workspace.file().path()).dir(), m_state->state());
+    Result<SavedSession> saved = loadSavedSession(toPath(file.filePath()), sceneHash(m_workspace.project()));
+    if (!saved) return saved.error();
+    stage.state = std::make_shared<const SavedSession>(std::move(*saved));
+    return std::optional(std::move(stage));
 }
 
 const SheetEntry& ContactSheetWindow::entryOf(const QListWidgetItem& item) const {
@@ -293,6 +310,8 @@ void ContactSheetWindow::start(Result<std::vector<Asset>> variants) {
     m_refresh.stop();
     m_isStale = false;
     if (!variants) return showMessage(QString::fromStdString(variants.error().message));
+    Result<std::optional<SheetStage>> staged = stage();
+    if (!staged) return showMessage(QString::fromStdString(staged.error().message));
     m_cells.clear();
     m_list->clear();
     m_count = variants->size();
@@ -301,7 +320,7 @@ void ContactSheetWindow::start(Result<std::vector<Asset>> variants) {
                          .bakes = bakes.assetBakes(),
                          .asset = m_asset,
                          .variants = std::move(*variants),
-                         .stage = stage()};
+                         .stage = std::move(*staged)};
     if (!bakes.areCurrent(request.project)) request.bakes.clear();
     const double ratio = devicePixelRatioF();
     const SheetStyle style{
@@ -407,7 +426,9 @@ void ContactSheetWindow::updateState() {
     m_apply->setEnabled(selected == 1);
     m_progress->setVisible(isBusy);
     m_cancel->setVisible(isBusy);
-    m_step->setEnabled(m_shot->currentData().toUInt() != 0);
+    for (QWidget* field : {static_cast<QWidget*>(m_state), static_cast<QWidget*>(m_step)}) {
+        field->setEnabled(m_shot->currentData().toUInt() != 0);
+    }
     m_lock->setText(m_locked.empty() ? tr("&Lock Selected Seeds")
                                      : tr("&Lock Selected Seeds (%L1 locked)").arg(m_locked.size()));
     QString summary = isBusy ? tr("%L1 of %Ln variant(s)", nullptr, static_cast<int>(m_count)).arg(count)

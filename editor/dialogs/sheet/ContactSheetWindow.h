@@ -18,6 +18,7 @@ class QSpinBox;
 
 namespace rubble {
 
+class StateField;
 class VariationTree;
 class Workspace;
 
@@ -63,7 +64,8 @@ private:
     void fillShots();
     void updateDocument();
     VariantRecipe recipe() const;
-    std::optional<SheetStage> stage() const;
+    /// Errors: those of loadSavedSession().
+    Result<std::optional<SheetStage>> stage() const;
     void start(Result<std::vector<Asset>> variants);
     void refreshLater();
     void refresh();
@@ -93,6 +95,7 @@ private:
     QSpinBox* m_variants;
     QSpinBox* m_spread;
     QComboBox* m_shot;
+    StateField* m_state;
     QSpinBox* m_step;
     QComboBox* m_sort;
     QListWidget* m_list;

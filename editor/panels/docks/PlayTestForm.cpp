@@ -6,6 +6,7 @@
 #include "editor/widgets/NumberField.h"
 #include "editor/widgets/ProjectRange.h"
 #include "editor/widgets/Section.h"
+#include "editor/widgets/StateField.h"
 #include "editor/widgets/TypedFields.h"
 
 #include <QComboBox>
@@ -25,8 +26,9 @@ constexpr int kShotRows = 4;  // visible rows
 
 }  // namespace
 
-PlayTestForm::PlayTestForm(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
-    m_testForm = makeTestForm();
+PlayTestForm::PlayTestForm(Document& document, const DocumentFile& file, QWidget* parent)
+    : QWidget(parent), m_document(document) {
+    m_testForm = makeTestForm(file);
     m_expectationForm = makeExpectationForm();
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
@@ -39,13 +41,18 @@ PlayTestForm::PlayTestForm(Document& document, QWidget* parent) : QWidget(parent
     refresh();
 }
 
-Section* PlayTestForm::makeTestForm() {
+Section* PlayTestForm::makeTestForm(const DocumentFile& file) {
     auto* form = new Section("play-test", tr("Test"));
     m_name = form->addRow(tr("Name"), new QLineEdit, tr("Name of the test"));
     connect(m_name, &QLineEdit::editingFinished, this, [this] {
         if (!m_name->isModified() || m_name->text().trimmed().isEmpty()) return;
         changeTest(tr("Rename Test"),
                    [this](PlayTest& changed) { changed.name = m_name->text().trimmed().toStdString(); });
+    });
+    m_state = form->addRow(tr("Start"), new StateField(file),
+                           tr("Scene, or state beside the project, that the test starts from"));
+    connect(m_state, &StateField::edited, this, [this](const QString& name) {
+        changeTest(tr("Set Start of Test"), [&name](PlayTest& changed) { changed.state = name.toStdString(); });
     });
     m_duration = form->addRow(tr("Duration"), new NumberField, tr("Duration of the test"));
     m_duration->setRange(fieldRange(ProjectNumber::TestDuration));
@@ -122,6 +129,7 @@ void PlayTestForm::refreshTest(const PlayTest& test) {
     const QString name = QString::fromStdString(test.name);
     if (m_name->text() != name) m_name->setText(name);
     m_name->setModified(false);
+    m_state->setState(QString::fromStdString(test.state));
     m_duration->setValue(test.duration);
     m_shots->clear();
     for (const Shot& shot : m_document.project().shots) {

@@ -15,14 +15,16 @@ class QListWidgetItem;
 
 namespace rubble {
 
+class DocumentFile;
 class NumberField;
 class Section;
+class StateField;
 
 /// Edits a play-test and one of its expectations.
 class PlayTestForm : public QWidget {
     Q_OBJECT
 public:
-    explicit PlayTestForm(Document& document, QWidget* parent = nullptr);
+    PlayTestForm(Document& document, const DocumentFile& file, QWidget* parent = nullptr);
 
     /// Shows a test of the project and the expectation with an index; 0: none, with all fields disabled.
     void setShown(Id test, std::optional<std::size_t> expectation);
@@ -34,7 +36,7 @@ signals:
     void refused(const QString& sentence);
 
 private:
-    Section* makeTestForm();
+    Section* makeTestForm(const DocumentFile& file);
     Section* makeExpectationForm();
     void refresh();
     void refreshTest(const PlayTest& test);
@@ -50,6 +52,7 @@ private:
     Section* m_testForm = nullptr;
     Section* m_expectationForm = nullptr;
     QLineEdit* m_name = nullptr;
+    StateField* m_state = nullptr;
     NumberField* m_duration = nullptr;
     QListWidget* m_shots = nullptr;
     QComboBox* m_kind = nullptr;

@@ -1,6 +1,9 @@
 #include "editor/panels/docks/PlayTestPanel.h"
 
+#include "core/io/play/ReplayFile.h"
+#include "core/io/play/StateFile.h"
 #include "editor/commands/ProjectEdits.h"
+#include "editor/document/FilePath.h"
 #include "editor/panels/docks/PlayTestForm.h"
 #include "editor/panels/docks/PlayTestTree.h"
 #include "editor/widgets/Buttons.h"
@@ -24,13 +27,15 @@ constexpr int kMaxProgressWidth = 120;  // pixels
 
 }  // namespace
 
-PlayTestPanel::PlayTestPanel(Document& document, PlayController& controller, PlayTestRunner& runner, QWidget* parent)
+PlayTestPanel::PlayTestPanel(Document& document, const DocumentFile& file, PlayController& controller,
+                             PlayTestRunner& runner, QWidget* parent)
     : QWidget(parent),
       m_document(document),
+      m_file(file),
       m_controller(controller),
       m_runner(runner),
       m_tree(new PlayTestTree(document, runner)),
-      m_form(new PlayTestForm(document)),
+      m_form(new PlayTestForm(document, file)),
       m_summary(new QLabel),
       m_progress(new QProgressBar) {
     QScrollArea* form = verticalScrollArea(m_form);
@@ -177,8 +182,11 @@ void PlayTestPanel::showFailure() {
     if (outcome != nullptr && expectation && !outcome->expectations[*expectation].isMet) {
         step = outcome->expectations[*expectation].step;
     }
+    const Project& project = m_document.project();
+    const auto state = loadStart(*test, toPath(m_file.path()).parent_path(), sceneHash(project));
+    if (!state) return emit statusMessage(QString::fromStdString(state.error().message));
     emit showRequested();
-    m_controller.replay(scriptOf(m_document.project(), *test, step));
+    m_controller.replay(scriptOf(project, *test, step, *state));
 }
 
 }  // namespace rubble

@@ -22,7 +22,8 @@ class PlayTestTree;
 class PlayTestPanel : public QWidget {
     Q_OBJECT
 public:
-    PlayTestPanel(Document& document, PlayController& controller, PlayTestRunner& runner, QWidget* parent = nullptr);
+    PlayTestPanel(Document& document, const DocumentFile& file, PlayController& controller, PlayTestRunner& runner,
+                  QWidget* parent = nullptr);
 
     /// Runs all tests in the background, or cancels the run.
     void runAll();
@@ -47,6 +48,7 @@ private:
     void refreshBar();
 
     Document& m_document;
+    const DocumentFile& m_file;
     PlayController& m_controller;
     PlayTestRunner& m_runner;
     PlayTestTree* m_tree;

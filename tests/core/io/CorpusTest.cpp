@@ -21,6 +21,7 @@ const std::vector<std::pair<const char*, Reader>> kReaders{{"FractureJson", test
                                                            {"Pack", test::packFault},
                                                            {"BodiesJson", test::bodiesFault},
                                                            {"Replay", test::replayFault},
+                                                           {"State", test::stateFault},
                                                            {"Shots", test::shotsFault},
                                                            {"Png", test::pngFault},
                                                            {"SourceScene", test::sourceSceneFault}};

@@ -33,7 +33,8 @@ class PlayTestRunnerTest : public QObject {
 private slots:
     void init() {
         m_stage = std::make_unique<test::Stage>(testedBlock());
-        m_runner = std::make_unique<PlayTestRunner>(m_stage->document, m_stage->bakes);
+        m_file = std::make_unique<DocumentFile>(m_stage->document);
+        m_runner = std::make_unique<PlayTestRunner>(m_stage->document, *m_file, m_stage->bakes);
     }
     void reportsEachOutcome() {
         const auto& tests = m_stage->document.project().playTests;
@@ -83,6 +84,7 @@ private slots:
 
 private:
     std::unique_ptr<test::Stage> m_stage;
+    std::unique_ptr<DocumentFile> m_file;
     std::unique_ptr<PlayTestRunner> m_runner;
 };
 

@@ -37,6 +37,7 @@ void waitFor(const char* what, const std::function<bool()>& condition) {
 /// An open project with all that works in the background on it.
 struct Desk {
     Document document;
+    DocumentFile file{document};
     Selection selection;
     Bakes bakes;
     Messages messages;
@@ -45,7 +46,7 @@ struct Desk {
     OverlapWatch overlaps{document, messages};
     StateComparison comparison{document, selection, bakes};
     SwapAuditRunner audits{document, bakes};
-    PlayTestRunner tests{document, bakes};
+    PlayTestRunner tests{document, file, bakes};
     PlayController play{document, bakes};
 
     explicit Desk(Project project) : document(std::move(project)) {

@@ -102,6 +102,7 @@ inline std::vector<PlayTest> everyPlayTest() {
     return {{.id = 34, .name = "stands"},
             {.id = 35,
              .name = "falls",
+             .state = "after the storm.rubblestate",
              .shots = {30, 33},
              .duration = 2.5,
              .expectations = {{.kind = ExpectationKind::StandsUntouched, .value = 1.0},
@@ -143,8 +144,8 @@ inline Project fullProject() {
     project.gravity = {0.1, -1.62, std::numeric_limits<double>::denorm_min()};
     project.damage = {.rule = DamageRule::Momentum, .isThesis = true, .thesisThreshold = 1500.0};
     project.debris = {.lifetime = 12.5, .fade = 0.75, .maxFragments = 300};
-    project.shots = everyShot();
     project.events = {.leastEnergy = 1.0 / 3.0, .maxRecords = 24};
+    project.shots = everyShot();
     project.playTests = everyPlayTest();
     return project;
 }

@@ -17,9 +17,11 @@
 #include "core/io/pack/PackFile.h"
 #include "core/io/play/BodiesJson.h"
 #include "core/io/play/ReplayFile.h"
+#include "core/io/play/StateFile.h"
 #include "core/io/project/MaterialPresetFile.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/project/ShotJson.h"
+#include "tests/support/play/SealedStates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -114,6 +116,37 @@ inline Sentence replayFault(std::string_view bytes) {
     const Result<Replay> again = readReplayText(text);
     if (!again) return "The written text is rejected: " + again.error().message;
     if (replayText(*again) != text) return "The written text reads back differently.";
+    return std::nullopt;
+}
+
+/// Two blocks in five fragments on the ground.
+inline const std::shared_ptr<const PlayScene>& fuzzedScene() {
+    static const std::shared_ptr<const PlayScene> scene = [] {
+        Project project{.nextId = 6};
+        project.materials = {{.id = 1, .name = "stone"}};
+        Asset block{.id = 2, .name = "block", .material = 1, .threshold = 100.0};
+        block.prism = {{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}, {}}, 0.5};
+        block.pattern.layers = {{.id = 3, .parameters = UniformScatter{.count = 5}}};
+        project.assets = {block};
+        project.instances = {{.id = 4, .name = "lower", .asset = 2},
+                             {.id = 5, .name = "upper", .asset = 2, .pose = {.position = {0.2, 1.0, 0.0}}}};
+        return playScene(project, {.threads = 1}).value();
+    }();
+    return scene;
+}
+
+/// The fields of a state of fuzzedScene(): after a byte for its kind. What is accepted is simulated.
+inline Sentence stateFault(std::string_view fields) {
+    const ContentHash hash = sceneHash(fuzzedScene()->project);
+    const std::string kind(1, fields.empty() ? '\1' : fields.front());
+    std::string header = stateBytes({}, hash).substr(0, kStateHeader);
+    header.replace(12, 1, kind);
+    Result<SavedSession> saved =
+        readStateBytes(withFields(header, std::string(fields.substr(std::min<std::size_t>(fields.size(), 1)))), hash);
+    if (!saved) return errorFault(saved.error());
+    Result<Session> session = resumedSession(fuzzedScene(), std::move(*saved), {.checksEnergy = false});
+    if (!session) return errorFault(session.error());
+    for (int step = 0; step < kFuzzedSteps; ++step) session->step();
     return std::nullopt;
 }
 

@@ -8,16 +8,16 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/play/Damages.h"
 #include "tests/support/play/RandomShots.h"
+#include "tests/support/play/SealedStates.h"
 
 #include <QTemporaryDir>
 
-#include <zlib.h>
-
 using namespace rubble;
+using test::fieldsOf;
+using test::sealedState;
+using test::withFields;
 
 namespace {
-
-constexpr std::size_t kStateHeader = 37, kStateChecksum = 16;  // see docs/formats/state.md
 
 bool isLongRun() { return qEnvironmentVariableIsSet("RUBBLE_LONG"); }
 
@@ -30,44 +30,15 @@ std::vector<std::shared_ptr<const PlayScene>> demoScenes() {
     return scenes;
 }
 
-std::string sealedState(std::string bytes) {
-    const ContentHash hash = contentHash(bytes);
-    bytes.append(reinterpret_cast<const char*>(&hash), sizeof(hash));
-    return bytes;
-}
-
-/// The fields of a state file.
-std::string fieldsOf(const std::string& bytes) {
-    std::uint64_t size = 0;
-    std::memcpy(&size, bytes.data() + 29, 8);
-    std::string fields(size, '\0');
-    uLongf length = size;
-    uncompress(reinterpret_cast<Bytef*>(fields.data()), &length,
-               reinterpret_cast<const Bytef*>(bytes.data() + kStateHeader),
-               bytes.size() - kStateHeader - kStateChecksum);
-    return fields;
-}
-
-/// A state file with other fields, and a size and checksum that fit them.
-std::string withFields(const std::string& bytes, const std::string& fields) {
-    std::string made = bytes.substr(0, kStateHeader);
-    const std::uint64_t size = fields.size();
-    std::memcpy(made.data() + 29, &size, 8);
-    uLongf length = compressBound(size);
-    std::string packed(length, '\0');
-    compress2(reinterpret_cast<Bytef*>(packed.data()), &length, reinterpret_cast<const Bytef*>(fields.data()), size, 1);
-    return sealedState(made + packed.substr(0, length));
-}
-
 Result<Session> sessionOfBytes(const std::shared_ptr<const PlayScene>& scene, const std::string& bytes,
                                const SessionSettings& settings = {}) {
-    Result<SavedSession> saved = readStateBytes(bytes, projectHash(scene->project));
+    Result<SavedSession> saved = readStateBytes(bytes, sceneHash(scene->project));
     if (!saved) return saved.error();
     return resumedSession(scene, std::move(*saved), settings);
 }
 
 std::string bytesOfSession(const Session& session, StateKind kind = StateKind::Whole) {
-    return stateBytes(savedSession(session, kind), projectHash(session.scene().project));
+    return stateBytes(savedSession(session, kind), sceneHash(session.scene().project));
 }
 
 /// A session in the middle of breaking.
@@ -156,14 +127,39 @@ private slots:
         const Result<Session> missing = loadState(path + "x", scene);
         QVERIFY(!missing && missing.error().code == ErrorCode::NotFound);
     }
+    void sceneOutlivesThrowsAndTests() {
+        Project project = test::threeBlocks();
+        const ContentHash hash = sceneHash(project);
+        project.shots.push_back({.id = project.nextId++, .name = "later", .action = Explosion{}});
+        project.playTests.push_back({.id = project.nextId++, .name = "later", .state = "now.rubblestate"});
+        project.events.maxRecords = 3;
+        project.assets[0].requirements.push_back({.event = DropRequirement{}});
+        QVERIFY(sceneHash(project) == hash);
+        project.gravity.y = -1.6;
+        QVERIFY(sceneHash(project) != hash);
+    }
+    void testsStartFromStatesBesideTheProject() {
+        const auto scene = test::playSceneOf(test::threeBlocks());
+        const QTemporaryDir folder;
+        const std::filesystem::path path = folder.path().toStdString();
+        const Session session = brokenSession(scene);
+        QVERIFY(saveState(path / "now.rubblestate", session, StateKind::Whole).hasValue());
+        const ContentHash hash = sceneHash(scene->project);
+        QVERIFY(*loadStart({.name = "a"}, path, hash) == nullptr);
+        const auto state = loadStart({.name = "a", .state = "now.rubblestate"}, path, hash);
+        QVERIFY(state && (*state)->hash == session.hash());
+        const auto missing = loadStart({.name = "a", .state = "none.rubblestate"}, path, hash);
+        QVERIFY(!missing && missing.error().code == ErrorCode::NotFound);
+        QVERIFY2(missing.error().message.starts_with("Test \"a\": "), missing.error().message.c_str());
+    }
     void anotherProjectIsRefusedWithBothHashes() {
         const auto scene = test::playSceneOf(test::threeBlocks());
         Project other = scene->project;
         other.instances[0].pose.position.x += 0.1;
         const std::string message =
             stateFault(sessionOfBytes(test::playSceneOf(other), bytesOfSession(brokenSession(scene))));
-        QVERIFY2(message.find(projectHash(other).hex()) != std::string::npos, message.c_str());
-        QVERIFY2(message.find(projectHash(scene->project).hex()) != std::string::npos, message.c_str());
+        QVERIFY2(message.find(sceneHash(other).hex()) != std::string::npos, message.c_str());
+        QVERIFY2(message.find(sceneHash(scene->project).hex()) != std::string::npos, message.c_str());
     }
     void anotherBakeIsRefused() {
         const auto scene = test::playSceneOf(test::threeBlocks());

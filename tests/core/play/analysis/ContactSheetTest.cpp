@@ -76,6 +76,25 @@ private slots:
         const std::vector<SheetEntry> entries = entriesOf(orderOf(project, 2, true));
         QVERIFY(entries[0].session->hash() == entriesOf(orderOf(stage(), 1, true))[0].session->hash());
     }
+    void variantsStartFromAState() {
+        const Project project = stage();
+        Session session = sessionOf(project);
+        for (int step = 0; step < 20; ++step) session.step();
+        SheetRequest request = orderOf(project, 3, true);
+        request.stage->state = std::make_shared<const SavedSession>(savedSession(session, StateKind::Whole));
+        addInput(session, ShotInput{"box", project.shots[0].action});
+        for (int step = 0; step < 30; ++step) session.step();
+        const std::vector<SheetEntry> entries = entriesOf(request);
+        QVERIFY(!entries[0].fault && entries[0].session->hash() == session.hash());
+        for (const SheetEntry& entry : entries) {
+            QVERIFY2(!entry.fault, entry.fault.value_or("").c_str());
+            QCOMPARE(entry.session->stepsDone(), std::uint64_t{50});
+            QVERIFY(entry.figures.breakImpact.has_value());
+        }
+        request.stage->state = std::make_shared<const SavedSession>(savedSession(session, StateKind::Small));
+        QCOMPARE(entriesOf(request)[1].fault.value_or(""),
+                 "\"block\" is broken in the state, but variants need one in which asset \"block\" is intact.");
+    }
     void resultIsIndependentOfThreads() {
         const SheetRequest request = orderOf(stage(), 6, true);
         const std::vector<SheetEntry> one = entriesOf(request, 1), four = entriesOf(request, 4);

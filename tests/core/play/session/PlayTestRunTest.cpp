@@ -95,6 +95,34 @@ private slots:
 
 private:
     std::vector<Case> m_cases;
+    /// The front is broken there: it cannot break again, and times of shots count from there.
+    void startsFromAState() {
+        const std::shared_ptr<const PlayScene> scene = test::playSceneOf(test::house());
+        const auto& shots = scene->project.shots;
+        PlayTest test{.id = 1, .name = "test", .duration = 2.0};
+        test.shots = {std::ranges::find(shots, kDoor, &Shot::name)->id};
+        test.expectations = {{.kind = ExpectationKind::Breaks},
+                             {.kind = ExpectationKind::StandsUntouched, .value = 0.1}};
+        Result<Session> before = sessionOf(scene, test);
+        for (int step = 0; step < 300; ++step) before->step();
+        const SavedSession state = savedSession(*before, StateKind::Whole);
+        Session expected = *resumedSession(scene, state);
+        QVERIFY(expected.add(TimedInput{300 + stepOf(scene->project.shots[0].time, expected.stepLength()),
+                                        ShotInput{shots[0].name, shots[0].action}}));
+        test.shots = {shots[0].id};
+        const Result<PlayTestOutcome> outcome = runPlayTest(scene, test, {}, {}, &state);
+        QVERIFY2(outcome.hasValue(), outcome ? "" : outcome.error().message.c_str());
+        std::uint64_t broken = 0;
+        for (int step = 0; step < 120; ++step) {
+            expected.step();
+            if (broken == 0 && !expected.events().breaks.empty()) broken = expected.stepsDone();
+        }
+        QCOMPARE(outcome->steps, std::uint64_t{120});
+        QVERIFY(outcome->hash == expected.hash());
+        QCOMPARE(outcome->expectations[0].isMet, broken > 0);
+        if (broken > 0) QCOMPARE(outcome->expectations[0].step, broken);
+        QVERIFY2(outcome->expectations[1].isMet, outcome->expectations[1].seen.c_str());
+    }
 };
 
 RUBBLE_TEST(PlayTestRunTest)

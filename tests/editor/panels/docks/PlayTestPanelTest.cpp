@@ -2,8 +2,10 @@
 // editor/panels/docks/PlayTestForm.cpp.
 #include "editor/panels/docks/PlayTestPanel.h"
 
+#include "core/io/play/StateFile.h"
 #include "editor/panels/docks/PlayTestTree.h"
 #include "editor/widgets/NumberField.h"
+#include "editor/widgets/StateField.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/PlayStage.h"
 
@@ -11,6 +13,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QToolButton>
 
 using namespace rubble;
@@ -41,15 +44,49 @@ class PlayTestPanelTest : public QObject {
 private slots:
     void init() {
         m_stage = std::make_unique<test::Stage>(testedBlock());
-        m_runner = std::make_unique<PlayTestRunner>(m_stage->document, m_stage->bakes);
-        m_panel = std::make_unique<PlayTestPanel>(m_stage->document, m_stage->controller, *m_runner);
+        m_file = std::make_unique<DocumentFile>(m_stage->document);
+        m_runner = std::make_unique<PlayTestRunner>(m_stage->document, *m_file, m_stage->bakes);
+        m_panel = std::make_unique<PlayTestPanel>(m_stage->document, *m_file, m_stage->controller, *m_runner);
         m_tree = m_panel->findChild<PlayTestTree*>();
         QVERIFY(m_tree);
     }
     void cleanup() {
         m_panel.reset();
         m_runner.reset();
+        m_file.reset();
         m_stage.reset();
+    }
+    void testStartsFromAStateBesideTheProject() {
+        const QTemporaryDir folder;
+        QVERIFY(m_file->saveAs(folder.filePath("block.rubble")));
+        Session session = test::sessionOf(m_stage->document.project());
+        for (int step = 0; step < 30; ++step) session.step();
+        QVERIFY(saveState(folder.filePath("later.rubblestate").toStdString(), session, StateKind::Whole));
+        auto* field = m_panel->findChild<StateField*>();
+        field->showPopup();
+        field->hidePopup();
+        QCOMPARE(field->count(), 2);
+        field->setCurrentIndex(1);
+        emit field->activated(1);
+        QCOMPARE(m_stage->document.project().playTests[0].state, "later.rubblestate");
+        const Id id = m_stage->document.project().playTests[0].id;
+        m_runner->run({id});
+        QTRY_VERIFY_WITH_TIMEOUT(!m_runner->isBusy(), kPatience);
+        QVERIFY(m_runner->outcomeOf(id) && m_runner->outcomeOf(id)->isPassed());
+        m_panel->findChild<QToolButton*>("show-failure")->click();  // the test itself, as it has not failed
+        m_stage->settle();
+        QCOMPARE(m_stage->controller.frame()->step, std::uint64_t{30});
+        QVERIFY(QFile::remove(folder.filePath("later.rubblestate")));
+        const QSignalSpy status(m_panel.get(), &PlayTestPanel::statusMessage);
+        m_runner->run({id});
+        QTRY_VERIFY_WITH_TIMEOUT(!m_runner->isBusy(), kPatience);
+        QVERIFY(m_runner->outcomeOf(id) == nullptr);
+        m_panel->findChild<QToolButton*>("show-failure")->click();
+        QCOMPARE(status.size(), 2);  // of the run, and of the replay
+        for (const QVariantList& message : status) QVERIFY(message[0].toString().startsWith("Test \"stands\": "));
+        field->showPopup();
+        field->hidePopup();
+        QCOMPARE(field->currentText(), "later.rubblestate (missing)");
     }
     void treeListsTestsAndExpectations() {
         QCOMPARE(m_tree->topLevelItemCount(), 2);
@@ -162,6 +199,7 @@ private:
     QLineEdit* name() const { return named<QLineEdit>("Name"); }
 
     std::unique_ptr<test::Stage> m_stage;
+    std::unique_ptr<DocumentFile> m_file;
     std::unique_ptr<PlayTestRunner> m_runner;
     std::unique_ptr<PlayTestPanel> m_panel;
     PlayTestTree* m_tree = nullptr;
