@@ -62,6 +62,7 @@ void OutlinePass::draw(const SceneBuffers& scene, const RenderView& view, const 
     glBindTexture(GL_TEXTURE_2D, m_mask.colourTexture());
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     m_lineProgram.use();
     m_lineProgram.set("lineWidth", static_cast<float>(kLineWidth * view.settings.scale));
     glBindVertexArray(m_emptyArray.id());

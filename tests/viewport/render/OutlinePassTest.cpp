@@ -21,8 +21,8 @@ RenderView frontOf(const RenderScene& scene) {
     return view;
 }
 
-QImage picture(const std::shared_ptr<const RenderScene>& scene, const RenderView& view) {
-    const Image image = renderImage(scene, view, 0).value();
+QImage picture(const std::shared_ptr<const RenderScene>& scene, const RenderView& view, int samples = 0) {
+    const Image image = renderImage(scene, view, samples).value();
     return QImage(image.pixels.data(), image.width, image.height, 3 * image.width, QImage::Format_RGB888).copy();
 }
 
@@ -159,6 +159,26 @@ private slots:
             for (int x = 0; x < 240; ++x) lighter += accentAt(seen, x, y) > 60 ? 1 : 0;
         }
         QVERIFY2(lighter > 40, qPrintable(QString::number(lighter)));
+    }
+    /// Also over the mean of several samples, whose sum is blended otherwise.
+    void hoveredSurfaceIsOnlyABitBrighter() {
+        RenderView view = frontOf(*test::starterScene());
+        for (const int samples : {0, 4}) {
+            view.hovered.reset();
+            const QImage plain = picture(test::starterScene(), view, samples);
+            view.hovered = 3;
+            const QImage seen = picture(test::starterScene(), view, samples);
+            int brighter = 0, white = 0;
+            for (int y = 0; y < 240; ++y) {
+                for (int x = 0; x < 240; ++x) {
+                    const QColor before = plain.pixelColor(x, y), after = seen.pixelColor(x, y);
+                    brighter += after.green() > before.green() + 5 ? 1 : 0;
+                    white += after.green() > 250 && before.green() < 240 ? 1 : 0;
+                }
+            }
+            QVERIFY2(brighter > 100 && white == 0,
+                     qPrintable(QString("%1 samples: %2 brighter, %3 white").arg(samples).arg(brighter).arg(white)));
+        }
     }
 };
 
