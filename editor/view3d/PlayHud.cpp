@@ -54,7 +54,7 @@ void PlayHud::paint(QPainter& painter, QSize size) const {
     const QFont font = painter.font();
     paintTrajectory(painter);
     paintTexts(painter, textPlate(font));
-    if (!m_content.hint.isEmpty()) paintHint(painter, hintPlate(size, font));
+    if (hasHint(size, font)) paintHint(painter, hintPlate(size, font));
     if (m_content.hasHeat) paintHeat(painter, heatPlate(size, font));
     paintSpring(painter, size);
     paintCharge(painter, size);
@@ -142,10 +142,15 @@ QRect PlayHud::hintPlate(QSize size, const QFont& font) const {
     return {left, bottom - height, text.width() + around, height};
 }
 
+/// Only where it does not cover the texts.
+bool PlayHud::hasHint(QSize size, const QFont& font) const {
+    return !m_content.hint.isEmpty() && hintPlate(size, font).top() > textPlate(font).bottom();
+}
+
 std::vector<QRect> PlayHud::plates(QSize size, const QFont& font) const {
     if (!m_isVisible) return {};
     std::vector<QRect> plates{textPlate(font)};
-    if (!m_content.hint.isEmpty()) plates.push_back(hintPlate(size, font));
+    if (hasHint(size, font)) plates.push_back(hintPlate(size, font));
     if (m_content.hasHeat) plates.push_back(heatPlate(size, font));
     return plates;
 }

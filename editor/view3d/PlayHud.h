@@ -55,6 +55,7 @@ private:
     QRect textPlate(const QFont& font) const;
     QRect heatPlate(QSize size, const QFont& font) const;
     QRect hintPlate(QSize size, const QFont& font) const;
+    bool hasHint(QSize size, const QFont& font) const;
 
     Content m_content;
     bool m_isVisible = false;

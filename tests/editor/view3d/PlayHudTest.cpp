@@ -48,6 +48,13 @@ private slots:
             }
         }
     }
+    void hintIsLeftOutWhereItWouldCoverTheTexts() {
+        PlayHud hud;
+        hud.setVisible(true);
+        hud.setContent({.title = "Paused", .hint = fullContent().hint});
+        QCOMPARE(hud.plates({320, 700}, QFont()).size(), 2u);
+        QCOMPARE(hud.plates({320, 120}, QFont()).size(), 1u);
+    }
 };
 
 RUBBLE_TEST_WITH(PlayHudTest, QApplication)
