@@ -2,7 +2,6 @@
 
 #include "core/base/QuantityText.h"
 #include "core/base/Version.h"
-#include "core/io/play/EventsJson.h"
 #include "core/io/play/ReplayFile.h"
 #include "core/io/play/StateFile.h"
 #include "core/physics/queries/Penetration.h"
@@ -83,6 +82,8 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
     if (plan.isRecorded) recorder.emplace(*session, programVersion(), projectHash(session->scene().project));
     ReplaySize recorded;
     SoundRecorder heard(*session);
+    std::optional<EventsText> told;
+    if (plan.events) told.emplace(*plan.events);
     SimulationRun run;
     for (int step = 1; step <= plan.simulation.steps; ++step) {
         if (task.isCancelled()) return TaskContext::cancelled();
@@ -94,7 +95,7 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
             recorder->add(*session);
             if (const Status fits = recorded.add(recorder->replay()); !fits) return fits.error();
         }
-        if (plan.hasEvents) run.events += eventLines(session->stepsDone(), session->events().told);
+        if (told) told->add(session->stepsDone(), session->events().told);
         if (plan.isHeard) heard.add(*session);
         for (const PlayBreak& broken : session->events().breaks) {
             run.outcome.breaks.push_back(toResult(broken, *session, plan.simulation.isTimed));
@@ -110,6 +111,7 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
     run.outcome.stepMilliseconds = record.milliseconds();
     run.trace = std::move(record).trace();
     if (recorder) run.replay = recorder->replay();
+    if (told) run.events = std::move(*told).finished();
     if (const Status saved = saveResult(plan, *session, run); !saved) return saved.error();
     if (!plan.isHeard) return run;
     Result<StereoTrack> sound = heard.track();

@@ -2,6 +2,7 @@
 
 #include "app/cli/options/PlayOptions.h"
 #include "app/cli/simulation/StepRecord.h"
+#include "core/io/play/EventsFile.h"
 #include "core/play/session/SavedSession.h"
 
 namespace rubble {
@@ -10,11 +11,11 @@ namespace rubble {
 struct PlayPlan {
     SimulationPlan simulation;  // of `world` only the threads are used; `play` has the rest
     PlayOptions play;
-    bool isRecorded = false;  // as a replay
-    bool hasEvents = false;   // they are kept as JSON lines
-    bool isHeard = false;     // its sound is made
-    std::string state;        // file to start from; empty: from the start
-    std::string savedState;   // file for the state after the last step; empty: none
+    bool isRecorded = false;             // as a replay
+    std::optional<EventsFormat> events;  // they are kept
+    bool isHeard = false;                // its sound is made
+    std::string state;                   // file to start from; empty: from the start
+    std::string savedState;              // file for the state after the last step; empty: none
     StateKind savedKind = StateKind::Whole;
 };
 

@@ -22,7 +22,7 @@ struct SimulationPlan {
 struct SimulationRun {
     SimulationOutcome outcome;
     std::string trace;   // CSV with a header
-    std::string events;  // JSON lines
+    std::string events;  // the text of a file of them
     std::optional<Replay> replay;
     std::optional<StereoTrack> sound;
     std::vector<std::string> notes;  // for the user, a sentence each

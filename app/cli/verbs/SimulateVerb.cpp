@@ -32,8 +32,8 @@ Output:
 Counts are means over the last 120 steps; the penetration is exact, of the final poses. A break is
   {"step":k,"body":s,"impact":J,"threshold":J,"point":[x,y,z],"fragments":n}, with --timings also "swapMilliseconds".
 The bodies of a project are its instances, then projectiles and fragments in order of creation. The result does
-not depend on the number of threads: equal inputs give equal hashes. --events writes one JSON object a line; see
-docs/formats/events.md.
+not depend on the number of threads: equal inputs give equal hashes. --events writes one JSON object a line, or CSV
+into FILE.csv; see docs/formats/events.md.
 
 Examples:
   rubble-cli simulate house.json --steps 600 > after.json
@@ -66,14 +66,15 @@ SimulationPlan planOf(const SimulateOptions& options) {
 }
 
 PlayPlan playPlan(const SimulateOptions& options) {
-    return {.simulation = planOf(options),
-            .play = options.play,
-            .isRecorded = !options.record.empty(),
-            .hasEvents = !options.events.empty(),
-            .isHeard = !options.wav.empty(),
-            .state = options.state,
-            .savedState = options.savedState,
-            .savedKind = options.isSmall ? StateKind::Small : StateKind::Whole};
+    PlayPlan plan{.simulation = planOf(options),
+                  .play = options.play,
+                  .isRecorded = !options.record.empty(),
+                  .isHeard = !options.wav.empty(),
+                  .state = options.state,
+                  .savedState = options.savedState,
+                  .savedKind = options.isSmall ? StateKind::Small : StateKind::Whole};
+    if (!options.events.empty()) plan.events = eventsFormatOf(options.events);
+    return plan;
 }
 
 /// Runs `work` and shows its progress on the terminal.
@@ -165,8 +166,10 @@ Verb addSimulate(CLI::App& program) {
         .valueName("N");
     addPlayOptions(command, options->play);
     command.option("--record", options->record, "Write a recording for rubble-cli replay").valueName("FILE");
-    command.option("--events", options->events, "Write what hit, broke, came to rest and was removed")
-        .valueName("FILE.jsonl");
+    command
+        .option("--events", options->events,
+                "Write what hit, broke, came to rest and was removed: JSON lines, or FILE.csv")
+        .valueName("FILE");
     command.option("--wav", options->wav, "Write the sound of impacts and breaks").valueName("FILE.wav");
     const CommandOption state =
         command.option("--state", options->state, "Start from a saved state; times of shots count from there")
