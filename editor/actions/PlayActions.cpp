@@ -3,6 +3,7 @@
 #include "core/base/Version.h"
 #include "core/io/play/ReplayFile.h"
 #include "core/io/play/StateFile.h"
+#include "editor/actions/EventActions.h"
 #include "editor/actions/TimelineActions.h"
 #include "editor/actions/VideoActions.h"
 #include "editor/commands/ProjectEdits.h"
@@ -43,6 +44,7 @@ PlayActions::PlayActions(Views& views, PreferenceStore& preferences, VideoAction
       m_workspace(views.workspace()),
       m_preferences(preferences),
       m_video(video),
+      m_events(new EventActions(views)),
       m_menu(new QMenu(tr("&Play"), &views.window())) {
     addRun();
     m_menu->addSeparator();
@@ -67,10 +69,10 @@ PlayActions::PlayActions(Views& views, PreferenceStore& preferences, VideoAction
     updateState();
 }
 
-/// The actions of the menu but that for videos, which enables itself.
+/// The actions of the menu but those for videos and events, which enable themselves.
 QList<QAction*> PlayActions::ownActions() const {
     QList<QAction*> actions = m_menu->actions();
-    actions.removeOne(m_video.action());
+    for (QAction* other : m_events->actions() + QList{m_video.action()}) actions.removeOne(other);
     return actions;
 }
 
@@ -210,6 +212,7 @@ void PlayActions::addReplays() {
                        &PlayActions::saveReplay);
     add({"play-open-replay", tr("&Open Replay…"), tr("Play a saved replay")}, &PlayActions::openReplay);
     addStates();
+    m_menu->addActions(m_events->actions());
     m_menu->addAction(m_video.action());
 }
 

@@ -8,6 +8,7 @@ class QMenu;
 
 namespace rubble {
 
+class EventActions;
 class VideoActions;
 class PlayController;
 class PreferenceStore;
@@ -57,6 +58,7 @@ private:
     Workspace& m_workspace;
     PreferenceStore& m_preferences;
     VideoActions& m_video;
+    EventActions* m_events;
     QMenu* m_menu;
     QAction* m_play = nullptr;
     QAction* m_pause = nullptr;

@@ -5,7 +5,6 @@
 #include "core/play/scene/LiveInputs.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace rubble {
@@ -46,11 +45,16 @@ void PlayController::stop() {
     m_queuedTasks.clear();
     m_scene.reset();
     m_frame.reset();
-    m_impacts.clear();
+    clearResults();
+    setState(PlayState::Stopped);
+    emit eventsChanged();
+}
+
+void PlayController::clearResults() {
+    m_events = {};
+    m_shownEvents.clear();
     m_costs.clear();
     m_lastShot.reset();
-    setState(PlayState::Stopped);
-    emit impactsChanged();
 }
 
 /// The signal is queued: meanwhile the simulation may have been started again.
@@ -116,12 +120,12 @@ void PlayController::endLoop() {
 void PlayController::toggleLoop() {
     if (!hasSession()) return;
     if (m_frame->loop) return endLoop();
-    const std::vector<ImpactRecord> all = breaks();
-    const auto distance = [this](const ImpactRecord& impact) {
-        return std::max(impact.step, m_frame->step) - std::min(impact.step, m_frame->step);
+    const std::span<const EventRef> breaks = m_events.breaks();
+    const auto distance = [this](const EventRef& broken) {
+        return std::max(broken->record.step, m_frame->step) - std::min(broken->record.step, m_frame->step);
     };
-    const auto nearest = std::ranges::min_element(all, {}, distance);
-    if (nearest != all.end()) return loopAround(nearest->step);
+    const auto nearest = std::ranges::min_element(breaks, {}, distance);
+    if (nearest != breaks.end()) return loopAround((*nearest)->record.step);
     emit statusMessage(tr("Nothing has broken yet that could be played again."));
     emit frameChanged();  // for the switch, which shows a loop
 }
@@ -208,11 +212,10 @@ void PlayController::release() {
     post([](PlayEngine& engine) { engine.release(); });
 }
 
-std::vector<ImpactRecord> PlayController::breaks(std::uint64_t last) const {
-    std::vector<ImpactRecord> breaks;
-    std::ranges::copy_if(m_impacts, std::back_inserter(breaks),
-                         [last](const ImpactRecord& impact) { return impact.isBreak() && impact.step <= last; });
-    return breaks;
+void PlayController::setEventFilter(const EventFilter& filter) {
+    if (filter == eventFilter()) return;
+    m_shownEvents.setFilter(filter, m_events);
+    emit eventsChanged();
 }
 
 void PlayController::fire(const Shot& shot) {
@@ -303,6 +306,19 @@ double PlayController::stepFraction() const {
     return std::clamp((m_thread.now() - m_frame->shownFrom) / m_frame->shownFor, 0.0, 1.0);
 }
 
+/// Returns whether there were any.
+bool PlayController::applyEvents(const PlayUpdate& update) {
+    if (update.discardAfter) {
+        m_events.discardAfter(*update.discardAfter);
+        m_shownEvents.discardAfter(*update.discardAfter);
+    }
+    for (const std::shared_ptr<const LoggedStep>& step : update.events) {
+        m_events.append(step);
+        m_shownEvents.append(step);
+    }
+    return !update.events.empty() || update.discardAfter;
+}
+
 /// Ignores frames from before the user's last switch.
 void PlayController::applyDestruction(const PlayFrame& frame) {
     if (m_isWaitingForBakes || (m_requestedDestruction && *m_requestedDestruction != frame.hasDestruction)) return;
@@ -315,18 +331,14 @@ void PlayController::applyUpdate() {
     if (!isInPlay() || !update.frame) return;
     if (m_state == PlayState::Preparing && !m_isWaitingForBakes) {
         m_scene = update.frame->played;
-        m_impacts.clear();
-        m_costs.clear();
-        m_lastShot.reset();
-        emit impactsChanged();
+        clearResults();
+        emit eventsChanged();
         setState(m_startsPlaying ? PlayState::Playing : PlayState::Paused);
     }
-    const bool haveImpactsChanged = !update.impacts.empty() || update.discardAfter;
+    const bool haveEventsChanged = applyEvents(update);
     if (update.discardAfter) {
-        std::erase_if(m_impacts, [&](const ImpactRecord& impact) { return impact.step > *update.discardAfter; });
         std::erase_if(m_costs, [&](const StepCost& cost) { return cost.step > *update.discardAfter; });
     }
-    m_impacts.insert(m_impacts.end(), update.impacts.begin(), update.impacts.end());
     m_costs.insert(m_costs.end(), update.costs.begin(), update.costs.end());
     if (m_costs.size() > kShownCosts) m_costs.erase(m_costs.begin(), m_costs.end() - kShownCosts);
     if (update.shot) m_lastShot = update.shot;
@@ -337,7 +349,7 @@ void PlayController::applyUpdate() {
         emit statusMessage(QString::fromStdString(diagnostic.message));
     if (update.isBranchKept)
         emit statusMessage(tr("The earlier timeline is kept: see Play ▸ Timeline ▸ Earlier Timelines."));
-    if (haveImpactsChanged) emit impactsChanged();
+    if (haveEventsChanged) emit eventsChanged();
     emit frameChanged();
     if (update.isReplayOver && m_state == PlayState::Playing) {
         pause();

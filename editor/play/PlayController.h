@@ -4,9 +4,9 @@
 #include "editor/document/Document.h"
 #include "editor/play/PlayThread.h"
 #include "editor/play/PlayToolSettings.h"
+#include "editor/play/ShownEvents.h"
 
 #include <functional>
-#include <limits>
 
 namespace rubble {
 
@@ -91,10 +91,12 @@ public:
     const std::optional<PlayFrame>& frame() const { return m_frame; }
     /// The current position between the previous frame and the newest one, in [0, 1].
     double stepFraction() const;
-    /// What was hit: what broke, and what withstood a tenth of its threshold or more; by ascending step.
-    const std::vector<ImpactRecord>& impacts() const { return m_impacts; }
-    /// Those that broke, up to a step.
-    std::vector<ImpactRecord> breaks(std::uint64_t last = std::numeric_limits<std::uint64_t>::max()) const;
+    /// The events of the current course.
+    const EventCourse& events() const { return m_events; }
+    /// Those that are listed and marked in the timeline: the filter selects them.
+    const std::vector<EventRef>& shownEvents() const { return m_shownEvents.events(); }
+    const EventFilter& eventFilter() const { return m_shownEvents.filter(); }
+    void setEventFilter(const EventFilter& filter);
     /// The costs of the last kShownCosts steps.
     const std::vector<StepCost>& costs() const { return m_costs; }
     const std::optional<ShotInput>& lastShot() const { return m_lastShot; }
@@ -120,7 +122,8 @@ signals:
     void stateChanged();
     /// A new frame is available.
     void frameChanged();
-    void impactsChanged();
+    /// The events of the course, or the filter.
+    void eventsChanged();
     void toolSettingsChanged();
     /// Time scale, time step, destruction or overlays changed.
     void settingsChanged();
@@ -134,6 +137,8 @@ private:
     void setState(PlayState state);
     void post(PlayThread::Task task);
     ChargedThrow charged(double charge) const;
+    void clearResults();
+    bool applyEvents(const PlayUpdate& update);
     void applyDestruction(const PlayFrame& frame);
     void finish(const QString& sentence);
 
@@ -156,7 +161,8 @@ private:
     PlayScript m_script;  // of the start
     std::shared_ptr<const PlayScene> m_scene;
     std::optional<PlayFrame> m_frame;
-    std::vector<ImpactRecord> m_impacts;
+    EventCourse m_events;
+    ShownEvents m_shownEvents;  // of them
     std::vector<StepCost> m_costs;
     std::optional<ShotInput> m_lastShot;
 };

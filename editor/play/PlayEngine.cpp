@@ -156,7 +156,7 @@ void PlayEngine::report(DiagnosticCode code, std::string message) {
 void PlayEngine::recordStep() {
     const std::uint64_t step = session().stepsDone();
     if (step <= m_log.steps()) return;
-    std::ranges::copy(m_log.record(session()), std::back_inserter(m_update.impacts));
+    if (auto events = m_log.record(session())) m_update.events.push_back(std::move(events));
     std::ranges::copy(session().events().diagnostics, std::back_inserter(m_update.diagnostics));
     m_update.costs.push_back(costOf(session()));
     if (step > m_hashes.size() || m_hashes[step - 1] == session().hash().low) return;
@@ -167,7 +167,7 @@ void PlayEngine::recordStep() {
 void PlayEngine::discardRecordsAfter(std::uint64_t step) {
     m_log.discardAfter(step);
     m_update.discardAfter = std::min(m_update.discardAfter.value_or(step), step);
-    std::erase_if(m_update.impacts, [step](const ImpactRecord& impact) { return impact.step > step; });
+    std::erase_if(m_update.events, [step](const auto& events) { return events->step > step; });
     std::erase_if(m_update.costs, [step](const StepCost& cost) { return cost.step > step; });
 }
 
@@ -199,8 +199,8 @@ void PlayEngine::switchTo(std::uint32_t branch) {
     m_branchLogs[course] = m_log;
     discardRecordsAfter(fork);
     m_log = m_branchLogs.extract(branch).mapped();
-    std::ranges::copy_if(m_log.impacts(), std::back_inserter(m_update.impacts),
-                         [fork](const ImpactRecord& impact) { return impact.step > fork; });
+    std::ranges::copy_if(m_log.course().steps(), std::back_inserter(m_update.events),
+                         [fork](const auto& events) { return events->step > fork; });
     if (m_hashes.size() > fork) m_hashes.resize(fork);
     m_scriptSteps = 0;
     m_loop.reset();
@@ -210,7 +210,8 @@ void PlayEngine::switchTo(std::uint32_t branch) {
 std::vector<PlayBranch> PlayEngine::branches() const {
     std::vector<PlayBranch> branches;
     for (const TimelineBranch& branch : m_timeline.branches()) {
-        branches.push_back({branch.id, m_timeline.forkOf(branch), branch.length, m_branchLogs.at(branch.id).breaks()});
+        branches.push_back(
+            {branch.id, m_timeline.forkOf(branch), branch.length, m_branchLogs.at(branch.id).course().breaks().size()});
     }
     return branches;
 }

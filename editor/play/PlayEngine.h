@@ -2,7 +2,8 @@
 
 #include "core/play/session/Replay.h"
 #include "core/play/session/SavedSession.h"
-#include "editor/play/ImpactLog.h"
+#include "editor/play/EventLog.h"
+#include "editor/play/PlayFrame.h"
 #include "editor/play/PlayToolSettings.h"
 #include "viewport/scene/SessionSceneBuilder.h"
 
@@ -95,8 +96,8 @@ private:
     SessionSceneBuilder m_builder;
     std::vector<std::uint64_t> m_hashes;  // of the script
     bool m_startsWithDestruction = true;
-    ImpactLog m_log;                                  // of the current course
-    std::map<std::uint32_t, ImpactLog> m_branchLogs;  // by branch
+    EventLog m_log;                                  // of the current course
+    std::map<std::uint32_t, EventLog> m_branchLogs;  // by branch
     std::optional<PlayLoop> m_loop;
     std::optional<Aim> m_aim;
     bool m_hasCollapse = false;  // the collapse overlay is on

@@ -2,6 +2,7 @@
 
 #include "core/play/analysis/Forecast.h"
 #include "core/play/session/Aim.h"
+#include "editor/play/PlayEvent.h"
 #include "viewport/scene/RenderScene.h"
 
 #include <memory>
@@ -30,21 +31,6 @@ struct PlayStatistics {
     int candidatePairs = 0;
     int contactPoints = 0;
     double energy = 0.0;  // J, kinetic and potential
-};
-
-/// A row of the list of impacts: a body that broke, or one that was hit and stayed whole.
-struct ImpactRecord {
-    std::uint64_t step = 0;
-    std::string name;
-    double impact = 0.0;     // N·s
-    double threshold = 0.0;  // N·s
-    Vec3 point{0.0, 0.0, 0.0};
-    std::uint32_t fragmentCount = 0;  // 0: it stayed intact
-    double milliseconds = 0.0;
-    Id asset = 0;        // that the body is made of
-    double scale = 1.0;  // its threshold relative to that of the whole asset; 0: it has its own
-    bool isBreak() const { return fragmentCount > 0; }
-    double ratio() const { return impact / threshold; }
 };
 
 /// A former course of the simulation that can be returned to.
@@ -106,8 +92,8 @@ struct PlayFrame {
 struct PlayUpdate {
     std::optional<PlayFrame> frame;             // the newest
     std::optional<std::uint64_t> discardAfter;  // the records of later steps are void; applied before the following
-    std::vector<ImpactRecord> impacts;
-    std::vector<StepCost> costs;  // of new steps
+    std::vector<std::shared_ptr<const LoggedStep>> events;  // of new steps
+    std::vector<StepCost> costs;                            // of new steps
     std::vector<Diagnostic> diagnostics;
     std::optional<ShotInput> shot;               // the last that was fired
     std::shared_ptr<const ForecastOrder> order;  // a forecast to compute, see PlayEngine::setForecast()

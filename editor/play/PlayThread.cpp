@@ -16,13 +16,13 @@ void merge(PlayUpdate& update, PlayUpdate&& newer) {
     if (newer.discardAfter) {
         const std::uint64_t last = *newer.discardAfter;
         update.discardAfter = std::min(update.discardAfter.value_or(last), last);
-        std::erase_if(update.impacts, [last](const ImpactRecord& impact) { return impact.step > last; });
+        std::erase_if(update.events, [last](const auto& events) { return events->step > last; });
         std::erase_if(update.costs, [last](const StepCost& cost) { return cost.step > last; });
     }
     const auto append = [](auto& to, auto& from) {
         to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
     };
-    append(update.impacts, newer.impacts);
+    append(update.events, newer.events);
     append(update.costs, newer.costs);
     append(update.diagnostics, newer.diagnostics);
     if (newer.frame) update.frame = std::move(newer.frame);

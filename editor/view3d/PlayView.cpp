@@ -94,12 +94,12 @@ QStringList PlayView::statisticsLines() const {
     const PlayFrame& frame = *m_controller.frame();
     const PlayStatistics& statistics = frame.statistics;
     const double dt = m_controller.thread().stepLength();
-    const std::vector<ImpactRecord> breaks = m_controller.breaks(frame.step);
+    const std::span<const EventRef> breaks = m_controller.events().breaks(frame.step);
     const QString rate = m_framesPerSecond ? tr("%L1 fps").arg(*m_framesPerSecond) : tr("– fps");
     const QString last = breaks.empty()
                              ? tr("no breaks")
                              : tr("%Ln break(s), the last computed in %1", nullptr, static_cast<int>(breaks.size()))
-                                   .arg(millisecondsText(breaks.back().milliseconds, 3));
+                                   .arg(millisecondsText(breaks.back()->milliseconds, 3));
     const QString separator = QStringLiteral(" · ");
     return {
         tr("%1 · step %L2").arg(playTimeText(static_cast<double>(frame.step) * dt)).arg(frame.step) + separator +

@@ -1,7 +1,9 @@
 #include "editor/view3d/TimelineBar.h"
 
 #include "editor/document/ShownText.h"
+#include "editor/play/EventText.h"
 #include "editor/play/PlayController.h"
+#include "editor/view3d/TimelineMarks.h"
 #include "editor/widgets/AccessibleRole.h"
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "editor/widgets/numbers/RoundStep.h"
@@ -15,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace rubble {
 
@@ -22,14 +25,14 @@ namespace {
 
 constexpr double kHandle = 6.0;  // this and the following: points
 constexpr double kTrackHeight = 6.0;
-constexpr double kMarkHeight = 12.0;
+constexpr double kLoopHeight = 14.0;
+constexpr double kTop = 9.0;  // above the handle, which is lower than the marks
 constexpr double kTick = 4.0;
 constexpr double kMinTickDistance = 70.0;
 constexpr int kTextMargin = 10;
 constexpr double kMarkTolerance = 4.0;
 constexpr double kZoomPerNotch = 1.25;
-constexpr int kMaxTipLines = 8;
-const QColor kBreak(214, 69, 48);
+constexpr std::size_t kMaxTipEvents = 8;
 const QColor kLoop(242, 140, 40);
 
 QString timeText(double seconds) { return fixedQuantity(seconds, 2, Units::seconds()); }
@@ -46,7 +49,7 @@ TimelineBar::TimelineBar(PlayController& controller, QWidget* parent) : QWidget(
            "and minus zoom, 0 shows everything."));
     setStatusTip(tr("Drag to seek, turn the wheel to zoom, drag with the middle button to pan"));
     connect(&controller, &PlayController::frameChanged, this, &TimelineBar::refreshFrame);
-    connect(&controller, &PlayController::impactsChanged, this, qOverload<>(&QWidget::update));
+    connect(&controller, &PlayController::eventsChanged, this, qOverload<>(&QWidget::update));
     connect(&controller, &PlayController::stateChanged, this, [this] {
         if (!m_controller.hasSession()) m_span = {};
     });
@@ -86,13 +89,13 @@ void TimelineBar::fit() {
 
 /// The labels of the ticks are below the track.
 QSize TimelineBar::sizeHint() const {
-    return {300, static_cast<int>(2.0 * kHandle + kTick) + fontMetrics().height() + 10};
+    return {300, static_cast<int>(kTop + 2.0 * kHandle + kTick) + fontMetrics().height() + 6};
 }
 
 /// Between the time labels at both ends.
 QRectF TimelineBar::track() const {
     const int text = fontMetrics().horizontalAdvance(timeText(8888.88)) + kTextMargin;
-    return QRectF(text + kHandle, kHandle + 4.0 - kTrackHeight / 2.0, std::max(20.0, width() - 2.0 * (text + kHandle)),
+    return QRectF(text + kHandle, kTop + kHandle - kTrackHeight / 2.0, std::max(20.0, width() - 2.0 * (text + kHandle)),
                   kTrackHeight);
 }
 
@@ -104,13 +107,18 @@ double TimelineBar::stepAt(double x) const {
     return m_span.first() + m_span.width() * (x - track().left()) / track().width();
 }
 
+/// The events that are marked at a position.
+std::span<const EventRef> TimelineBar::eventsAt(double x) const {
+    return eventsBetween(m_controller.shownEvents(), stepAt(x - kMarkTolerance), stepAt(x + kMarkTolerance));
+}
+
 /// The break under a position, the nearest if there are several.
 std::optional<std::uint64_t> TimelineBar::breakAt(double x) const {
     std::optional<std::uint64_t> nearest;
     const auto distance = [&](std::uint64_t step) { return std::abs(positionOf(static_cast<double>(step)) - x); };
-    for (const ImpactRecord& impact : m_controller.impacts()) {
-        if (!impact.isBreak() || distance(impact.step) > kMarkTolerance) continue;
-        if (!nearest || distance(impact.step) < distance(*nearest)) nearest = impact.step;
+    for (const EventRef& event : eventsAt(x)) {
+        const std::uint64_t step = event->record.step;
+        if (event->isBreak() && (!nearest || distance(step) < distance(*nearest))) nearest = step;
     }
     return nearest;
 }
@@ -162,7 +170,7 @@ void TimelineBar::paintTrack(QPainter& painter) const {
                      palette().color(QPalette::Highlight));
 }
 
-/// The loop as a bracket, breaks as lines, and forks of branches as triangles that point at the track.
+/// The loop as a bracket, the events, and forks of branches as triangles that point at the track.
 void TimelineBar::paintMarks(QPainter& painter) const {
     const PlayFrame& frame = *m_controller.frame();
     const QRectF whole = track();
@@ -170,19 +178,15 @@ void TimelineBar::paintMarks(QPainter& painter) const {
     painter.save();
     painter.setClipRect(QRectF(whole.left() - kHandle, 0.0, whole.width() + 2.0 * kHandle, height()));
     if (frame.loop) {
-        const QRectF loop(QPointF(positionOf(static_cast<double>(frame.loop->first)), middle - kMarkHeight / 2.0 - 1.0),
-                          QPointF(positionOf(static_cast<double>(frame.loop->last)), middle + kMarkHeight / 2.0 + 1.0));
+        const QRectF loop(QPointF(positionOf(static_cast<double>(frame.loop->first)), middle - kLoopHeight / 2.0),
+                          QPointF(positionOf(static_cast<double>(frame.loop->last)), middle + kLoopHeight / 2.0));
         painter.setPen(QPen(kLoop, 1.5));
         painter.setBrush(Qt::NoBrush);
         painter.drawRoundedRect(loop, 3, 3);
     }
+    rubble::paintMarks(painter, timelineMarks(m_controller.shownEvents(), m_span.first(), m_span.last(), whole.width()),
+                       whole);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(kBreak);
-    for (const ImpactRecord& broken : m_controller.impacts()) {
-        if (!broken.isBreak()) continue;
-        const double x = positionOf(static_cast<double>(broken.step));
-        painter.drawRect(QRectF(x - 1.0, middle - kMarkHeight / 2.0, 2.0, kMarkHeight));
-    }
     painter.setBrush(palette().color(QPalette::WindowText));
     for (const PlayBranch& branch : frame.branches) {
         const double x = positionOf(static_cast<double>(branch.fork)), y = middle + kTrackHeight / 2.0;
@@ -274,7 +278,28 @@ void TimelineBar::contextMenuEvent(QContextMenuEvent* event) {
     menu.exec(event->globalPos());
 }
 
-/// Shows a tooltip with the time, and the breaks and forks at the pointer.
+/// What the marks at a position stand for: breaks first, then the others by energy.
+QStringList TimelineBar::eventLines(double x) const {
+    const std::span<const EventRef> here = eventsAt(x);
+    std::vector<EventRef> listed(std::min(here.size(), kMaxTipEvents));
+    std::ranges::partial_sort_copy(here, listed, [](const EventRef& a, const EventRef& b) {
+        const auto rank = [](const EventRef& event) {
+            return std::tuple(!event->isBreak(), -event->record.energy, event->record.step);
+        };
+        return rank(a) < rank(b);
+    });
+    const double dt = m_controller.thread().stepLength();
+    QStringList lines;
+    for (const EventRef& event : listed) {
+        lines << tr("%1: %2").arg(timeText(static_cast<double>(event->record.step) * dt), sentenceOf(*event));
+    }
+    if (here.size() > listed.size()) {
+        lines << tr("and %Ln other event(s)", nullptr, static_cast<int>(here.size() - listed.size()));
+    }
+    return lines;
+}
+
+/// Shows a tooltip with the time, and the events and forks at the pointer.
 bool TimelineBar::event(QEvent* event) {
     if (event->type() != QEvent::ToolTip || !m_controller.frame()) return QWidget::event(event);
     const auto* help = static_cast<QHelpEvent*>(event);
@@ -284,10 +309,7 @@ bool TimelineBar::event(QEvent* event) {
     };
     const double shown = std::clamp(stepAt(help->pos().x()), m_span.first(), m_span.last());
     QStringList lines{timeText(std::round(shown) * dt)};
-    for (const ImpactRecord& broken : m_controller.impacts()) {
-        if (!broken.isBreak() || !isHere(broken.step) || lines.size() == kMaxTipLines) continue;
-        lines << tr("%1 broke at %2").arg(nameText(broken.name), timeText(static_cast<double>(broken.step) * dt));
-    }
+    lines << eventLines(help->pos().x());
     const auto forks = std::ranges::count_if(m_controller.frame()->branches,
                                              [&](const PlayBranch& branch) { return isHere(branch.fork); });
     if (forks > 0) lines << tr("%Ln earlier timeline(s) from here", nullptr, static_cast<int>(forks));

@@ -1,17 +1,19 @@
 #pragma once
 
+#include "editor/play/PlayEvent.h"
 #include "editor/view3d/TimelineSpan.h"
 
 #include <QWidget>
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace rubble {
 
 class PlayController;
 
-/// The timeline of a session: dragging seeks, the wheel zooms, breaks, the loop and forks of branches are marked. Arrow
+/// The timeline of a session: dragging seeks, the wheel zooms, events, the loop and forks of branches are marked. Arrow
 /// keys move by a step, with Shift by a second; Home and End go to the ends.
 class TimelineBar : public QWidget {
     Q_OBJECT
@@ -45,7 +47,9 @@ private:
     void zoom(double step, double factor);
     QRectF track() const;
     double stepAt(double x) const;
+    std::span<const EventRef> eventsAt(double x) const;
     std::optional<std::uint64_t> breakAt(double x) const;
+    QStringList eventLines(double x) const;
     void seekTo(double x);
     void paintTrack(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;

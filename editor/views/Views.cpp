@@ -49,6 +49,7 @@ namespace rubble {
 
 namespace {
 
+constexpr const char* kHiddenColumnsKey = "window/hidden-event-columns";
 constexpr const char* kCollapsedKey = "window/folded";  // sections of the inspector
 constexpr int kPositionDecimals = 3;                    // of metres
 constexpr double kBreakMargin = 1.5;                    // m shown around a break in each direction
@@ -130,7 +131,7 @@ void Views::addDocks() {
     m_inspector = new Inspector(document, selection, m_workspace.bakes());
     m_fragments = new FragmentTable(document, selection, m_workspace.bakes());
     auto* messages = new MessagesPanel(m_messages, document);
-    auto* play = new PlayPanel(document, m_workspace.play());
+    auto* play = m_play = new PlayPanel(document, m_workspace.play());
     m_playTools = new PlayToolsPanel(document, m_workspace.play());
     auto* tests = m_tests =
         new PlayTestPanel(document, m_workspace.file(), m_workspace.play(), m_workspace.playTests());
@@ -150,6 +151,7 @@ void Views::addDocks() {
     connect(tests, &PlayTestPanel::showRequested, this, [this] { setSceneVisible(true); });
     connect(messages, &MessagesPanel::jumpRequested, this, qOverload<const Message&>(&Views::reveal));
     connect(play, &PlayPanel::statusMessage, this, &Views::statusMessage);
+    connect(play, &PlayPanel::refused, this, &Views::showRefusal);
     connect(play, &PlayPanel::jumpRequested, this, [this](const Vec3& place) {
         m_scene->viewport().frame({place - Vec3(kBreakMargin), place + Vec3(kBreakMargin)});
         m_scene->viewport().setFocus();
@@ -210,6 +212,8 @@ void Views::showProject() {
     if (m_isProjectShown) return;
     m_isProjectShown = true;
     m_inspector->setCollapsedSections(QSettings().value(kCollapsedKey).toStringList());
+    m_play->events().setHiddenColumns(
+        QSettings().value(kHiddenColumnsKey, EventTable::hiddenByDefault()).toStringList());
     emit projectShown();
     if (!m_docks.restore()) resetLayout();
     emit layoutRestored();
@@ -219,11 +223,13 @@ void Views::showProject() {
 void Views::saveLayout() const {
     m_docks.save();
     QSettings().setValue(kCollapsedKey, m_inspector->collapsedSections());
+    QSettings().setValue(kHiddenColumnsKey, m_play->events().hiddenColumns());
 }
 
 void Views::resetLayout() {
     m_docks.reset();
     m_inspector->setCollapsedSections({});
+    m_play->events().setHiddenColumns(EventTable::hiddenByDefault());
     setCanvasVisible(true);
     setSceneVisible(true);
     m_panes->setSizes({1, 1});
@@ -323,6 +329,8 @@ void Views::setMaterialActions(QAction* library, QAction* save) {
     m_tree->setMaterialActions({library, save});
     m_inspector->setMaterialActions(library, save);
 }
+
+void Views::setEventActions(QAction* all, QAction* shown) { m_play->setExportActions(all, shown); }
 
 /// Selects and frames what a message is about.
 void Views::reveal(const Message& message) {

@@ -17,6 +17,7 @@ class PatternCanvas;
 class ProblemPanel;
 class ProjectTree;
 class SceneView;
+class PlayPanel;
 class PlayTestPanel;
 class PlayToolsPanel;
 class StrengthPanel;
@@ -81,6 +82,8 @@ public:
     void setAddActions(const QList<QAction*>& actions);
     /// Adds the actions on materials to the project tree and the inspector: opening the library and saving a preset.
     void setMaterialActions(QAction* library, QAction* save);
+    /// Adds the actions that export all events of play, and those shown, to the Play dock.
+    void setEventActions(QAction* all, QAction* shown);
     /// The context menu of selected fragments in the 3D view.
     QMenu& fragmentMenu() { return *m_fragmentMenu; }
     /// Limits an action's shortcut to the canvas and the 3D view.
@@ -122,6 +125,7 @@ private:
     ProjectTree* m_tree = nullptr;
     Inspector* m_inspector = nullptr;
     FragmentTable* m_fragments = nullptr;
+    PlayPanel* m_play = nullptr;
     PlayToolsPanel* m_playTools = nullptr;
     PlayTestPanel* m_tests = nullptr;
     StrengthPanel* m_strength = nullptr;

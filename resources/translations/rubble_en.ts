@@ -159,6 +159,40 @@
     </message>
 </context>
 <context>
+    <name>rubble::EventActions</name>
+    <message numerus="yes">
+        <source>Exported %Ln event(s) to %1.</source>
+        <translation>
+            <numerusform>Exported %Ln event to %1.</numerusform>
+            <numerusform>Exported %Ln events to %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::EventText</name>
+    <message numerus="yes">
+        <source>%1 broke into %Ln fragment(s)</source>
+        <translation>
+            <numerusform>%1 broke into %Ln fragment</numerusform>
+            <numerusform>%1 broke into %Ln fragments</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 broke into %Ln fragment(s), hit by %2</source>
+        <translation>
+            <numerusform>%1 broke into %Ln fragment, hit by %2</numerusform>
+            <numerusform>%1 broke into %Ln fragments, hit by %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln bond(s) of %1 broke</source>
+        <translation>
+            <numerusform>%Ln bond of %1 broke</numerusform>
+            <numerusform>%Ln bonds of %1 broke</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>rubble::ExportDialog</name>
     <message numerus="yes">
         <source>Writes %n folder(s) with %1: %2</source>
@@ -246,6 +280,16 @@
         <translation>
             <numerusform>Delete Point</numerusform>
             <numerusform>Delete %n Points</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::PlayPanel</name>
+    <message numerus="yes">
+        <source>%Ln event(s)</source>
+        <translation>
+            <numerusform>%Ln event</numerusform>
+            <numerusform>%Ln events</numerusform>
         </translation>
     </message>
 </context>
@@ -368,6 +412,13 @@
         <translation>
             <numerusform>%Ln earlier timeline from here</numerusform>
             <numerusform>%Ln earlier timelines from here</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %Ln other event(s)</source>
+        <translation>
+            <numerusform>and %Ln other event</numerusform>
+            <numerusform>and %Ln other events</numerusform>
         </translation>
     </message>
 </context>

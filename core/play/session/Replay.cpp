@@ -118,17 +118,6 @@ Divergence::Distance largestOffset(const ReplayKeyframe& frame, const Session& s
     return farthest;
 }
 
-/// A body with a number, also one that broke or was removed in the last step; null if it is gone.
-const PlayBody* bodyOf(const Session& session, std::uint32_t number) {
-    if (const PlayBody* body = session.body(number)) return body;
-    const auto broken =
-        std::ranges::find(session.events().breaks, number, [](const PlayBreak& one) { return one.body.number; });
-    if (broken != session.events().breaks.end()) return &broken->body;
-    const auto removed =
-        std::ranges::find(session.events().removed, number, [](const PlayRemoval& one) { return one.body.number; });
-    return removed != session.events().removed.end() ? &removed->body : nullptr;
-}
-
 std::string differenceText(const Divergence& divergence) {
     const std::string impact = quantityText(QuantityKind::Impulse, divergence.difference);
     switch (divergence.kind) {
@@ -223,7 +212,7 @@ void ReplayPlayer::compare() {
     if (!differs(recorded, now)) return;
     m_divergence = Divergence{.step = step};
     if (const std::optional<BodyDifference> largest = largestDifference(recorded, now, m_replay.isDetailed)) {
-        const PlayBody* body = bodyOf(session(), largest->body);
+        const PlayBody* body = session().recentBody(largest->body);
         m_divergence->body = body != nullptr ? session().nameOf(*body) : "body " + std::to_string(largest->body);
         if (body != nullptr) m_divergence->place = placeOf(*body);
         m_divergence->kind = largest->kind;

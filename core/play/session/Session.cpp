@@ -102,6 +102,14 @@ const PlayScene& Session::scene() const { return *m_scene; }
 const World& Session::world() const { return m_world; }
 const std::vector<PlayBody>& Session::bodies() const { return m_state->bodies; }
 const PlayBody* Session::body(std::uint32_t number) const { return findBody(*m_state, number); }
+const PlayBody* Session::recentBody(std::uint32_t number) const {
+    if (const PlayBody* present = body(number)) return present;
+    const auto numberOf = [](const auto& one) { return one.body.number; };
+    const auto broken = std::ranges::find(events().breaks, number, numberOf);
+    if (broken != events().breaks.end()) return &broken->body;
+    const auto removed = std::ranges::find(events().removed, number, numberOf);
+    return removed != events().removed.end() ? &removed->body : nullptr;
+}
 const std::vector<PlayOrigin>& Session::origins() const { return m_state->origins; }
 std::string Session::nameOf(const PlayBody& body) const { return rubble::nameOf(body, m_state->origins[body.origin]); }
 double Session::thresholdOf(const PlayBody& body) const { return rubble::thresholdOf(*m_state, *m_scene, body); }

@@ -41,6 +41,8 @@ public:
     const std::vector<PlayBody>& bodies() const;
     /// The body with a number; null if it is gone.
     const PlayBody* body(std::uint32_t number) const;
+    /// The same, also if it broke or was removed in the last step.
+    const PlayBody* recentBody(std::uint32_t number) const;
     const std::vector<PlayOrigin>& origins() const;
     std::string nameOf(const PlayBody& body) const;
     /// The smallest damage that breaks a body, N·s; infinite if it does not break.

@@ -1,27 +1,23 @@
 #include "editor/panels/docks/PlayPanel.h"
 
-#include "core/play/analysis/StrengthRequirement.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/document/ShownText.h"
+#include "editor/panels/docks/EventFilterBar.h"
 #include "editor/panels/docks/StepGraph.h"
+#include "editor/widgets/EventAppearance.h"
+#include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include <QAction>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
-#include <QScrollBar>
 #include <QSplitter>
 #include <QToolButton>
-#include <QTreeView>
 #include <QVBoxLayout>
-
-#include <algorithm>
 
 namespace rubble {
 
 namespace {
 
-constexpr int kPlayColumnMargin = 14;   // pixels that a column is wider than its text
 constexpr int kPaintMilliseconds = 66;  // between repaints of the graph: faster ones are unreadable
 
 }  // namespace
@@ -31,35 +27,14 @@ PlayPanel::PlayPanel(Document& document, PlayController& controller, QWidget* pa
       m_document(document),
       m_controller(controller),
       m_graph(new StepGraph),
-      m_model(new ImpactModel(this)),
-      m_view(new QTreeView),
-      m_summary(new QLabel) {
-    m_view->setModel(m_model);
-    m_view->setRootIsDecorated(false);
-    m_view->setUniformRowHeights(true);
-    m_view->setAlternatingRowColors(true);
-    m_view->setAccessibleName(tr("Impacts"));
-    m_view->setObjectName("impacts");
-    widenColumns();
-    connect(m_view, &QTreeView::activated, this, [this](const QModelIndex& index) {
-        const ImpactRecord& impact = m_model->impact(index.row());
-        m_controller.seek(impact.step);
-        emit jumpRequested(impact.point);
-    });
+      m_filter(new EventFilterBar),
+      m_table(new EventTable),
+      m_summary(new QLabel),
+      m_buttons(new QHBoxLayout) {
+    makeRequirementActions();
     addContextMenu();
-    m_summary->setContentsMargins(6, 2, 6, 4);
-    auto* list = new QWidget;
-    auto* listRows = new QVBoxLayout(list);
-    listRows->setContentsMargins(0, 0, 0, 0);
-    listRows->setSpacing(0);
-    listRows->addWidget(m_view, 1);
-    auto* below = new QHBoxLayout;
-    below->setContentsMargins(0, 0, 6, 2);
-    below->addWidget(m_summary, 1);
-    below->addWidget(makeButtons());
-    listRows->addLayout(below);
     auto* parts = new QSplitter(Qt::Horizontal);
-    parts->addWidget(list);
+    parts->addWidget(makeList());
     parts->addWidget(m_graph);
     parts->setStretchFactor(0, 1);
     parts->setStretchFactor(1, 0);
@@ -67,33 +42,65 @@ PlayPanel::PlayPanel(Document& document, PlayController& controller, QWidget* pa
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->addWidget(parts);
+    connect(m_table, &EventTable::eventActivated, this, [this](const EventRef& event) {
+        m_controller.seek(event->record.step);
+        emit jumpRequested(event->record.point);
+    });
+    connect(m_table, &EventTable::eventSelected, this, &PlayPanel::refreshActions);
+    connect(m_filter, &EventFilterBar::filterChanged, &controller, &PlayController::setEventFilter);
+    connect(m_filter, &EventFilterBar::refused, this, &PlayPanel::refused);
     connect(&controller, &PlayController::frameChanged, this, &PlayPanel::refreshFrame);
-    connect(&controller, &PlayController::impactsChanged, this, &PlayPanel::refreshImpacts);
-    connect(&controller, &PlayController::stateChanged, this, &PlayPanel::refreshImpacts);
-    connect(&document, &Document::changed, this, &PlayPanel::refreshActions);
-    connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, &PlayPanel::refreshActions);
-    connect(m_model, &QAbstractItemModel::modelReset, this, &PlayPanel::refreshActions);
-    refreshImpacts();
+    connect(&controller, &PlayController::eventsChanged, this, &PlayPanel::refreshEvents);
+    connect(&controller, &PlayController::stateChanged, this, &PlayPanel::refreshEvents);
+    connect(&document, &Document::changed, this, [this] {
+        refreshMaterials();
+        refreshActions();
+    });
+    refreshMaterials();
+    refreshEvents();
     refreshActions();
 }
 
-QWidget* PlayPanel::makeButtons() {
-    m_actions = {
+/// The table between its filter, and its summary with buttons.
+QWidget* PlayPanel::makeList() {
+    auto* list = new QWidget;
+    auto* rows = new QVBoxLayout(list);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(0);
+    rows->addWidget(m_filter);
+    rows->addWidget(m_table, 1);
+    m_summary->setContentsMargins(6, 2, 6, 4);
+    m_summary->setWordWrap(true);
+    m_summary->setAccessibleName(tr("Summary"));
+    m_summary->setObjectName("event-summary");
+    m_buttons->setContentsMargins(0, 0, 6, 2);
+    m_buttons->addWidget(m_summary, 1);
+    for (QAction* action : m_requirements) {
+        auto* button = new QToolButton;
+        button->setDefaultAction(action);
+        button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+        m_buttons->addWidget(button);
+    }
+    rows->addLayout(m_buttons);
+    return list;
+}
+
+void PlayPanel::setExportActions(QAction* all, QAction* shown) {
+    auto* button = new QToolButton;
+    button->setDefaultAction(all);
+    button->setPopupMode(QToolButton::MenuButtonPopup);
+    button->addAction(shown);
+    button->setObjectName("export-events");
+    m_buttons->addWidget(button);
+    m_table->addActions({all, shown});
+}
+
+void PlayPanel::makeRequirementActions() {
+    m_requirements = {
         makeRequirementAction("must-survive", tr("Must Survive"),
                               tr("Require that the asset survives the selected impact"), RequirementOutcome::Survives),
         makeRequirementAction("must-break", tr("Must Break"),
                               tr("Require that the asset breaks in the selected impact"), RequirementOutcome::Breaks)};
-    m_view->addActions(m_actions);
-    auto* buttons = new QWidget;
-    auto* row = new QHBoxLayout(buttons);
-    row->setContentsMargins(0, 0, 0, 0);
-    for (QAction* action : m_actions) {
-        auto* button = new QToolButton;
-        button->setDefaultAction(action);
-        button->setToolButtonStyle(Qt::ToolButtonTextOnly);
-        row->addWidget(button);
-    }
-    return buttons;
 }
 
 QAction* PlayPanel::makeRequirementAction(const char* name, const QString& text, const QString& hint,
@@ -105,19 +112,18 @@ QAction* PlayPanel::makeRequirementAction(const char* name, const QString& text,
     return action;
 }
 
-const ImpactRecord* PlayPanel::selectedImpact() const {
-    const QModelIndexList rows = m_view->selectionModel()->selectedRows();
-    if (rows.isEmpty()) return nullptr;
-    const ImpactRecord& impact = m_model->impact(rows.front().row());
-    const bool hasAsset = findAsset(m_document.project(), impact.asset) != nullptr;
-    return hasAsset && impact.scale > 0.0 ? &impact : nullptr;
+const ImpactStrength* PlayPanel::selectedStrength() const {
+    const EventRef event = m_table->selectedEvent();  // the table keeps it
+    if (!event || !event->strength) return nullptr;
+    const bool hasAsset = findAsset(m_document.project(), event->strength->asset) != nullptr;
+    return hasAsset && event->strength->scale > 0.0 ? &*event->strength : nullptr;
 }
 
 void PlayPanel::addRequirement(RequirementOutcome outcome) {
-    const ImpactRecord* impact = selectedImpact();
-    if (impact == nullptr) return;
-    Asset changed = *findAsset(m_document.project(), impact->asset);
-    changed.requirements.push_back(impulseRequirement(outcome, impact->impact / impact->scale));
+    const ImpactStrength* strength = selectedStrength();
+    if (strength == nullptr) return;
+    Asset changed = *findAsset(m_document.project(), strength->asset);
+    changed.requirements.push_back(impulseRequirement(outcome, strength->impact / strength->scale));
     const QString message =
         tr("New requirement: \"%1\" %2. See the Strength dock.")
             .arg(nameText(changed.name), QString::fromStdString(requirementText(changed.requirements.back())));
@@ -125,35 +131,27 @@ void PlayPanel::addRequirement(RequirementOutcome outcome) {
 }
 
 void PlayPanel::refreshActions() {
-    for (QAction* action : m_actions) action->setEnabled(selectedImpact() != nullptr);
+    for (QAction* action : m_requirements) action->setEnabled(selectedStrength() != nullptr);
+    m_loop->setEnabled(m_table->selectedEvent() != nullptr);
 }
 
 void PlayPanel::addContextMenu() {
-    auto* loop = new QAction(tr("Loop Around This Impact"), m_view);
-    loop->setStatusTip(tr("Play half a second before and a second after this impact again and again"));
-    connect(loop, &QAction::triggered, this, [this] {
-        const QModelIndex index = m_view->currentIndex();
-        if (!index.isValid()) return;
-        const ImpactRecord& impact = m_model->impact(index.row());
-        emit jumpRequested(impact.point);
-        m_controller.loopAround(impact.step);
+    m_loop = new QAction(tr("Loop Around This Event"), m_table);
+    m_loop->setStatusTip(tr("Play half a second before and a second after this event again and again"));
+    connect(m_loop, &QAction::triggered, this, [this] {
+        const EventRef event = m_table->selectedEvent();
+        if (!event) return;
+        emit jumpRequested(event->record.point);
+        m_controller.loopAround(event->record.step);
     });
-    m_view->addAction(loop);
-    m_view->setContextMenuPolicy(Qt::ActionsContextMenu);
+    m_table->addActions(m_requirements);
+    m_table->addAction(m_loop);
+    m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
-/// Fits columns to their titles and to numbers of six digits; the names get the remaining width.
-void PlayPanel::widenColumns() {
-    QHeaderView& header = *m_view->header();
-    header.setStretchLastSection(false);
-    const int least = fontMetrics().horizontalAdvance(QStringLiteral("000.000")) + kPlayColumnMargin;
-    for (int column = 0; column < ImpactModel::kColumns; ++column) {
-        const int title =
-            fontMetrics().horizontalAdvance(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
-        header.resizeSection(column, std::max(least, title + kPlayColumnMargin));
-    }
-    header.setMinimumSectionSize(fontMetrics().horizontalAdvance("front 10.10") + kPlayColumnMargin);
-    header.setSectionResizeMode(ImpactModel::kName, QHeaderView::Stretch);
+void PlayPanel::refreshMaterials() {
+    m_table->setMaterials(m_document.project().materials);
+    m_filter->setMaterials(m_document.project().materials);
 }
 
 void PlayPanel::refreshFrame() {
@@ -163,26 +161,57 @@ void PlayPanel::refreshFrame() {
     m_graph->setCosts(m_controller.costs(), PlayController::kShownCosts);
 }
 
-void PlayPanel::refreshImpacts() {
-    const bool isAtEnd = m_view->verticalScrollBar()->value() == m_view->verticalScrollBar()->maximum();
-    m_model->setImpacts(m_controller.impacts(), m_controller.thread().stepLength());
-    if (isAtEnd) m_view->scrollToBottom();
+void PlayPanel::refreshEvents() {
+    m_table->setEvents(m_controller.shownEvents(), m_controller.thread().stepLength());
     refreshSummary();
 }
 
-/// Counts what has broken up to the displayed step.
+/// Counts what has broken up to the displayed step, and the events of the whole course.
 void PlayPanel::refreshSummary() {
     if (!m_controller.isInPlay()) {
         m_summary->setText(tr("The simulation is stopped."));
+        m_summary->setToolTip({});
         m_graph->setCosts({}, PlayController::kShownCosts);
         return;
     }
     const std::optional<PlayFrame>& frame = m_controller.frame();
-    const std::vector<ImpactRecord> breaks = m_controller.breaks(frame ? frame->step : 0);
+    const std::span<const EventRef> breaks = m_controller.events().breaks(frame ? frame->step : 0);
     std::uint64_t fragments = 0;
-    for (const ImpactRecord& broken : breaks) fragments += broken.fragmentCount;
-    m_summary->setText(breaks.empty() ? tr("Nothing has broken.")
-                                      : tr("Breaks: %L1 · Fragments: %L2").arg(breaks.size()).arg(fragments));
+    for (const EventRef& broken : breaks) fragments += broken->record.count;
+    QStringList parts;
+    if (!breaks.empty()) parts << tr("Breaks: %L1").arg(breaks.size()) << tr("Fragments: %L1").arg(fragments);
+    if (breaks.empty()) parts << tr("Nothing has broken.");
+    parts << countText();
+    m_summary->setText(parts.join(QStringLiteral(" · ")));
+    m_summary->setToolTip(sumsText());
+}
+
+/// "12 of 340 events shown", or that there are no more than can be listed.
+QString PlayPanel::countText() const {
+    const std::size_t all = m_controller.events().size(), shown = m_controller.shownEvents().size();
+    QString text = m_controller.eventFilter().isActive() ? tr("%L1 of %L2 events shown").arg(shown).arg(all)
+                                                         : tr("%Ln event(s)", nullptr, static_cast<int>(all));
+    if (all >= kMaxLoggedEvents) text += tr("; the list is full, only breaks are added");
+    return text;
+}
+
+/// What is counted and summed, but not listed.
+QString PlayPanel::sumsText() const {
+    QStringList lines{tr("Breaks and fragments up to the displayed time; events of the whole timeline.")};
+    const EventCourse& events = m_controller.events();
+    for (const EventKind kind : eventKinds()) {
+        const OmittedEvents& omitted = events.omitted()[static_cast<std::size_t>(kind)];
+        if (omitted.count == 0) continue;
+        lines << tr("Not listed, since they are weaker: %1: %L2, together %3")
+                     .arg(pluralOf(kind))
+                     .arg(omitted.count)
+                     .arg(localizedQuantity(QuantityKind::Energy, omitted.energy));
+    }
+    if (events.restEnergy() != 0.0) {
+        lines << tr("Friction, rolling and rattling took %1")
+                     .arg(localizedQuantity(QuantityKind::Energy, events.restEnergy()));
+    }
+    return toolTipText(lines.join('\n'));
 }
 
 }  // namespace rubble

@@ -1,4 +1,3 @@
-// Tests editor/play/PlayController.cpp and editor/play/ImpactLog.cpp.
 #include "editor/play/PlayController.h"
 
 #include "editor/commands/ProjectEdits.h"
@@ -78,15 +77,15 @@ private slots:
         test::Stage stage;
         stage.controller.setToolSettings(test::heavyBox());
         stage.start();
-        const QSignalSpy told(&stage.controller, &PlayController::impactsChanged);
+        const QSignalSpy told(&stage.controller, &PlayController::eventsChanged);
         stage.controller.throwAlong(test::kAtBlock);
         stage.advance(20);
         QVERIFY(!told.isEmpty());
-        QCOMPARE(stage.controller.breaks().size(), 1u);
-        const ImpactRecord broken = stage.controller.breaks().front();
+        QCOMPARE(stage.controller.events().breaks().size(), 1u);
+        const PlayEvent& broken = *stage.controller.events().breaks().front();
         QCOMPARE(broken.name, "block");
-        QCOMPARE(broken.threshold, 100.0);
-        QVERIFY(broken.ratio() > 1.0 && broken.fragmentCount == 5);
+        QCOMPARE(broken.strength->threshold, 100.0);
+        QVERIFY(broken.strength->ratio() > 1.0 && broken.record.count == 5);
         QCOMPARE(stage.controller.costs().size(), 20u);
     }
     void nothingBreaksWithDestructionOff() {
@@ -96,7 +95,7 @@ private slots:
         stage.controller.setDestruction(false);
         stage.controller.throwAlong(test::kAtBlock);
         stage.advance(30);
-        QCOMPARE(stage.controller.breaks().size(), 0u);
+        QCOMPARE(stage.controller.events().breaks().size(), 0u);
         QVERIFY(stage.controller.frame()->statistics.cost.step == 30);
     }
     void throwsAreQueuedUntilAssetsAreBaked() {
@@ -114,7 +113,7 @@ private slots:
         stage.advance(1);
         QCOMPARE(stage.controller.lastShot().value().name, std::string("kept"));
         stage.advance(20);
-        QCOMPARE(stage.controller.breaks().size(), 1u);
+        QCOMPARE(stage.controller.events().breaks().size(), 1u);
         QCOMPARE(stage.script().inputs.front().step, 0u);
     }
     void resetDiscardsQueuedThrows() {
@@ -159,14 +158,14 @@ private slots:
         stage.controller.fire({.name = "box", .action = test::throwAtBlock(3.0, 80.0)});
         stage.advance(20);
         QVERIFY(stage.controller.hasDestruction());
-        QCOMPARE(stage.controller.breaks().size(), 1u);
+        QCOMPARE(stage.controller.events().breaks().size(), 1u);
         stage.controller.replay({.settings = {.hasDestruction = false}, .steps = 10});
         stage.settle();
         stage.controller.reset();  // uses the switch
         stage.settle();
         stage.controller.fire({.name = "box", .action = test::throwAtBlock(3.0, 80.0)});
         stage.advance(20);
-        QCOMPARE(stage.controller.breaks().size(), 0u);
+        QCOMPARE(stage.controller.events().breaks().size(), 0u);
     }
     void inputAfterSeekingBackDiscardsTheFuture() {
         test::Stage stage;
@@ -179,11 +178,11 @@ private slots:
         stage.settle();
         QCOMPARE(stage.step(), 0u);
         QCOMPARE(stage.controller.frame()->length, 40u);
-        QCOMPARE(stage.controller.breaks().size(), 1u);  // kept for seeking forward
+        QCOMPARE(stage.controller.events().breaks().size(), 1u);  // kept for seeking forward
         stage.controller.seek(40);
         stage.settle();
         QCOMPARE(stage.hash(), broken);
-        QCOMPARE(stage.controller.breaks().size(), 1u);  // recorded once
+        QCOMPARE(stage.controller.events().breaks().size(), 1u);  // recorded once
         stage.controller.seek(0);
         stage.settle();
         stage.controller.hammerAlong({{0.0, 9.0, 0.0}, {1.0, 0.0, 0.0}});  // misses
@@ -192,7 +191,7 @@ private slots:
         stage.controller.throwAlong({test::kAtBlock.from, {0.0, 1.0, 0.0}});
         stage.settle();
         QCOMPARE(stage.controller.frame()->length, 0u);
-        QCOMPARE(stage.controller.breaks().size(), 0u);
+        QCOMPARE(stage.controller.events().breaks().size(), 0u);
     }
     void seekWhilePreparingIsIgnored() {
         test::Stage stage;
@@ -228,11 +227,11 @@ private slots:
         stage.controller.throwAlong(test::kAtBlock);
         stage.advance(20);
         QVERIFY(stage.step() >= 25u);
-        QCOMPARE(stage.controller.breaks().size(), 0u);
+        QCOMPARE(stage.controller.events().breaks().size(), 0u);
         stage.document.undoStack().undo();
         stage.controller.throwAlong(test::kAtBlock);
         stage.advance(40);
-        QVERIFY(!stage.controller.breaks().empty());
+        QVERIFY(!stage.controller.events().breaks().empty());
     }
     void geometryEditsRestartOnceBaked() {
         test::Stage stage;
@@ -297,7 +296,7 @@ private slots:
         QCOMPARE(stage.step(), 0u);
         stage.advance(33);
         QCOMPARE(stage.hash(), hash);
-        QCOMPARE(stage.controller.breaks().size(), 1u);
+        QCOMPARE(stage.controller.events().breaks().size(), 1u);
     }
     void grabbedBodyFollowsTheRay() {
         test::Stage stage;
@@ -364,11 +363,11 @@ private slots:
         stage.start();
         stage.controller.throwAlong(test::kAtBlock);
         stage.advance(20);
-        QVERIFY(stage.controller.breaks().empty());
-        QCOMPARE(stage.controller.impacts().size(), 1u);
-        const ImpactRecord& impact = stage.controller.impacts().front();
+        QVERIFY(stage.controller.events().breaks().empty());
+        QCOMPARE(stage.controller.shownEvents().size(), 1u);
+        const PlayEvent& impact = *stage.controller.shownEvents().front();
         QVERIFY(!impact.isBreak() && impact.name == "block");
-        QVERIFY(impact.ratio() > 0.38 && impact.ratio() < 0.41);
+        QVERIFY(impact.strength->ratio() > 0.38 && impact.strength->ratio() < 0.41);
     }
     void breaksAreCountedUpToAStep() {
         test::Stage stage;
@@ -376,9 +375,9 @@ private slots:
         stage.start();
         stage.controller.throwAlong(test::kAtBlock);
         stage.advance(20);
-        const std::uint64_t step = stage.controller.breaks().front().step;
-        QCOMPARE(stage.controller.breaks(step - 1).size(), 0u);
-        QCOMPARE(stage.controller.breaks(step).size(), 1u);
+        const std::uint64_t step = stage.controller.events().breaks().front()->record.step;
+        QCOMPARE(stage.controller.events().breaks(step - 1).size(), 0u);
+        QCOMPARE(stage.controller.events().breaks(step).size(), 1u);
     }
     void replaysPauseAtTheirEndAndResume() {
         test::Stage stage;

@@ -44,7 +44,7 @@ private slots:
         stage.advance(50);
         stage.controller.throwAlong(test::kAtBlock);
         stage.advance(250);
-        const std::uint64_t broken = stage.controller.breaks().front().step;
+        const std::uint64_t broken = stage.controller.events().breaks().front()->record.step;
         stage.controller.loopAround(broken);
         stage.settle();
         QCOMPARE(stage.step(), broken - 30);
@@ -56,8 +56,8 @@ private slots:
         QCOMPARE(stage.step(), broken - 30);
         stage.advance(91 + 5);
         QCOMPARE(stage.step(), broken - 25);
-        QCOMPARE(stage.controller.breaks().size(), 1u);  // each time the same one
-        QCOMPARE(stage.controller.breaks(stage.step()).size(), 0u);
+        QCOMPARE(stage.controller.events().breaks().size(), 1u);  // each time the same one
+        QCOMPARE(stage.controller.events().breaks(stage.step()).size(), 0u);
         stage.controller.endLoop();
         stage.advance(120);
         QCOMPARE(stage.step(), broken + 95);
@@ -129,7 +129,7 @@ private slots:
         stage.controller.throwAlong(test::kAtBlock);
         stage.advance(40);
         const ContentHash hash = stage.hash();
-        const std::vector<ImpactRecord> impacts = stage.controller.impacts();
+        const std::vector<EventRef> events = stage.controller.shownEvents();
         QVERIFY(stage.controller.frame()->branches.empty());
         stage.controller.seek(5);
         stage.settle();
@@ -141,7 +141,7 @@ private slots:
         stage.controller.play();
         stage.advance(60);
         QCOMPARE(messages.size(), 1);
-        QCOMPARE(stage.controller.breaks().size(), 0u);
+        QCOMPARE(stage.controller.events().breaks().size(), 0u);
         const std::vector<PlayBranch> branches = stage.controller.frame()->branches;
         QCOMPARE(branches.size(), 1u);
         QCOMPARE(branches[0], (PlayBranch{.id = branches[0].id, .fork = 5, .length = 50, .breaks = 1}));
@@ -152,12 +152,11 @@ private slots:
         QCOMPARE(stage.step(), 5u);
         QCOMPARE(stage.controller.frame()->length, 50u);
         QCOMPARE(stage.controller.frame()->branches[0].length, 65u);
-        QCOMPARE(stage.controller.impacts().size(), impacts.size());
-        QCOMPARE(stage.controller.breaks().front().step, impacts.front().step);
+        QCOMPARE(stage.controller.shownEvents(), events);
         stage.controller.seek(50);
         stage.settle();
         QCOMPARE(stage.hash(), hash);
-        QCOMPARE(stage.controller.impacts().size(), impacts.size());  // not recorded twice
+        QCOMPARE(stage.controller.shownEvents(), events);  // not recorded twice
     }
 };
 

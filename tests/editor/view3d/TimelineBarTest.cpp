@@ -4,7 +4,9 @@
 #include "tests/support/editor/PlayStage.h"
 
 #include <QApplication>
+#include <QHelpEvent>
 #include <QTest>
+#include <QToolTip>
 #include <QWheelEvent>
 
 using namespace rubble;
@@ -26,7 +28,7 @@ struct LongPlay {
         stage.advance(3000);
         stage.controller.fire({.name = "shot", .action = test::throwAtBlock(3.0, 80.0)});
         stage.advance(4080);
-        broken = stage.controller.breaks().front().step;
+        broken = stage.controller.events().breaks().front()->record.step;
     }
     test::Stage stage;
     TimelineBar bar{stage.controller};
@@ -94,6 +96,27 @@ private slots:
         play.stage.controller.toggleLoop();  // around the nearest one
         play.stage.settle();
         QCOMPARE(play.stage.controller.frame()->loop->last, play.broken + 60);
+    }
+    void toolTipsTellTheEventsAtThePointer() {
+        LongPlay play;
+        const int x = static_cast<int>(std::lround(play.bar.positionOf(static_cast<double>(play.broken))));
+        QVERIFY2(toolTip(play.bar, x).contains("block broke into 5 fragment(s), hit by"),
+                 qPrintable(toolTip(play.bar, x)));
+        QVERIFY(!toolTip(play.bar, x - 100).contains("block"));
+        EventFilter filter;
+        filter.kinds.fill(false);
+        play.stage.controller.setEventFilter(filter);  // governs the marks, too
+        QVERIFY(!toolTip(play.bar, x).contains("block"));
+        QTest::mouseDClick(&play.bar, Qt::LeftButton, {}, QPoint(x, 10));
+        play.stage.settle();
+        QVERIFY(!play.stage.controller.frame()->loop);
+    }
+
+private:
+    static QString toolTip(TimelineBar& bar, int x) {
+        QHelpEvent event(QEvent::ToolTip, {x, 10}, bar.mapToGlobal(QPoint(x, 10)));
+        QApplication::sendEvent(&bar, &event);
+        return QToolTip::text();
     }
 };
 

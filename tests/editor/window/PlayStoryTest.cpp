@@ -1,6 +1,9 @@
-// Tests editor/actions/PlayActions.cpp, editor/actions/TimelineActions.cpp and editor/view3d/TimelinePanel.cpp.
+// Tests editor/actions/PlayActions.cpp, editor/actions/EventActions.cpp, editor/actions/TimelineActions.cpp and
+// editor/view3d/TimelinePanel.cpp.
 #include "core/io/play/ReplayFile.h"
 #include "editor/commands/ProjectEdits.h"
+#include "editor/panels/docks/EventTable.h"
+#include "editor/play/EventExport.h"
 #include "editor/view3d/PlayView.h"
 #include "editor/view3d/TimelineBar.h"
 #include "tests/support/TestProgram.h"
@@ -11,12 +14,12 @@
 
 #include <QDropEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProcess>
 #include <QToolButton>
-#include <QTreeView>
 
 using namespace rubble;
 
@@ -45,7 +48,7 @@ private slots:
         const QImage before = picture();
         advance(60);
         QCOMPARE(play().frame()->step, 60u);
-        QVERIFY(play().breaks().empty());
+        QVERIFY(play().events().breaks().empty());
         QVERIFY(test::meanDifference(before.copy(around()), picture().copy(around())) < 0.5);
         QVERIFY(!canvas().isVisible());  // the 3D view has the middle for itself
         QCOMPARE(hint(), QString());     // the 3D view shows the keys
@@ -63,9 +66,9 @@ private slots:
     }
     void wallBreaksInViewAndList() {
         advance(90);
-        QVERIFY(!play().breaks().empty());
-        QVERIFY(play().breaks().front().ratio() >= 1.0);
-        QTRY_COMPARE(impacts().model()->rowCount(), static_cast<int>(play().impacts().size()));
+        QVERIFY(!play().events().breaks().empty());
+        QVERIFY(play().events().breaks().front()->strength->ratio() >= 1.0);
+        QTRY_COMPARE(list().model()->rowCount(), static_cast<int>(play().shownEvents().size()));
         const QImage now = picture();
         QVERIFY(test::meanDifference(m_unbroken.copy(around()), now.copy(around())) > 3.0);
         m_hash = hash();
@@ -100,14 +103,28 @@ private slots:
         QCOMPARE(hash(), m_hash);
     }
     void enterInTheListSeeksToAnImpact() {
-        const QModelIndex first = impacts().model()->index(0, 0);
-        impacts().scrollTo(first);
-        QTest::mouseClick(impacts().viewport(), Qt::LeftButton, {}, impacts().visualRect(first).center());
-        QTest::keyClick(&impacts(), Qt::Key_Return);
-        QTRY_COMPARE_WITH_TIMEOUT(play().frame()->step, play().impacts().front().step, kPatience);
-        QVERIFY(glm::distance(viewport().camera().target, play().impacts().front().point) < 0.1);
+        const QModelIndex first = list().model()->index(0, 0);
+        list().scrollTo(first);
+        QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, list().visualRect(first).center());
+        QTest::keyClick(&list(), Qt::Key_Return);
+        QTRY_COMPARE_WITH_TIMEOUT(play().frame()->step, play().shownEvents().front()->record.step, kPatience);
+        QVERIFY(glm::distance(viewport().camera().target, play().shownEvents().front()->record.point) < 0.1);
         QTest::keyClick(&timeline(), Qt::Key_End);
         QTRY_COMPARE_WITH_TIMEOUT(play().frame()->step, m_steps, kPatience);
+    }
+    void eventsAreExported() {
+        QAction& shown = *action("play-export-shown-events");
+        QVERIFY(!shown.isEnabled());  // there is no filter
+        exportTo("events.jsonl", *action("play-export-events"));
+        QVERIFY(bytesOfFile(pathOf("events.jsonl")).toStdString() ==
+                eventsText(play().events(), EventsFormat::JsonLines).value());
+        window().findChild<QLineEdit*>("event-text")->setText("front");
+        QVERIFY(shown.isEnabled());
+        exportTo("shown.csv", shown);
+        QVERIFY(bytesOfFile(pathOf("shown.csv")).toStdString() ==
+                eventsText(play().shownEvents(), EventsFormat::Csv).value());
+        window().findChild<QToolButton*>("event-show-all")->click();
+        QVERIFY(!shown.isEnabled());
     }
     void commandLineReproducesSavedReplay() {
         const QString path = pathOf("shot.replay");
@@ -188,7 +205,7 @@ private slots:
         QTest::keyRelease(&viewport(), Qt::Key_F);
         advance(90);
         QVERIFY(play().lastShot().has_value());
-        QVERIFY(play().breaks().empty());
+        QVERIFY(play().events().breaks().empty());
         for (std::size_t k = 0; k < assets.size(); ++k) stack().undo();
         QVERIFY(play().isPlaying());
     }
@@ -214,7 +231,13 @@ private:
     QString hint() { return window().findChild<QLabel*>("hint")->text(); }
     PlayController& play() { return window().workspace().play(); }
     TimelineBar& timeline() { return *window().findChild<TimelineBar*>("timeline"); }
-    QTreeView& impacts() { return *window().findChild<QTreeView*>("impacts"); }
+    EventTable& list() { return *window().findChild<EventTable*>("events"); }
+    void exportTo(const QString& name, QAction& action) {
+        const QString path = pathOf(name);
+        test::onNextDialog<QFileDialog>([path](QFileDialog& dialog) { test::acceptFile(dialog, path); });
+        action.trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), kPatience);
+    }
     QPoint target() { return viewport().pointOf(kBesideTheDoor)->toPoint(); }
     QRect around() { return QRect(target() - QPoint(40, 40), QSize(80, 80)); }
     void advance(int steps) {

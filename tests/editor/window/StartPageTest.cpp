@@ -89,7 +89,7 @@ private:
     bool breaksAfterAStep() {
         play().thread().advance(kStep);
         play().applyUpdate();
-        return !play().breaks().empty();
+        return !play().events().breaks().empty();
     }
 };
 

@@ -34,7 +34,7 @@ private slots:
         play().fire(project().shots.front());
         for (int k = 0; k < 90; ++k) play().thread().advance(kStep);
         play().applyUpdate();
-        QVERIFY(!play().breaks().empty());
+        QVERIFY(!play().events().breaks().empty());
         QVERIFY(video().isEnabled());
     }
     void init() { m_folder = std::make_unique<QTemporaryDir>(); }

@@ -4,16 +4,16 @@
 #include "tests/support/editor/PlayStage.h"
 
 #include <QAction>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
-#include <QTreeView>
 
 using namespace rubble;
 
 namespace {
 
-/// A block that a box has hit, and the panel with the list of impacts.
+/// A block that a box has hit, and the panel with the list of events.
 class PlayDesk {
 public:
     explicit PlayDesk(double threshold) : stage(blockWith(threshold)), panel(stage.document, stage.controller) {
@@ -28,8 +28,15 @@ public:
         stage.advance(20);
     }
     void select(int row) {
-        auto& list = *panel.findChild<QTreeView*>("impacts");
+        EventTable& list = panel.events();
         QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualRect(list.model()->index(row, 1)).center());
+    }
+    /// The break, or the impact that was withstood.
+    void selectStrength() {
+        const std::vector<EventRef>& events = stage.controller.shownEvents();
+        const auto found =
+            std::ranges::find_if(events, [](const EventRef& event) { return event->strength.has_value(); });
+        select(static_cast<int>(found - events.begin()));
     }
     QToolButton& button(const char* action) {
         for (QToolButton* button : panel.findChildren<QToolButton*>()) {
@@ -37,6 +44,7 @@ public:
         }
         qFatal("There is no button %s.", action);
     }
+    QString summary() const { return panel.findChild<QLabel*>("event-summary")->text(); }
     const Asset& asset() const { return stage.document.project().assets[0]; }
 
 private:
@@ -69,10 +77,10 @@ private slots:
         QFETCH(double, threshold);
         QFETCH(bool, survives);
         PlayDesk desk(threshold);
-        QVERIFY(!desk.stage.controller.impacts().empty());
+        QVERIFY(!desk.stage.controller.shownEvents().empty());
         QToolButton& pressed = desk.button(qPrintable(button));
         QVERIFY(!pressed.isEnabled());  // nothing is selected
-        desk.select(0);
+        desk.selectStrength();
         QVERIFY(pressed.isEnabled());
         QSignalSpy told(&desk.panel, &PlayPanel::statusMessage);
         QTest::mouseClick(&pressed, Qt::LeftButton);
@@ -81,7 +89,7 @@ private slots:
         const StrengthRequirement& requirement = desk.asset().requirements.front();
         QCOMPARE(requirement.outcome, survives ? RequirementOutcome::Survives : RequirementOutcome::Breaks);
         const double impulse = std::get<ImpulseRequirement>(requirement.event).impulse;
-        const double seen = desk.stage.controller.impacts().front().impact;
+        const double seen = desk.panel.events().selectedEvent()->strength->impact;
         QVERIFY(survives ? impulse >= seen && impulse < 1.01 * seen : impulse <= seen && impulse > 0.99 * seen);
         QVERIFY(desk.stage.controller.isPlaying());  // it does not restart
         QCOMPARE(desk.stage.document.undoStack().count(), 1);
@@ -90,12 +98,51 @@ private slots:
     }
     void impactsOfDeletedAssetsHaveNoButtons() {
         PlayDesk desk(100.0);
-        desk.select(0);
+        desk.selectStrength();
         Edit edit{.text = "Delete"};
         edit.replacements = {Replacement<Instance>{desk.stage.document.project().instances[0].id, std::nullopt},
                              Replacement<Asset>{desk.asset().id, std::nullopt}};
         QVERIFY(desk.stage.document.push(edit));
         QVERIFY(!desk.button("must-break").isEnabled());
+    }
+    void filterGovernsListAndSummary() {
+        PlayDesk desk(100.0);
+        const std::size_t all = desk.stage.controller.events().size();
+        QVERIFY2(desk.summary().startsWith("Breaks: 1 · Fragments: 5 · "), qPrintable(desk.summary()));
+        QVERIFY(all > 1);
+        QTest::mouseClick(desk.panel.findChild<QToolButton*>("event-broken"), Qt::LeftButton);
+        QCOMPARE(desk.stage.controller.shownEvents().size(), all - 1);
+        QCOMPARE(desk.panel.events().model()->rowCount(), static_cast<int>(all - 1));
+        QVERIFY2(desk.summary().endsWith(QString("%1 of %2 events shown").arg(all - 1).arg(all)),
+                 qPrintable(desk.summary()));
+        desk.stage.controller.stop();
+        QCOMPARE(desk.summary(), "The simulation is stopped.");
+        QCOMPARE(desk.panel.events().model()->rowCount(), 0);
+    }
+    void activatingAnEventGoesToItsTimeAndPlace() {
+        PlayDesk desk(100.0);
+        QSignalSpy jumps(&desk.panel, &PlayPanel::jumpRequested);
+        desk.selectStrength();
+        const EventRef event = desk.panel.events().selectedEvent();
+        QTest::keyClick(&desk.panel.events(), Qt::Key_Return);
+        desk.stage.settle();
+        QCOMPARE(desk.stage.step(), event->record.step);
+        QCOMPARE(jumps[0][0].value<Vec3>(), event->record.point);
+    }
+    void sumsAreInTheToolTip() {
+        PlayDesk desk(100.0);
+        desk.stage.advance(60);
+        const QString tip = desk.panel.findChild<QLabel*>("event-summary")->toolTip();
+        QVERIFY2(tip.contains("Friction, rolling and rattling took"), qPrintable(tip));
+    }
+    void exportsHaveAButtonWithAMenu() {
+        PlayDesk desk(100.0);
+        QAction all("Export Events…"), shown("Export Shown Events…");
+        desk.panel.setExportActions(&all, &shown);
+        const auto* button = desk.panel.findChild<QToolButton*>("export-events");
+        QCOMPARE(button->defaultAction(), &all);
+        QVERIFY(button->actions().contains(&shown));
+        QVERIFY(desk.panel.events().actions().contains(&shown));
     }
 };
 

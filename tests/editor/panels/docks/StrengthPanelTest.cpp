@@ -123,9 +123,10 @@ private slots:
         desk.stage.settle();
         QVERIFY(desk.stage.controller.isPlaying());
         desk.stage.advance(10);
-        const std::vector<ImpactRecord> breaks = desk.stage.controller.breaks();
+        const std::span<const EventRef> breaks = desk.stage.controller.events().breaks();
         QVERIFY(!breaks.empty());
-        QVERIFY2(std::abs(breaks[0].ratio() - 5.185) < 0.01 * 5.185, QByteArray::number(breaks[0].ratio()));
+        QVERIFY2(std::abs(breaks[0]->strength->ratio() - 5.185) < 0.01 * 5.185,
+                 QByteArray::number(breaks[0]->strength->ratio()));
     }
     void withoutAnInstanceThereIsNothingToPlayOn() {
         Desk desk;

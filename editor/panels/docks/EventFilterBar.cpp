@@ -1,0 +1,170 @@
+#include "editor/panels/docks/EventFilterBar.h"
+
+#include "editor/document/ShownText.h"
+#include "editor/widgets/Buttons.h"
+#include "editor/widgets/ComboBox.h"
+#include "editor/widgets/EventAppearance.h"
+#include "editor/widgets/ProjectRange.h"
+
+#include <QGridLayout>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace rubble {
+
+namespace {
+
+constexpr int kLeastWidth = 560;  // pixels that all fields need side by side
+constexpr int kSpacing = 4;
+
+}  // namespace
+
+EventFilterBar::EventFilterBar(QWidget* parent)
+    : QWidget(parent),
+      m_kinds(makeKinds()),
+      m_text(new QLineEdit),
+      m_energy(new NumberField),
+      m_material(new QComboBox),
+      m_reset(panelButton({}, tr("Show All"), tr("Show all events"), this)),
+      m_rows(new QGridLayout(this)) {
+    m_rows->setContentsMargins(kSpacing, 2, kSpacing, 2);
+    m_rows->setSpacing(kSpacing);
+    makeFields();
+    m_reset->setObjectName("event-show-all");
+    m_reset->setEnabled(false);
+    connect(m_reset, &QToolButton::clicked, this, [this] {
+        setFilter({});
+        emit filterChanged(m_filter);
+    });
+    arrange(false);
+}
+
+QWidget* EventFilterBar::makeKinds() {
+    auto* kinds = new QWidget(this);
+    auto* row = new QHBoxLayout(kinds);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    for (const EventKind kind : eventKinds()) row->addWidget(makeKind(kind));
+    return kinds;
+}
+
+QToolButton* EventFilterBar::makeKind(EventKind kind) {
+    QToolButton* button =
+        panelButton(iconNameOf(kind), {}, tr("List events of this kind: %1").arg(pluralOf(kind)), this);
+    button->setAccessibleName(pluralOf(kind));
+    button->setObjectName(iconNameOf(kind));
+    button->setCheckable(true);
+    button->setChecked(true);
+    button->setVisible(kind != EventKind::Bonds && kind != EventKind::Detached);
+    connect(button, &QToolButton::toggled, this, [this, kind](bool isOn) {
+        EventFilter filter = m_filter;
+        filter.kinds[static_cast<std::size_t>(kind)] = isOn;
+        change(filter);
+    });
+    m_toggles[static_cast<std::size_t>(kind)] = button;
+    return button;
+}
+
+void EventFilterBar::makeFields() {
+    addClearButton(*m_text);
+    m_text->setPlaceholderText(tr("Body or asset"));
+    m_text->setToolTip(tr("List only events of bodies whose names contain this text"));
+    m_text->setStatusTip(m_text->toolTip());
+    m_text->setAccessibleName(tr("Filter by Body"));
+    m_text->setObjectName("event-text");
+    m_text->addAction(iconNamed("filter"), QLineEdit::LeadingPosition)->setText(tr("Filter"));
+    connect(m_text, &QLineEdit::textChanged, this, [this](const QString& text) {
+        EventFilter filter = m_filter;
+        filter.text = text.trimmed();
+        change(filter);
+    });
+    m_energy->setFormat(Units::energies());
+    m_energy->setRange(fieldRange(ProjectNumber::EventEnergy));
+    m_energy->setHint(
+        tr("List only events that took at least this energy; above 0, what settled and was removed is not "
+           "listed, since it has none"));
+    m_energy->setAccessibleName(tr("Least Energy"));
+    m_energy->setObjectName("event-energy");
+    connect(m_energy, &NumberField::refused, this, &EventFilterBar::refused);
+    connect(m_energy, &NumberField::edited, this, [this](double energy) {
+        EventFilter filter = m_filter;
+        filter.leastEnergy = energy;
+        change(filter);
+    });
+    m_material->setToolTip(tr("List only events of bodies of this material"));
+    m_material->setStatusTip(m_material->toolTip());
+    m_material->setAccessibleName(tr("Filter by Material"));
+    m_material->setObjectName("event-material");
+    setMaterials({});
+    connect(m_material, &QComboBox::currentIndexChanged, this, [this] {
+        EventFilter filter = m_filter;
+        filter.material = m_material->currentData().toUInt();
+        change(filter);
+    });
+}
+
+void EventFilterBar::arrange(bool isNarrow) {
+    m_isNarrow = isNarrow;
+    for (QWidget* field : std::initializer_list<QWidget*>{m_kinds, m_text, m_energy, m_material, m_reset}) {
+        m_rows->removeWidget(field);
+    }
+    m_rows->addWidget(m_kinds, 0, 0);
+    m_rows->addWidget(m_text, 0, 1, 1, isNarrow ? 2 : 1);
+    m_rows->addWidget(m_energy, isNarrow ? 1 : 0, isNarrow ? 0 : 2);
+    m_rows->addWidget(m_material, isNarrow ? 1 : 0, isNarrow ? 1 : 3);
+    m_rows->addWidget(m_reset, isNarrow ? 1 : 0, isNarrow ? 2 : 4);
+    m_rows->setColumnStretch(1, 1);
+}
+
+void EventFilterBar::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (const bool isNarrow = width() < kLeastWidth; isNarrow != m_isNarrow) arrange(isNarrow);
+}
+
+void EventFilterBar::change(const EventFilter& filter) {
+    if (filter == m_filter) return;
+    m_filter = filter;
+    m_reset->setEnabled(filter.isActive());
+    emit filterChanged(filter);
+}
+
+void EventFilterBar::setFilter(const EventFilter& filter) {
+    m_filter = filter;
+    m_reset->setEnabled(filter.isActive());
+    for (std::size_t kind = 0; kind < kEventKinds; ++kind) {
+        const QSignalBlocker blocker(m_toggles[kind]);
+        m_toggles[kind]->setChecked(filter.kinds[kind]);
+    }
+    if (m_text->text().trimmed() != filter.text) {
+        const QSignalBlocker blocker(m_text);
+        m_text->setText(filter.text);
+    }
+    m_energy->setValue(filter.leastEnergy);
+    const QSignalBlocker blocker(m_material);
+    m_material->setCurrentIndex(std::max(0, m_material->findData(filter.material)));
+}
+
+void EventFilterBar::setMaterials(const std::vector<Material>& materials) {
+    std::vector<ComboItem> items{{.text = tr("All materials")}};
+    for (const Material& material : materials)
+        items.push_back({material.id, nameText(material.name), material.outside});
+    {
+        const QSignalBlocker blocker(m_material);
+        setItems(*m_material, items);
+        m_material->setCurrentIndex(std::max(0, m_material->findData(m_filter.material)));
+    }
+    EventFilter filter = m_filter;
+    filter.material = m_material->currentData().toUInt();
+    change(filter);
+}
+
+void EventFilterBar::setKindVisible(EventKind kind, bool isVisible) {
+    m_toggles[static_cast<std::size_t>(kind)]->setVisible(isVisible);
+}
+
+}  // namespace rubble
+
+#include "moc_EventFilterBar.cpp"

@@ -1,0 +1,23 @@
+#include "editor/play/EventExport.h"
+
+namespace rubble {
+
+Result<std::string> eventsText(const EventCourse& course, EventsFormat format, const TaskContext& task) {
+    EventsText text(format);
+    for (const std::shared_ptr<const LoggedStep>& step : course.steps()) {
+        if (task.isCancelled()) return TaskContext::cancelled();
+        text.add(step->step, EventCourse::reportOf(*step));
+    }
+    return std::move(text).finished();
+}
+
+Result<std::string> eventsText(std::span<const EventRef> events, EventsFormat format, const TaskContext& task) {
+    EventsText text(format);
+    for (const EventRef& event : events) {
+        if (task.isCancelled()) return TaskContext::cancelled();
+        if (event->isTold) text.add(event->record.step, EventReport{.records = {event->record}});
+    }
+    return std::move(text).finished();
+}
+
+}  // namespace rubble
