@@ -25,6 +25,10 @@ TimelineActions::TimelineActions(Views& views, QAction* step)
       m_loop(makeAction(this, {"play-loop", tr("&Loop Around Break"),
                                tr("Play half a second before and a second after a break again and again"),
                                QKeySequence(Qt::Key_L)})) {
+    m_previous = makeAction(this, {"timeline-previous-event", tr("&Previous Event"),
+                                   tr("Go back to the previous event that the filter in the Play dock shows")});
+    m_next = makeAction(this, {"timeline-next-event", tr("&Next Event"),
+                               tr("Go to the next event that the filter in the Play dock shows")});
     TimelineBar& bar = views.scene().timeline().bar();
     QAction* in = makeAction(this, {"timeline-zoom-in", tr("Zoom &In"), tr("Zoom in on the displayed time")});
     QAction* out = makeAction(this, {"timeline-zoom-out", tr("Zoom &Out"), tr("Zoom out of the timeline")});
@@ -34,9 +38,11 @@ TimelineActions::TimelineActions(Views& views, QAction* step)
     connect(fit, &QAction::triggered, &bar, &TimelineBar::fit);
     connect(m_stepBack, &QAction::triggered, &controller(), &PlayController::stepBack);
     connect(m_loop, &QAction::triggered, &controller(), &PlayController::toggleLoop);
+    connect(m_previous, &QAction::triggered, &controller(), &PlayController::previousEvent);
+    connect(m_next, &QAction::triggered, &controller(), &PlayController::nextEvent);
     m_loop->setCheckable(true);
     m_loop->setAutoRepeat(false);
-    m_menu->addActions({m_loop, in, out, fit});
+    m_menu->addActions({m_loop, m_previous, m_next, in, out, fit});
     m_menu->addMenu(m_branches);
     m_branches->setIcon(iconNamed("timeline-branches"));
     m_branches->setToolTipsVisible(true);
@@ -55,7 +61,7 @@ void TimelineActions::refreshFrame() {
     const bool isShown = controller().hasSession() && frame;
     m_menu->menuAction()->setEnabled(isShown);
     m_stepBack->setEnabled(isShown && frame->step > 0);
-    m_loop->setEnabled(isShown);
+    for (QAction* action : {m_loop, m_previous, m_next}) action->setEnabled(isShown);
     m_loop->setChecked(isShown && frame->loop);
     const qsizetype branches = isShown ? static_cast<qsizetype>(frame->branches.size()) : 0;
     m_branches->setTitle(branches > 0 ? tr("&Earlier Timelines (%L1)").arg(branches) : tr("&Earlier Timelines"));

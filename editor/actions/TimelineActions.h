@@ -10,8 +10,8 @@ namespace rubble {
 class PlayController;
 class Views;
 
-/// The Timeline submenu of the Play menu, and the buttons of the timeline: steps, the loop around a break, zoom, and
-/// branches to return to.
+/// The Timeline submenu of the Play menu, and the buttons of the timeline: steps, the loop around a break, the next and
+/// previous event, zoom, and branches to return to.
 class TimelineActions : public QObject {
     Q_OBJECT
 public:
@@ -32,6 +32,8 @@ private:
     QMenu* m_branches;
     QAction* m_stepBack;
     QAction* m_loop;
+    QAction* m_previous = nullptr;
+    QAction* m_next = nullptr;
 };
 
 }  // namespace rubble

@@ -3,11 +3,6 @@
 #include <algorithm>
 
 namespace rubble {
-namespace {
-
-std::uint64_t stepOfEvent(const EventRef& event) { return event->record.step; }
-
-}  // namespace
 
 std::span<const EventRef> EventCourse::breaks(std::uint64_t last) const {
     return {m_breaks.begin(), std::ranges::upper_bound(m_breaks, last, {}, stepOfEvent)};

@@ -5,6 +5,7 @@
 #include "core/play/scene/LiveInputs.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace rubble {
@@ -102,6 +103,20 @@ void PlayController::seekBy(std::int64_t steps) {
     if (!hasSession()) return;
     const auto from = static_cast<std::int64_t>(m_soughtStep.value_or(m_frame->step));
     seek(static_cast<std::uint64_t>(std::max<std::int64_t>(from + steps, 0)));
+}
+
+void PlayController::previousEvent() {
+    if (!hasSession()) return;
+    const std::uint64_t now = m_soughtStep.value_or(m_frame->step);
+    const auto after = std::ranges::lower_bound(shownEvents(), now, {}, stepOfEvent);
+    if (after != shownEvents().begin()) seek((*std::prev(after))->record.step);
+}
+
+void PlayController::nextEvent() {
+    if (!hasSession()) return;
+    const std::uint64_t now = m_soughtStep.value_or(m_frame->step);
+    const auto next = std::ranges::upper_bound(shownEvents(), now, {}, stepOfEvent);
+    if (next != shownEvents().end()) seek((*next)->record.step);
 }
 
 /// Seeks first: unlike the jumps of the loop, a seek can be cancelled.

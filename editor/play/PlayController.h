@@ -46,6 +46,9 @@ public:
     void seek(std::uint64_t step);
     /// Pauses that many steps later, within the timeline; counts from a seek that is under way.
     void seekBy(std::int64_t steps);
+    /// Pauses at the nearest step before, or after, with an event that the filter selects; stays if there is none.
+    void previousEvent();
+    void nextEvent();
     /// Plays from half a second before a step until a second after it, again and again.
     void loopAround(std::uint64_t step);
     void endLoop();

@@ -41,5 +41,6 @@ struct LoggedStep {
 
 /// An event that keeps its step in memory.
 using EventRef = std::shared_ptr<const PlayEvent>;
+inline std::uint64_t stepOfEvent(const EventRef& event) { return event->record.step; }
 
 }  // namespace rubble

@@ -45,8 +45,8 @@ TimelineBar::TimelineBar(PlayController& controller, QWidget* parent) : QWidget(
     setAccessibleName(tr("Timeline"));
     setAccessibleRole(*this, QAccessible::Slider);
     setAccessibleDescription(
-        tr("Arrow keys move by a step, with Shift by a second; Home and End go to the ends; plus "
-           "and minus zoom, 0 shows everything."));
+        tr("Arrow keys move by a step, with Shift by a second; Page Up and Page Down go to the previous and the next "
+           "event; Home and End go to the ends; plus and minus zoom, 0 shows everything."));
     setStatusTip(tr("Drag to seek, turn the wheel to zoom, drag with the middle button to pan"));
     connect(&controller, &PlayController::frameChanged, this, &TimelineBar::refreshFrame);
     connect(&controller, &PlayController::eventsChanged, this, qOverload<>(&QWidget::update));
@@ -258,6 +258,8 @@ void TimelineBar::keyPressEvent(QKeyEvent* event) {
         case Qt::Key_Right: return m_controller.seekBy(by);
         case Qt::Key_Home: return m_controller.seek(0);
         case Qt::Key_End: return m_controller.seek(m_controller.frame()->length);
+        case Qt::Key_PageUp: return m_controller.previousEvent();
+        case Qt::Key_PageDown: return m_controller.nextEvent();
         case Qt::Key_Plus:
         case Qt::Key_Equal: return zoomIn();
         case Qt::Key_Minus: return zoomOut();

@@ -34,8 +34,8 @@ void paintMark(QPainter& painter, EventKind kind, double x, const QRectF& track)
 }  // namespace
 
 std::span<const EventRef> eventsBetween(std::span<const EventRef> events, double first, double last) {
-    const auto stepOf = [](const EventRef& event) { return static_cast<double>(event->record.step); };
-    return {std::ranges::lower_bound(events, first, {}, stepOf), std::ranges::upper_bound(events, last, {}, stepOf)};
+    return {std::ranges::lower_bound(events, first, {}, stepOfEvent),
+            std::ranges::upper_bound(events, last, {}, stepOfEvent)};
 }
 
 std::vector<TimelineMark> timelineMarks(std::span<const EventRef> events, double first, double last, double width) {

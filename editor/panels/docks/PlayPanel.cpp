@@ -18,6 +18,7 @@ namespace rubble {
 
 namespace {
 
+constexpr int kNarrowWidth = 520;       // pixels
 constexpr int kPaintMilliseconds = 66;  // between repaints of the graph: faster ones are unreadable
 
 }  // namespace
@@ -30,7 +31,8 @@ PlayPanel::PlayPanel(Document& document, PlayController& controller, QWidget* pa
       m_filter(new EventFilterBar),
       m_table(new EventTable),
       m_summary(new QLabel),
-      m_buttons(new QHBoxLayout) {
+      m_foot(new QBoxLayout(QBoxLayout::LeftToRight)),
+      m_buttons(new QBoxLayout(QBoxLayout::LeftToRight)) {
     makeRequirementActions();
     addContextMenu();
     auto* parts = new QSplitter(Qt::Horizontal);
@@ -39,6 +41,7 @@ PlayPanel::PlayPanel(Document& document, PlayController& controller, QWidget* pa
     parts->setStretchFactor(0, 1);
     parts->setStretchFactor(1, 0);
     parts->setChildrenCollapsible(false);
+    m_graph->setMinimumWidth(1);  // in place of its hint: where there is no room for it, it is hidden
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->addWidget(parts);
@@ -73,16 +76,27 @@ QWidget* PlayPanel::makeList() {
     m_summary->setWordWrap(true);
     m_summary->setAccessibleName(tr("Summary"));
     m_summary->setObjectName("event-summary");
-    m_buttons->setContentsMargins(0, 0, 6, 2);
-    m_buttons->addWidget(m_summary, 1);
+    m_foot->setContentsMargins(0, 0, 6, 2);
+    m_foot->setSpacing(0);
+    m_foot->addWidget(m_summary, 1);
+    m_foot->addLayout(m_buttons);
+    m_buttons->addStretch(1);
     for (QAction* action : m_requirements) {
         auto* button = new QToolButton;
         button->setDefaultAction(action);
         button->setToolButtonStyle(Qt::ToolButtonTextOnly);
         m_buttons->addWidget(button);
     }
-    rows->addLayout(m_buttons);
+    rows->addLayout(m_foot);
     return list;
+}
+
+/// A narrow panel has no graph, and its buttons below the summary.
+void PlayPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    const bool isNarrow = width() < kNarrowWidth;
+    m_graph->setHidden(isNarrow);
+    m_foot->setDirection(isNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 void PlayPanel::setExportActions(QAction* all, QAction* shown) {

@@ -9,7 +9,7 @@
 #include <QWidget>
 
 class QAction;
-class QHBoxLayout;
+class QBoxLayout;
 class QLabel;
 
 namespace rubble {
@@ -34,6 +34,9 @@ signals:
     void jumpRequested(const rubble::Vec3& position);
     void statusMessage(const QString& message);
     void refused(const QString& sentence);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QWidget* makeList();
@@ -60,7 +63,8 @@ private:
     EventFilterBar* m_filter;
     EventTable* m_table;
     QLabel* m_summary;
-    QHBoxLayout* m_buttons;
+    QBoxLayout* m_foot;  // the summary with the buttons
+    QBoxLayout* m_buttons;
     QElapsedTimer m_lastPaint;
 };
 

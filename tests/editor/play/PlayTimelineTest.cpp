@@ -8,6 +8,8 @@
 #include <QSemaphore>
 #include <QSignalSpy>
 
+#include <set>
+
 using namespace rubble;
 
 /// Going back, loops and branches.
@@ -120,6 +122,41 @@ private slots:
         stage.controller.stop();
         stage.controller.thread().settle();
         QCoreApplication::sendPostedEvents(&stage.controller);
+    }
+    void eventsAreSoughtOneByOne() {
+        test::Stage stage;
+        stage.controller.nextEvent();  // there is no session
+        stage.controller.setToolSettings(test::heavyBox());
+        stage.start();
+        stage.advance(10);
+        stage.controller.throwAlong(test::kAtBlock);
+        stage.advance(40);
+        std::set<std::uint64_t> steps;
+        for (const EventRef& event : stage.controller.shownEvents()) steps.insert(event->record.step);
+        QVERIFY(!steps.empty());
+        stage.controller.nextEvent();  // there is none
+        stage.settle();
+        QCOMPARE(stage.step(), 50u);
+        stage.controller.seek(0);
+        for (const std::uint64_t step : steps) {
+            stage.controller.nextEvent();
+            stage.settle();
+            QCOMPARE(stage.step(), step);
+        }
+        for (auto step = std::next(steps.rbegin()); step != steps.rend(); ++step) {
+            stage.controller.previousEvent();
+            stage.settle();
+            QCOMPARE(stage.step(), *step);
+        }
+        stage.controller.previousEvent();
+        stage.settle();
+        QCOMPARE(stage.step(), *steps.begin());
+        EventFilter filter;
+        filter.kinds.fill(false);
+        stage.controller.setEventFilter(filter);
+        stage.controller.nextEvent();
+        stage.settle();
+        QCOMPARE(stage.step(), *steps.begin());
     }
     void throwInThePastKeepsABranch() {
         test::Stage stage;

@@ -80,6 +80,14 @@ private slots:
         QTest::keyClick(&play.bar, Qt::Key_Left, Qt::ShiftModifier);
         play.stage.settle();
         QCOMPARE(play.stage.step(), 7080u - 61u);
+        QTest::keyClick(&play.bar, Qt::Key_Home);
+        QTest::keyClick(&play.bar, Qt::Key_PageDown);
+        play.stage.settle();
+        QCOMPARE(play.stage.step(), play.stage.controller.shownEvents().front()->record.step);
+        QTest::keyClick(&play.bar, Qt::Key_End);
+        QTest::keyClick(&play.bar, Qt::Key_PageUp);
+        play.stage.settle();
+        QCOMPARE(play.stage.step(), play.stage.controller.shownEvents().back()->record.step);
     }
     void doubleClickOnABreakLoops() {
         LongPlay play;
