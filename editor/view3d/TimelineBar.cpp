@@ -30,6 +30,7 @@ constexpr double kTop = 9.0;  // above the handle, which is lower than the marks
 constexpr double kTick = 4.0;
 constexpr double kMinTickDistance = 70.0;
 constexpr int kTextMargin = 10;
+constexpr int kLeastTrack = 80;
 constexpr double kMarkTolerance = 4.0;
 constexpr double kZoomPerNotch = 1.25;
 constexpr std::size_t kMaxTipEvents = 8;
@@ -92,11 +93,15 @@ QSize TimelineBar::sizeHint() const {
     return {300, static_cast<int>(kTop + 2.0 * kHandle + kTick) + fontMetrics().height() + 6};
 }
 
+int TimelineBar::labelWidth() const { return fontMetrics().horizontalAdvance(timeText(8888.88)) + kTextMargin; }
+
+/// A narrow bar shows the displayed time, but not its length.
+bool TimelineBar::hasLengthLabel() const { return width() >= 2 * labelWidth() + kLeastTrack; }
+
 /// Between the time labels at both ends.
 QRectF TimelineBar::track() const {
-    const int text = fontMetrics().horizontalAdvance(timeText(8888.88)) + kTextMargin;
-    return QRectF(text + kHandle, kTop + kHandle - kTrackHeight / 2.0, std::max(20.0, width() - 2.0 * (text + kHandle)),
-                  kTrackHeight);
+    const double left = labelWidth() + kHandle, right = kHandle + (hasLengthLabel() ? labelWidth() : kTextMargin);
+    return QRectF(left, kTop + kHandle - kTrackHeight / 2.0, std::max(20.0, width() - left - right), kTrackHeight);
 }
 
 double TimelineBar::positionOf(double step) const {
@@ -139,7 +144,8 @@ void TimelineBar::paintEvent(QPaintEvent*) {
     QRectF line(0.0, track().center().y() - fontMetrics().height(), width(), 2.0 * fontMetrics().height());
     line.adjust(kTextMargin, 0.0, -kTextMargin, 0.0);
     painter.drawText(line, Qt::AlignVCenter | Qt::AlignLeft, timeText(static_cast<double>(frame.step) * dt));
-    painter.drawText(line, Qt::AlignVCenter | Qt::AlignRight, timeText(static_cast<double>(frame.length) * dt));
+    if (hasLengthLabel())
+        painter.drawText(line, Qt::AlignVCenter | Qt::AlignRight, timeText(static_cast<double>(frame.length) * dt));
     paintTicks(painter);
     paintTrack(painter);
     paintMarks(painter);

@@ -46,6 +46,8 @@ protected:
 private:
     void refreshFrame();
     void zoom(double step, double factor);
+    int labelWidth() const;
+    bool hasLengthLabel() const;
     QRectF track() const;
     double stepAt(double x) const;
     std::span<const EventRef> eventsAt(double x) const;

@@ -12,7 +12,7 @@ namespace rubble {
 namespace {
 
 constexpr int kEventRowMargin = 6;    // pixels that a row is higher than its text
-constexpr int kEventCellMargin = 10;  // pixels that a column is wider than its texts
+constexpr int kEventCellMargin = 12;  // pixels that a column is wider than its texts
 constexpr int kSortMargin = 18;       // and than its title, with the sign of sorting
 
 /// The names in settings.
@@ -25,11 +25,11 @@ QString sampleOf(int column) {
     switch (column) {
         case EventModel::kKind: return QStringLiteral("XXX Removed");  // with an icon
         case EventModel::kBody:
-        case EventModel::kOther: return QStringLiteral("front 10.10/12");
+        case EventModel::kOther: return QStringLiteral("roof front right/12");
         case EventModel::kMaterials: return QStringLiteral("concrete, glass");
         case EventModel::kTime: return QStringLiteral("000.00");
         case EventModel::kRatio: return QStringLiteral("0.000×");
-        default: return QStringLiteral("000.0 N·s");
+        default: return QStringLiteral("0.0000 N·s");
     }
 }
 

@@ -31,8 +31,7 @@ PlayPanel::PlayPanel(Document& document, PlayController& controller, QWidget* pa
       m_filter(new EventFilterBar),
       m_table(new EventTable),
       m_summary(new QLabel),
-      m_foot(new QBoxLayout(QBoxLayout::LeftToRight)),
-      m_buttons(new QBoxLayout(QBoxLayout::LeftToRight)) {
+      m_foot(new QHBoxLayout) {
     makeRequirementActions();
     addContextMenu();
     auto* parts = new QSplitter(Qt::Horizontal);
@@ -77,26 +76,24 @@ QWidget* PlayPanel::makeList() {
     m_summary->setAccessibleName(tr("Summary"));
     m_summary->setObjectName("event-summary");
     m_foot->setContentsMargins(0, 0, 6, 2);
-    m_foot->setSpacing(0);
     m_foot->addWidget(m_summary, 1);
-    m_foot->addLayout(m_buttons);
-    m_buttons->addStretch(1);
     for (QAction* action : m_requirements) {
         auto* button = new QToolButton;
         button->setDefaultAction(action);
         button->setToolButtonStyle(Qt::ToolButtonTextOnly);
-        m_buttons->addWidget(button);
+        m_foot->addWidget(button);
+        m_requirementButtons << button;
     }
     rows->addLayout(m_foot);
     return list;
 }
 
-/// A narrow panel has no graph, and its buttons below the summary.
+/// A narrow panel has no graph, and its buttons for requirements in the menu of the list only.
 void PlayPanel::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     const bool isNarrow = width() < kNarrowWidth;
     m_graph->setHidden(isNarrow);
-    m_foot->setDirection(isNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    for (QToolButton* button : m_requirementButtons) button->setHidden(isNarrow);
 }
 
 void PlayPanel::setExportActions(QAction* all, QAction* shown) {
@@ -105,7 +102,7 @@ void PlayPanel::setExportActions(QAction* all, QAction* shown) {
     button->setPopupMode(QToolButton::MenuButtonPopup);
     button->addAction(shown);
     button->setObjectName("export-events");
-    m_buttons->addWidget(button);
+    m_foot->addWidget(button);
     m_table->addActions({all, shown});
 }
 

@@ -9,8 +9,9 @@
 #include <QWidget>
 
 class QAction;
-class QBoxLayout;
+class QHBoxLayout;
 class QLabel;
+class QToolButton;
 
 namespace rubble {
 
@@ -63,8 +64,8 @@ private:
     EventFilterBar* m_filter;
     EventTable* m_table;
     QLabel* m_summary;
-    QBoxLayout* m_foot;  // the summary with the buttons
-    QBoxLayout* m_buttons;
+    QHBoxLayout* m_foot;  // the summary with the buttons
+    QList<QToolButton*> m_requirementButtons;
     QElapsedTimer m_lastPaint;
 };
 

@@ -1,5 +1,6 @@
 #include "editor/panels/docks/PlayPanel.h"
 
+#include "editor/panels/docks/StepGraph.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/PlayStage.h"
 
@@ -134,6 +135,17 @@ private slots:
         desk.stage.advance(60);
         const QString tip = desk.panel.findChild<QLabel*>("event-summary")->toolTip();
         QVERIFY2(tip.contains("Friction, rolling and rattling took"), qPrintable(tip));
+    }
+    void aNarrowPanelHasListAndFilterOnly() {
+        PlayDesk desk(100.0);
+        const auto* graph = desk.panel.findChild<StepGraph*>();
+        QVERIFY(graph->isVisible() && desk.button("must-break").isVisible());
+        desk.panel.resize(330, 300);
+        QTRY_VERIFY(!graph->isVisible());
+        QVERIFY(!desk.button("must-break").isVisible());
+        QTRY_VERIFY(desk.panel.minimumSizeHint().width() <= 330);
+        desk.panel.resize(900, 300);
+        QTRY_VERIFY(graph->isVisible() && desk.button("must-break").isVisible());
     }
     void exportsHaveAButtonWithAMenu() {
         PlayDesk desk(100.0);
