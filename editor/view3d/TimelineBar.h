@@ -14,8 +14,8 @@ namespace rubble {
 class PlayController;
 
 /// The timeline of a session: dragging seeks, the wheel zooms, events, the loop and forks of branches are marked. Arrow
-/// keys move by a step, with Shift by a second; Page Up and Page Down to the previous and next event; Home and End go to
-/// the ends.
+/// keys move by a step, with Shift by a second; Page Up and Page Down to the previous and next event; Home and End go
+/// to the ends.
 class TimelineBar : public QWidget {
     Q_OBJECT
 public:
