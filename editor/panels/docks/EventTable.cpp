@@ -28,7 +28,7 @@ QString sampleOf(int column) {
         case EventModel::kOther: return QStringLiteral("roof front right/12");
         case EventModel::kMaterials: return QStringLiteral("concrete, glass");
         case EventModel::kTime: return QStringLiteral("000.00");
-        case EventModel::kRatio: return QStringLiteral("0.000×");
+        case EventModel::kRatio: return QStringLiteral("0.0000×");
         default: return QStringLiteral("0.0000 N·s");
     }
 }
