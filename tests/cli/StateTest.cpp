@@ -1,4 +1,5 @@
 // Tests that rubble-cli simulate goes on from the states that it saves.
+#include "core/io/project/ProjectFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/RunProgram.h"
 
@@ -66,6 +67,29 @@ private slots:
             RUBBLE_CLI, {"simulate", RUBBLE_SOURCE_DIR "/projects/pane.rubble", "--steps", "1", "--state", state});
         QCOMPARE(ended.exit, 1);
         QVERIFY2(ended.error.contains("The state was saved from another scene"), qPrintable(ended.error));
+    }
+    /// The front has broken; in the changed project its asset has fewer seeds.
+    void damageOfAnEarlierVersionIsRemapped() {
+        const QTemporaryDir folder;
+        const QString state = folder.filePath("door.rubblestate"), changed = folder.filePath("changed.rubble");
+        const ProgramOutcome saved =
+            simulateHouse({"--steps", "90", "--shot", "box at the door", "--save-state", state});
+        const auto broken = resultOf(saved)["breaks"].toArray().size();
+        QVERIFY(broken > 0);
+        Result<Project> project = loadProject(kHouseFile.toStdString());
+        for (Asset& asset : project->assets) ++asset.pattern.layers[0].randomSeed;
+        QVERIFY(saveProject(changed.toStdString(), *project));
+        const QStringList start{"simulate", changed, "--steps", "1", "--state", state};
+        QCOMPARE(runProgram(RUBBLE_CLI, start).exit, 1);
+        const ProgramOutcome remapped = runProgram(RUBBLE_CLI, start + QStringList{"--remap", kHouseFile});
+        QVERIFY2(remapped.exit == 0 && remapped.error.isEmpty(), qPrintable(remapped.error));
+        const auto bodies = resultOf(remapped)["bodies"].toArray().size();
+        QCOMPARE(bodies, resultOf(saved)["bodies"].toArray().size() - 1);  // the thrown box is not damage
+        project->instances.clear();
+        project->playTests.clear();
+        QVERIFY(saveProject(changed.toStdString(), *project));
+        const ProgramOutcome empty = runProgram(RUBBLE_CLI, start + QStringList{"--remap", kHouseFile});
+        QVERIFY2(empty.exit == 0 && empty.error.contains(" is gone; its damage is dropped."), qPrintable(empty.error));
     }
     void optionsOfTheStartAreRefused() {
         const ProgramOutcome ended = simulateHouse({"--steps", "1", "--state", "x.rubblestate", "--dt", "0.01"});

@@ -4,11 +4,14 @@
 #include "core/base/Version.h"
 #include "core/io/play/ReplayFile.h"
 #include "core/io/play/StateFile.h"
+#include "core/io/project/ProjectFile.h"
 #include "core/physics/queries/Penetration.h"
+#include "core/play/session/SessionRemap.h"
 #include "core/sound/session/SoundRecorder.h"
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 
 namespace rubble {
 namespace {
@@ -47,6 +50,25 @@ Result<Session> sessionOf(const PreparedProject& project, const PlayPlan& plan) 
     return session;
 }
 
+/// A session with the damage of a state of an earlier version of the project. What got lost is added to `notes`.
+Result<Session> damagedSession(const PreparedProject& project, const PlayPlan& plan, const TaskContext& task,
+                               std::vector<std::string>& notes) {
+    const Result<Project> before = loadProject(plan.remapped);
+    if (!before) return before.error();
+    const Result<std::shared_ptr<const PlayScene>> scene =
+        playScene(*before, {.cancel = task.cancel, .threads = task.threads});
+    if (!scene) return scene.error();
+    const Result<Session> saved = loadState(plan.state, *scene);
+    if (!saved) return saved.error();
+    const Result<RemappedSession> mapped = remappedSession(*saved, *project.scene);
+    if (!mapped) return mapped.error();
+    Result<Session> session = createSession(project, plan.play, plan.simulation.world.threads);
+    if (!session) return session.error();
+    if (const Status applied = session->apply(mapped->damage); !applied) return applied.error();
+    notes = mapped->losses;
+    return session;
+}
+
 /// What a small state does not hold of a session, a sentence each.
 std::vector<std::string> lossesOf(const Session& session) {
     std::vector<std::string> losses;
@@ -67,7 +89,7 @@ std::vector<std::string> lossesOf(const Session& session) {
 
 Status saveResult(const PlayPlan& plan, const Session& session, SimulationRun& run) {
     if (plan.savedState.empty()) return success();
-    if (plan.savedKind == StateKind::Small) run.notes = lossesOf(session);
+    if (plan.savedKind == StateKind::Small) std::ranges::copy(lossesOf(session), std::back_inserter(run.notes));
     return saveState(plan.savedState, session, plan.savedKind);
 }
 
@@ -75,7 +97,9 @@ Status saveResult(const PlayPlan& plan, const Session& session, SimulationRun& r
 
 Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan& plan, const TaskContext& task,
                                  std::vector<Diagnostic>& diagnostics) {
-    Result<Session> session = sessionOf(project, plan);
+    SimulationRun run;
+    Result<Session> session =
+        plan.remapped.empty() ? sessionOf(project, plan) : damagedSession(project, plan, task, run.notes);
     if (!session) return session.error();
     StepRecord record(plan.simulation);
     std::optional<ReplayRecorder> recorder;
@@ -84,7 +108,6 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
     SoundRecorder heard(*session);
     std::optional<EventsText> told;
     if (plan.events) told.emplace(*plan.events);
-    SimulationRun run;
     for (int step = 1; step <= plan.simulation.steps; ++step) {
         if (task.isCancelled()) return TaskContext::cancelled();
         const auto start = std::chrono::steady_clock::now();

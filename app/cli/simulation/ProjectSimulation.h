@@ -15,6 +15,7 @@ struct PlayPlan {
     std::optional<EventsFormat> events;  // they are kept
     bool isHeard = false;                // its sound is made
     std::string state;                   // file to start from; empty: from the start
+    std::string remapped;                // the project that the state is of, if only its damage is taken; empty: this one
     std::string savedState;              // file for the state after the last step; empty: none
     StateKind savedKind = StateKind::Whole;
 };
@@ -22,7 +23,7 @@ struct PlayPlan {
 /// Simulates a project. The resulting bodies are the instances, then projectiles and fragments in order of creation,
 /// without the ground. What the session reports is appended to `diagnostics`.
 ///
-/// Errors: those of createSession(), loadState() and saveState(); Cancelled.
+/// Errors: those of createSession(), loadState(), remappedSession() and saveState(); Cancelled.
 Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan& plan, const TaskContext& task,
                                  std::vector<Diagnostic>& diagnostics);
 

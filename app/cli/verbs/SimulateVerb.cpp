@@ -52,6 +52,7 @@ struct SimulateOptions {
     std::string events;
     std::string wav;
     std::string state;
+    std::string remapped;
     std::string savedState;
     bool isSmall = false;
     PlayOptions play;
@@ -71,6 +72,7 @@ PlayPlan playPlan(const SimulateOptions& options) {
                   .isRecorded = !options.record.empty(),
                   .isHeard = !options.wav.empty(),
                   .state = options.state,
+                  .remapped = options.remapped,
                   .savedState = options.savedState,
                   .savedKind = options.isSmall ? StateKind::Small : StateKind::Whole};
     if (!options.events.empty()) plan.events = eventsFormatOf(options.events);
@@ -174,6 +176,9 @@ Verb addSimulate(CLI::App& program) {
     const CommandOption state =
         command.option("--state", options->state, "Start from a saved state; times of shots count from there")
             .valueName("FILE");
+    command.option("--remap", options->remapped, "Take only the damage of the state, which is of this earlier version")
+        .needs(state)
+        .valueName("FILE.rubble");
     const CommandOption saved =
         command.option("--save-state", options->savedState, "Write the state after the last step").valueName("FILE");
     command.flag("--small", options->isSmall, "Save damage and resting poses only").needs(saved);
