@@ -14,7 +14,7 @@
 #include "editor/document/ShownText.h"
 #include "editor/views/Views.h"
 #include "editor/widgets/Action.h"
-#include "editor/widgets/LayerText.h"
+#include "editor/widgets/appearance/LayerText.h"
 #include "editor/workspace/Workspace.h"
 
 #include <QFileDialog>

@@ -4,7 +4,7 @@
 #include "core/base/MessageText.h"
 #include "core/fracture/pattern/PatternKind.h"
 #include "editor/widgets/ColourConversion.h"
-#include "editor/widgets/LayerText.h"
+#include "editor/widgets/appearance/LayerText.h"
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "editor/widgets/numbers/NumberText.h"
 

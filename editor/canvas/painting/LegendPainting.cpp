@@ -4,7 +4,7 @@
 #include "editor/canvas/painting/ChangePainting.h"
 #include "editor/canvas/painting/LabelPainting.h"
 #include "editor/widgets/ColourConversion.h"
-#include "editor/widgets/LayerText.h"
+#include "editor/widgets/appearance/LayerText.h"
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include <QCoreApplication>

@@ -4,7 +4,7 @@
 #include "core/fracture/pattern/SeedEdits.h"
 #include "editor/canvas/tools/Snapping.h"
 #include "editor/commands/ProjectEdits.h"
-#include "editor/widgets/LayerText.h"
+#include "editor/widgets/appearance/LayerText.h"
 
 #include <QCoreApplication>
 

@@ -2,7 +2,7 @@
 
 #include "core/fracture/pattern/PatternKind.h"
 #include "editor/widgets/Icon.h"
-#include "editor/widgets/LayerText.h"
+#include "editor/widgets/appearance/LayerText.h"
 
 #include <QHeaderView>
 #include <QLocale>

@@ -3,8 +3,8 @@
 #include "editor/document/ShownText.h"
 #include "editor/widgets/Buttons.h"
 #include "editor/widgets/ComboBox.h"
-#include "editor/widgets/EventAppearance.h"
 #include "editor/widgets/ProjectRange.h"
+#include "editor/widgets/appearance/EventAppearance.h"
 
 #include <QGridLayout>
 #include <QLineEdit>

@@ -4,7 +4,7 @@
 #include "editor/document/ShownText.h"
 #include "editor/panels/docks/EventFilterBar.h"
 #include "editor/panels/docks/StepGraph.h"
-#include "editor/widgets/EventAppearance.h"
+#include "editor/widgets/appearance/EventAppearance.h"
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include <QAction>

@@ -1,6 +1,6 @@
 #include "editor/panels/inspector/LayerSection.h"
 
-#include "editor/widgets/LayerText.h"
+#include "editor/widgets/appearance/LayerText.h"
 
 #include <algorithm>
 #include <numbers>

@@ -4,8 +4,8 @@
 #include "editor/commands/AssetPatterns.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/widgets/Buttons.h"
-#include "editor/widgets/LayerText.h"
 #include "editor/widgets/ProjectRange.h"
+#include "editor/widgets/appearance/LayerText.h"
 
 #include <QHBoxLayout>
 #include <QListView>

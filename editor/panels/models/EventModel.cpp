@@ -2,8 +2,8 @@
 
 #include "editor/document/ShownText.h"
 #include "editor/play/EventText.h"
-#include "editor/widgets/EventAppearance.h"
 #include "editor/widgets/Icon.h"
+#include "editor/widgets/appearance/EventAppearance.h"
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "editor/widgets/numbers/NumberText.h"
 

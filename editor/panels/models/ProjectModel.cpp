@@ -7,7 +7,7 @@
 #include "editor/document/ShownText.h"
 #include "editor/widgets/Buttons.h"
 #include "editor/widgets/ColourButton.h"
-#include "editor/widgets/LayerText.h"
+#include "editor/widgets/appearance/LayerText.h"
 
 #include <algorithm>
 #include <set>

@@ -1,6 +1,6 @@
 #include "editor/view3d/TimelineMarks.h"
 
-#include "editor/widgets/EventAppearance.h"
+#include "editor/widgets/appearance/EventAppearance.h"
 #include "tests/support/TestProgram.h"
 
 #include <QGuiApplication>

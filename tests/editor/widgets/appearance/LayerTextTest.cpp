@@ -1,4 +1,4 @@
-#include "editor/widgets/LayerText.h"
+#include "editor/widgets/appearance/LayerText.h"
 
 #include "editor/widgets/Icon.h"
 #include "tests/support/TestProgram.h"

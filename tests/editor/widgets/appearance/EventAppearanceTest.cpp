@@ -1,4 +1,4 @@
-#include "editor/widgets/EventAppearance.h"
+#include "editor/widgets/appearance/EventAppearance.h"
 
 #include "editor/widgets/Icon.h"
 #include "editor/widgets/Theme.h"

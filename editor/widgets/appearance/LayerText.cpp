@@ -1,4 +1,4 @@
-#include "editor/widgets/LayerText.h"
+#include "editor/widgets/appearance/LayerText.h"
 
 #include "core/base/Assert.h"
 #include "editor/widgets/numbers/LocalizedQuantity.h"
