@@ -12,7 +12,6 @@ struct DustMoment {
     std::uint64_t step = 0;
     double stepLength = 1.0 / 60.0;  // s
     Vec3 gravity{0.0, 0.0, 0.0};     // m/s²
-    bool operator==(const DustMoment&) const = default;
 };
 
 inline constexpr double kDustTime = 1.0;  // s: what flies after an event is gone then

@@ -12,7 +12,7 @@ namespace rubble {
 /// after it are forgotten.
 class EventHistory {
 public:
-    /// Keeps 20 s of steps that tell as much as they can, in less than 6 MB.
+    /// Keeps 20 s of steps that tell 16 events each, in less than 6 MB.
     EventHistory() = default;
     explicit EventHistory(std::size_t mostRecords) : m_mostRecords(mostRecords) {}
 

@@ -119,7 +119,7 @@ private slots:
         slow.frameRate = 25.0;
         QCOMPARE(soundOf(slow).size(), 44 + 4 * 48000 * 20 / 25);
         const QByteArray real = soundOf(plan(30, 0.0, 2.0)), half = soundOf(plan(60, 0.0, 1.0));
-        QVERIFY(std::abs(onsetOf(half) - 2 * onsetOf(real)) <= 1);
+        QVERIFY(onsetOf(real) < 24000 && std::abs(onsetOf(half) - 2 * onsetOf(real)) <= 1);
     }
     void videoTooLongForASoundIsRefusedBeforeItIsRendered() {
         VideoPlan longest = plan(10000);
