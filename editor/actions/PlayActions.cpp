@@ -4,6 +4,7 @@
 #include "core/io/play/ReplayFile.h"
 #include "core/io/play/StateFile.h"
 #include "editor/actions/EventActions.h"
+#include "editor/actions/SoundActions.h"
 #include "editor/actions/TimelineActions.h"
 #include "editor/actions/VideoActions.h"
 #include "editor/commands/ProjectEdits.h"
@@ -53,6 +54,8 @@ PlayActions::PlayActions(Views& views, PreferenceStore& preferences, VideoAction
     addSpeeds();
     addTimeSteps();
     addOverlays();
+    m_sound = new SoundActions(views, preferences, *m_menu);
+    m_menu->setToolTipsVisible(true);  // they say why something is disabled
     m_menu->addSeparator();
     addShots();
     m_menu->addSeparator();
@@ -69,10 +72,10 @@ PlayActions::PlayActions(Views& views, PreferenceStore& preferences, VideoAction
     updateState();
 }
 
-/// The actions of the menu but those for videos and events, which enable themselves.
+/// The actions of the menu but those for videos, events and sound, which enable themselves.
 QList<QAction*> PlayActions::ownActions() const {
     QList<QAction*> actions = m_menu->actions();
-    for (QAction* other : m_events->actions() + QList{m_video.action()}) actions.removeOne(other);
+    for (QAction* other : m_events->actions() + QList{m_video.action(), m_sound->action()}) actions.removeOne(other);
     return actions;
 }
 

@@ -9,6 +9,7 @@ class QMenu;
 namespace rubble {
 
 class EventActions;
+class SoundActions;
 class VideoActions;
 class PlayController;
 class PreferenceStore;
@@ -66,6 +67,7 @@ private:
     QAction* m_reset = nullptr;
     QList<QAction*> m_tools;  // throw, hammer and blast
     QAction* m_destruction = nullptr;
+    SoundActions* m_sound = nullptr;
     QAction* m_saveShot = nullptr;
     QAction* m_saveReplay = nullptr;
     QAction* m_saveState = nullptr;

@@ -61,7 +61,8 @@ VideoPlan planOf(const VideoOptions& options, double stepLength, const ViewportW
             .first = first,
             .stepsPerFrame = stepsPerFrame,
             .frames = frameCount(first, last, stepsPerFrame),
-            .frameRate = options.frameRate};
+            .frameRate = options.frameRate,
+            .hasSound = options.hasSound};
 }
 
 }  // namespace

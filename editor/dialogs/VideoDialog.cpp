@@ -107,6 +107,10 @@ void VideoDialog::addFrames(QFormLayout& form) {
     m_compare = new QCheckBox(tr("&Compare without destruction"));
     m_compare->setToolTip(tr("Show the same simulation without destruction on the left"));
     form.addRow(QString(), m_compare);
+    m_sound = new QCheckBox(tr("S&ound of impacts and breaks"));
+    m_sound->setObjectName("video-sound");
+    m_sound->setToolTip(tr("Add what is heard from the camera; images have no sound"));
+    form.addRow(QString(), m_sound);
 }
 
 void VideoDialog::addTime(QFormLayout& form) {
@@ -150,6 +154,7 @@ void VideoDialog::restoreOptions() {
     m_height->setValue(std::clamp(stored("height", 720).toInt(), kMinImageSide, kMaxImageSide));
     restoreIndex(*m_quality, stored("quality", 1).toInt());
     m_frameRate->setValue(stored("rate", 30.0).toDouble());
+    m_sound->setChecked(stored("sound", false).toBool());
     m_path->setText(unusedPathIn(stored("folder"), m_subject.defaults.folder,
                                  tr("%1 video").arg(m_subject.defaults.name), kVideoSuffix));
     updateSuffix();
@@ -175,7 +180,8 @@ VideoOptions VideoDialog::options() const {
                          .first = stepsOf(*m_first),
                          .last = stepsOf(*m_last),
                          .savedThrow = m_throw ? m_throw->currentIndex() : 0,
-                         .isCompared = m_compare->isChecked()};
+                         .isCompared = m_compare->isChecked(),
+                         .hasSound = m_sound->isEnabled() && m_sound->isChecked()};
     if (options.isVideo && !options.path.isEmpty() && !isVideoPath(toPath(options.path))) options.path += kVideoSuffix;
     return options;
 }
@@ -189,6 +195,7 @@ void VideoDialog::accept() {
     settings.setValue("video/height", accepted.size.height);
     settings.setValue("video/quality", m_quality->currentIndex());
     settings.setValue("video/rate", accepted.frameRate);
+    settings.setValue("video/sound", m_sound->isChecked());
     settings.setValue("video/folder", settingOf(QFileInfo(accepted.path).absolutePath()));
     QDialog::accept();
 }
@@ -196,6 +203,7 @@ void VideoDialog::accept() {
 void VideoDialog::updateSuffix() {
     const QString base = withoutVideoSuffix(m_path->text());
     m_path->setText(m_kind->currentIndex() == kVideoOutput ? base + kVideoSuffix : base);
+    m_sound->setEnabled(m_kind->currentIndex() == kVideoOutput);
     updateSummary();
 }
 

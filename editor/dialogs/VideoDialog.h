@@ -39,6 +39,7 @@ struct VideoOptions {
     std::uint64_t first = 0, last = 0;  // steps
     int savedThrow = 0;                 // index in VideoSubject::throws, where nothing was simulated
     bool isCompared = false;            // beside a simulation without destruction
+    bool hasSound = false;              // of a video
     /// The size of a frame.
     ImageSize frameSize() const;
     /// Simulation steps from one frame to the next.
@@ -76,6 +77,7 @@ private:
     NumberField* m_height;
     QComboBox* m_quality;
     QCheckBox* m_compare;
+    QCheckBox* m_sound;
     NumberField* m_frameRate;
     NumberField* m_speed;
     NumberField* m_first;

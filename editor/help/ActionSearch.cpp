@@ -33,6 +33,7 @@ const QStringList& synonyms() {
                                     ActionSearch::tr("break destroy shatter crack fracture"),
                                     ActionSearch::tr("picture image screenshot photo still"),
                                     ActionSearch::tr("film video movie animation record"),
+                                    ActionSearch::tr("sound audio noise hear mute volume loud"),
                                     ActionSearch::tr("delete remove erase"),
                                     ActionSearch::tr("preferences settings options configuration"),
                                     ActionSearch::tr("simulate simulation play run start"),

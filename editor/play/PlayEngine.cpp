@@ -152,9 +152,10 @@ void PlayEngine::report(DiagnosticCode code, std::string message) {
     m_update.diagnostics.push_back(diagnostic(code, {}, std::move(message)));
 }
 
-/// Records a step that is played for the first time.
+/// Records a step; what is listed of it only when it is played for the first time.
 void PlayEngine::recordStep() {
     const std::uint64_t step = session().stepsDone();
+    m_builder.record(session());
     if (step <= m_log.steps()) return;
     if (auto events = m_log.record(session())) m_update.events.push_back(std::move(events));
     std::ranges::copy(session().events().diagnostics, std::back_inserter(m_update.diagnostics));

@@ -2,6 +2,7 @@
 
 #include "core/base/OutOfMemory.h"
 #include "core/base/limits/Threads.h"
+#include "core/sound/session/SoundRecorder.h"
 
 #include <chrono>
 #include <utility>
@@ -248,8 +249,11 @@ void PlayThread::createEngine(std::unique_lock<std::mutex>& lock) {
 }
 
 void PlayThread::playStep(std::unique_lock<std::mutex>& lock) {
+    const double shownAfter = interval();
     lock.unlock();
     const bool isStep = m_engine->advance();
+    const std::vector<SoundCue> cues = isStep ? cuesOf(m_engine->session()) : std::vector<SoundCue>();
+    if (!cues.empty()) emit cuesPlayed(cues, shownAfter);
     lock.lock();
     m_due = std::max(m_due + interval(), nowLocked());
     const bool isReplayOver = m_engine->isAtScriptEnd();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/sound/mix/SoundCue.h"
 #include "editor/play/ForecastThread.h"
 #include "editor/play/PlayEngine.h"
 
@@ -58,6 +59,9 @@ signals:
     /// The engine was created, or could not be, for the given reason.
     void started();
     void failed(const QString& sentence);
+    /// What is heard of a step that was played, not sought; its picture is complete `shownAfter` seconds later. Emitted
+    /// on the thread, which waits for what is connected directly.
+    void cuesPlayed(const std::vector<rubble::SoundCue>& cues, double shownAfter);
 
 private:
     void cancelAll();

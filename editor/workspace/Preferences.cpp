@@ -15,6 +15,8 @@ constexpr const char* kMsaaKey = "preferences/msaa";
 constexpr const char* kRefiningKey = "preferences/softLight";
 constexpr const char* kSmoothKey = "preferences/smoothCamera";
 constexpr const char* kStatisticsKey = "preferences/statistics";
+constexpr const char* kSoundKey = "preferences/sound";
+constexpr const char* kVolumeKey = "preferences/volume";
 
 // Stored names, in the order of the enumerators: settings stay valid when enumerators are added.
 constexpr std::array kThemeNames = {"system", "light", "dark"};
@@ -52,6 +54,8 @@ Preferences readPreferences(const QSettings& settings) {
     stored.refining = readEnum(settings, kRefiningKey, kRefiningNames, defaults.refining);
     stored.isSmooth = settings.value(kSmoothKey, defaults.isSmooth).toBool();
     stored.hasStatistics = settings.value(kStatisticsKey, defaults.hasStatistics).toBool();
+    stored.hasSound = settings.value(kSoundKey, defaults.hasSound).toBool();
+    stored.volume = std::clamp(readInt(settings, kVolumeKey, defaults.volume), 0, kMaxVolume);
     return stored;
 }
 
@@ -64,6 +68,8 @@ void writePreferences(const Preferences& preferences, QSettings& settings) {
     settings.setValue(kRefiningKey, kRefiningNames[static_cast<std::size_t>(preferences.refining)]);
     settings.setValue(kSmoothKey, preferences.isSmooth);
     settings.setValue(kStatisticsKey, preferences.hasStatistics);
+    settings.setValue(kSoundKey, preferences.hasSound);
+    settings.setValue(kVolumeKey, preferences.volume);
 }
 
 }  // namespace rubble

@@ -10,6 +10,7 @@
 namespace rubble {
 
 constexpr int kMaxAutosaveSeconds = 3600;
+constexpr int kMaxVolume = 100;  // %
 
 /// The user's preferences, the same in all windows.
 struct Preferences {
@@ -21,6 +22,8 @@ struct Preferences {
     ProgressiveRendering refining = ProgressiveRendering::Always;  // of the 3D view while nothing moves
     bool isSmooth = true;                                          // the camera moves smoothly to a new view
     bool hasStatistics = false;                                    // frame rate, bodies and times in play
+    bool hasSound = false;                                         // of impacts and breaks in play
+    int volume = 75;                                               // of the sound, %: in [0, 100]
     bool operator==(const Preferences&) const = default;
 };
 

@@ -44,7 +44,7 @@ std::optional<std::string> outcomeFault(const Session& session) {
         const BodyState state = session.world().state(body.body);
         outcome.bodies.push_back({session.nameOf(body), state.pose, state.asleep});
     }
-    for (const PlayBreak& broken : session.recentBreaks()) {
+    for (const PlayBreak& broken : session.events().breaks) {
         outcome.breaks.push_back({broken.step, session.nameOf(broken.body), broken.impact, broken.threshold,
                                   broken.point, broken.fragmentCount, std::nullopt});
     }

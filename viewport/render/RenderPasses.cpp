@@ -31,7 +31,7 @@ void RenderPasses::setScene(std::shared_ptr<const RenderScene> made) {
     singleSky.invalidate();
     sceneLines.write(std::span(made->lines));
     sceneBoxes.write(std::span(made->boxes));
-    puffs.write(std::span(made->puffs));
+    particles.write(std::span(made->particles));
     scene.upload(std::move(made));
 }
 
@@ -170,15 +170,15 @@ void RenderPasses::drawSceneLines() {
     glDisable(GL_BLEND);
 }
 
-void RenderPasses::drawDust(const RenderView& view) {
-    if (puffs.count() == 0) return;
+void RenderPasses::drawParticles(const RenderView& view) {
+    if (particles.count() == 0) return;
     solidDepths.copyBound(view.size);
     solidDepths.bind();
     glEnable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);  // the shader compares with the copy
     glEnable(GL_DEPTH_CLAMP);
-    programs.dust.use();
-    puffs.draw(6);
+    programs.particles.use();
+    particles.draw(6);
     glDisable(GL_DEPTH_CLAMP);
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
@@ -254,7 +254,7 @@ void RenderPasses::drawImage(const RenderView& view) {
         drawHulls(view);
         drawSceneLines();
     }
-    if (isSolid) drawDust(view);
+    if (isSolid) drawParticles(view);
     if (!hasOverlays) return;
     drawOutlines(view);
     drawAxes(view);

@@ -45,7 +45,7 @@ struct RenderPasses {
     void drawEdges(const EdgePass& pass);
     void drawGround();
     void drawSceneLines();
-    void drawDust(const RenderView& view);
+    void drawParticles(const RenderView& view);
     void drawOutlines(const RenderView& view);
     void drawAxes(const RenderView& view);
     void drawScreenLines(const std::vector<ScreenLine>& lines);
@@ -59,7 +59,7 @@ struct RenderPasses {
     SceneBuffers scene;
     InstanceBuffer sceneLines{4, 4, 4, 4};
     InstanceBuffer sceneBoxes{4, 4, 4, 4};
-    InstanceBuffer puffs{4, 4, 4};
+    InstanceBuffer particles{4, 4, 4};
     DepthCopy solidDepths;
     SceneSummary summary;  // of `scene`
     /// Shadow maps of an image by itself, which stay as long as its scene does, and of one of many, or of one at a low

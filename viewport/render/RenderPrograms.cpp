@@ -53,7 +53,7 @@ Result<RenderPrograms> compilePrograms() {
         .pick = compiler.compile({"bodies.glsl", "pick.vert"}, {"pick.frag"}),
         .screenLines = compiler.compile({"screen_lines.vert"}, {"line.frag"}),
         .sceneLines = compiler.compile({"scene_lines.vert"}, {"line.frag"}),
-        .dust = compiler.compile({"dust.vert"}, {"camera.glsl", "dust.frag"}),
+        .particles = compiler.compile({"particles.vert"}, {"camera.glsl", "particles.frag"}),
         .mean = compiler.compile({"fullscreen.vert"}, {"mean.frag"}),
     };
     if (compiler.error()) return *compiler.error();

@@ -1,6 +1,9 @@
 #include "viewport/scene/Dust.h"
 
 #include "core/base/Random.h"
+#include "core/base/math/Roots.h"
+#include "core/base/math/Trigonometry.h"
+#include "viewport/scene/DustParticles.h"
 
 #include <glm/geometric.hpp>
 
@@ -10,125 +13,25 @@
 namespace rubble {
 namespace {
 
-constexpr std::size_t kMaxPuffs = 1200;    // per scene, latest breaks first: more would only overlap
-constexpr double kFadeIn = 0.04;           // s
-constexpr double kDrag = 2.2;              // 1/s, air drag
-constexpr double kMostSize = 1.0;          // m: what breaks off a larger body makes no larger clouds
-constexpr Colour kPale{0.90, 0.88, 0.85};  // most of any dust's colour
-constexpr double kNoGround = 1e9;          // m, a depth below all
-constexpr double kTough = 5e6;             // Pa·√m: above, as metals are, materials tear and make hardly any dust
+constexpr std::size_t kMaxParticles = 2000;  // per scene, latest events first: more would only overlap
+constexpr double kMostSize = 1.0;            // m: what breaks off a larger body makes no larger clouds
+constexpr Colour kPale{0.90, 0.88, 0.85};    // most of any dust's colour
+constexpr Colour kSoil{0.50, 0.46, 0.40};    // of the ground, which has no material
+constexpr Colour kHot{1.0, 0.78, 0.42};      // of sparks
+constexpr double kNoGround = 1e9;            // m, a depth below all
+constexpr double kLeastEnergy = 4.0;         // J: a brick that falls 0.2 m makes no dust
+constexpr double kSparkEnergy = 50.0;        // J
+constexpr double kTough = 5e6;               // Pa·√m: above, as metals are, materials tear and make hardly any dust
+constexpr double kLightest = 800.0;          // kg/m³: below, as wood is, materials make no dust
+constexpr double kMineralDensity = 1000.0;   // kg/m³
+constexpr std::uint64_t kStream = 0xd057;    // of random numbers
 
-/// What a material makes when it breaks.
-struct DebrisStyle {
-    int puffs = 14;  // per break
-    int splinters = 0;
-    double lifetime = 0.6;  // s, of dust
-    double opacity = 0.85;  // of dust, after the fade-in
-    double pale = 0.3;      // part of kPale in the colour of its dust
-};
+enum class Debris { Mineral, Glass, Metal, Wood };
 
-/// Transparent materials, as glass and ice, splinter; tough ones tear; all others are ground to dust.
-DebrisStyle styleOf(const Material& material) {
-    if (material.opacity < 1.0) return {.puffs = 3, .splinters = 60, .lifetime = 0.3, .opacity = 0.12, .pale = 0.9};
-    if (material.fractureToughness.value_or(0.0) > kTough) return {.puffs = 3, .lifetime = 0.3, .opacity = 0.2};
-    return {};
-}
-
-constexpr std::uint64_t kStream = 0xd057;
-
-/// A puff at its start.
-struct Puff {
-    Vec3 from;
-    Vec3 velocity;
-    double radius = 0.0;
-    double lifetime = 0.0;  // s
-    double opacity = 0.0;   // after the fade-in
-    double seed = 0.0;      // of its noise
-
-    Vec3 positionAt(double age) const { return from + velocity * (age / (1.0 + kDrag * age)); }
-    double radiusAt(double age) const { return radius * (1.0 + 2.0 * age / (0.25 + age)); }
-    double opacityAt(double age) const {
-        const double left = 1.0 - age / lifetime;
-        return opacity * std::min(1.0, age / kFadeIn) * left * left;
-    }
-};
-
-/// A splinter at its start: it falls, and lies on the ground until it fades.
-struct Splinter {
-    Vec3 from;
-    Vec3 velocity;
-    double radius = 0.0;
-    double lifetime = 0.0;  // s
-    double turn = 0.0;      // its rotation, in turns
-    double spin = 0.0;      // turns/s
-
-    /// `gravity`: m/s²; `lowest`: the height at which it lies on the ground.
-    Vec3 positionAt(double age, Vec3 gravity, double lowest) const {
-        Vec3 position = from + velocity * (age / (1.0 + kDrag * age)) + 0.5 * age * age * gravity;
-        position.y = std::max(position.y, lowest);
-        return position;
-    }
-    double turnAt(double age) const {
-        const double turned = turn + spin * age;
-        return turned - std::floor(turned);
-    }
-    double opacityAt(double age) const { return std::min(1.0, 4.0 * (1.0 - age / lifetime)); }
-};
-
-/// A point of a random cut between two solids of a broken body, in the frame of its asset.
-Vec3 cutAt(const PlayBreak& broken, const PlayFracture& fracture, Random& random) {
-    if (fracture.neighbours.empty())
-        return broken.asset->fragments[fracture.first + random.below(fracture.count)].offset;
-    const PlayContact& parted = fracture.neighbours[random.below(fracture.neighbours.size())];
-    return 0.5 * (broken.asset->fragments[parted.first].offset + broken.asset->fragments[parted.second].offset);
-}
-
-/// Twice the largest distance of its solids from its centre.
-double sizeOf(const PlayBreak& broken, const PlayFracture& fracture, Vec3 centre) {
-    double size = 0.0;
-    for (std::uint32_t k = 0; k < fracture.count; ++k) {
-        size = std::max(size, glm::distance(broken.asset->fragments[fracture.first + k].offset, centre));
-    }
-    return 2.0 * size;
-}
-
-/// Where a particle starts, and how fast: at a cut, where it meets the surface that was hit or the opposite one.
-struct Start {
-    Vec3 from;
-    Vec3 velocity;      // m/s
-    double size = 0.0;  // m, of the broken body
-};
-
-Start startOf(const PlayBreak& broken, const PlayFracture& fracture, Random& random) {
-    const Vec3 centre = broken.asset->solid(broken.body.fragment).offset;
-    const double size = std::min(sizeOf(broken, fracture, centre), kMostSize);
-    const double deep = glm::dot(broken.point - broken.pose.position, broken.normal);  // the surface that was hit
-    const Vec3 out = random.unit() < 0.5 ? -broken.normal : broken.normal;
-    const Vec3 cut = broken.pose.orientation * (cutAt(broken, fracture, random) - centre);
-    const Vec3 from = broken.pose.position + cut + std::abs(deep) * out;
-    const Vec3 arm = from - broken.point;
-    const Vec3 away = glm::dot(arm, arm) > 1e-12 ? glm::normalize(arm) : out;
-    const Vec3 up(0.0, random.between(0.1, 0.7), 0.0);
-    return {from, size * (random.between(0.2, 1.2) * away + random.between(0.2, 1.2) * out + up), size};
-}
-
-Puff puffOf(const Start& start, const DebrisStyle& style, Random& random) {
-    return {.from = start.from,
-            .velocity = start.velocity,
-            .radius = start.size * random.between(0.13, 0.25),
-            .lifetime = style.lifetime * random.between(0.65, 1.1),
-            .opacity = style.opacity,
-            .seed = random.unit()};
-}
-
-Splinter splinterOf(const Start& start, Random& random) {
-    const Vec3 aside(random.between(-0.8, 0.8), random.between(0.0, 1.2), random.between(-0.8, 0.8));
-    return {.from = start.from,
-            .velocity = start.velocity + aside,
-            .radius = random.between(0.007, 0.02),
-            .lifetime = random.between(0.5, 0.9),
-            .turn = random.unit(),
-            .spin = random.between(-4.0, 4.0)};
+Debris debrisOf(const Material& material) {
+    if (material.opacity < 1.0) return Debris::Glass;
+    if (material.fractureToughness.value_or(0.0) > kTough) return Debris::Metal;
+    return material.density < kLightest ? Debris::Wood : Debris::Mineral;
 }
 
 glm::vec3 mixed(const Colour& colour, double pale) {
@@ -136,56 +39,276 @@ glm::vec3 mixed(const Colour& colour, double pale) {
         glm::mix(Vec3(colour.red, colour.green, colour.blue), Vec3(kPale.red, kPale.green, kPale.blue), pale));
 }
 
-/// Adds the particles of breaks to a scene.
-class DustWriter {
+/// A material as far as it flies.
+struct Flying {
+    Debris debris = Debris::Mineral;
+    Colour inside, outside;
+};
+
+/// What a body consists of; nothing of a plain projectile, which stays whole.
+std::optional<Flying> flyingOf(const Project& project, Id material, bool isGround) {
+    if (const Material* found = findMaterial(project, material)) {
+        return Flying{debrisOf(*found), found->inside, found->outside};
+    }
+    if (isGround) return Flying{Debris::Mineral, kSoil, kSoil};
+    return std::nullopt;
+}
+
+Vec3 randomDirection(Random& random) {
+    const double height = random.between(-1.0, 1.0), angle = random.between(0.0, kFullTurn);
+    const double radius = std::sqrt(1.0 - height * height);
+    return {radius * cosine(angle), height, radius * sine(angle)};
+}
+
+/// In proportion to the cube root of an energy, J: `one` at a joule.
+double growing(double energy, double one, double least, double most) {
+    constexpr double kLeast = 1e-9;  // J: the root is of positive numbers only
+    return std::clamp(one * cubeRoot(std::max(energy, kLeast)), least, most);
+}
+int countOf(double energy, double one, double least, double most) {
+    return static_cast<int>(growing(energy, one, least, most));
+}
+
+/// Where the particles of an event start, and how fast.
+class Emitter {
 public:
-    DustWriter(RenderScene& scene, const Session& session) : m_scene(scene), m_session(session) {}
+    virtual ~Emitter() = default;
+    struct Start {
+        Vec3 from;
+        Vec3 velocity;
+    };
+    virtual Start next(Random& random) const = 0;
+};
 
-    bool isFull() const { return m_scene.puffs.size() >= kMaxPuffs; }
+/// On the surface that was hit and on the opposite one, away from the point.
+class BreakEmitter : public Emitter {
+public:
+    BreakEmitter(const EventRecord& broken, double density)
+        : m_broken(broken), m_extent(broken.box.max - broken.box.min), m_size(sizeOf(m_extent)) {
+        const Vec3 across = glm::abs(broken.normal);
+        const double shown = across.x * m_extent.y * m_extent.z + across.y * m_extent.z * m_extent.x +
+                             across.z * m_extent.x * m_extent.y;  // m²: the box, seen along the normal
+        if (shown > 0.0) m_thickness = std::min(broken.mass / density / shown, glm::dot(across, m_extent));
+    }
+    double size() const { return m_size; }
 
-    void add(const PlayBreak& broken) {
-        const Project& project = m_session.scene().project;
-        const Material material = materialsOf(project, *findAsset(project, broken.asset->bake->asset)).inside;
-        const DebrisStyle style = styleOf(material);
-        const PlayFracture& fracture = *broken.asset->fractureOf(broken.body.fragment);
-        const double age = m_dt * static_cast<double>(m_session.stepsDone() + 1 - broken.step);
-        Random random(mixSeeds(broken.body.number, kStream));
-        for (int k = 0; k < style.puffs; ++k) {
-            const Puff puff = puffOf(startOf(broken, fracture, random), style, random);
-            if (age >= puff.lifetime) continue;
-            write({puff.positionAt(age), puff.positionAt(age - m_dt)}, puff.radiusAt(age), puff.opacityAt(age),
-                  {mixed(material.inside, style.pale), puff.seed});
+    Start next(Random& random) const override {
+        const Vec3 place = m_broken.box.min + Vec3(random.unit(), random.unit(), random.unit()) * m_extent;
+        Vec3 from = glm::mix(m_broken.point, place, random.unit());  // denser near the point
+        const bool isOpposite = random.unit() < 0.5;
+        const bool isHit = m_broken.normal != Vec3(0.0);
+        Vec3 out = isHit ? m_broken.normal : randomDirection(random);
+        if (!isOpposite) out = -out;
+        if (isHit) {
+            from -= glm::dot(from - m_broken.point, m_broken.normal) * m_broken.normal;
+            if (isOpposite) from += m_thickness * m_broken.normal;
         }
-        const Vec3 gravity = m_session.world().gravity();
-        for (int k = 0; k < style.splinters; ++k) {
-            const Splinter splinter = splinterOf(startOf(broken, fracture, random), random);
-            if (age >= splinter.lifetime) continue;
-            const double lowest = m_scene.hasGround ? m_scene.groundHeight + splinter.radius : -kNoGround;
-            write({splinter.positionAt(age, gravity, lowest), splinter.positionAt(age - m_dt, gravity, lowest)},
-                  splinter.radius, splinter.opacityAt(age), {mixed(material.outside, 0.0), 1.0 + splinter.turnAt(age)});
-        }
+        const Vec3 arm = from - m_broken.point;
+        const Vec3 away = glm::dot(arm, arm) > 1e-12 ? glm::normalize(arm) : out;
+        const Vec3 up(0.0, random.between(0.1, 0.7), 0.0);
+        return {from, m_size * (random.between(0.2, 1.2) * away + random.between(0.2, 1.2) * out + up)};
     }
 
 private:
-    struct Places {
-        Vec3 now, before;
+    static double sizeOf(Vec3 extent) { return std::min(std::max({extent.x, extent.y, extent.z}), kMostSize); }
+
+    const EventRecord& m_broken;
+    Vec3 m_extent;
+    double m_size;
+    double m_thickness = 0.0;  // m, of the body along the normal
+};
+
+/// At the point, to all sides along the surface.
+class ImpactEmitter : public Emitter {
+public:
+    explicit ImpactEmitter(const EventRecord& impact)
+        : m_impact(impact), m_speed(growing(impact.energy, 0.3, 0.3, 3.0)) {}
+
+    Start next(Random& random) const override {
+        const Vec3 direction = randomDirection(random);
+        const Vec3 along = direction - glm::dot(direction, m_impact.normal) * m_impact.normal;
+        const Vec3 up(0.0, random.between(0.0, 0.3), 0.0);
+        return {m_impact.point, m_speed * (random.between(0.3, 1.0) * along + 0.3 * direction + up)};
+    }
+
+private:
+    const EventRecord& m_impact;
+    double m_speed;  // m/s
+};
+
+/// Adds the particles of events to a scene.
+class DustWriter {
+public:
+    DustWriter(RenderScene& scene, const Project& project, const DustMoment& moment)
+        : m_scene(scene), m_project(project), m_moment(moment) {
+        m_world = {.gravity = moment.gravity,
+                   .ground = scene.hasGround ? scene.groundHeight : -kNoGround,
+                   .origin = scene.origin,
+                   .stepLength = moment.stepLength};
+    }
+
+    bool isFull() const { return m_scene.particles.size() >= kMaxParticles; }
+
+    void add(const EventRecord& event) {
+        m_age = m_moment.stepLength * static_cast<double>(m_moment.step + 1 - event.step);
+        Random random(mixSeeds(mixSeeds(kStream + static_cast<std::uint64_t>(event.kind), event.step),
+                               mixSeeds(event.body, event.other)));
+        if (event.kind == EventKind::Broken) addBreak(event, random);
+        if (event.kind == EventKind::Impact && event.energy >= kLeastEnergy) addImpact(event, random);
+    }
+
+private:
+    void addBreak(const EventRecord& broken, Random& random) {
+        const Material* body = findMaterial(m_project, broken.materials[0]);
+        const std::optional<Flying> fresh = flyingOf(m_project, broken.materials[1], false);
+        if (!fresh) return;
+        const BreakEmitter emitter(broken, body != nullptr ? body->density : kMineralDensity);
+        const double size = emitter.size(), energy = broken.energy;
+        switch (fresh->debris) {
+            case Debris::Mineral:
+                addDust({14, 0.6, 0.85, 0.13 * size, mixed(fresh->inside, 0.3)}, emitter, random);
+                addPieces({ParticleKind::Chip, countOf(energy, 1.0, 4.0, 30.0), 0.012, 0.04, mixed(fresh->inside, 0.0)},
+                          emitter, random);
+                break;
+            case Debris::Glass:
+                addDust({3, 0.3, 0.12, 0.13 * size, mixed(fresh->inside, 0.9)}, emitter, random);
+                addPieces(
+                    {ParticleKind::Splinter, countOf(energy, 6.0, 60.0, 90.0), 0.007, 0.02, mixed(fresh->outside, 0.0)},
+                    emitter, random);
+                break;
+            case Debris::Metal:
+                addDust({3, 0.3, 0.2, 0.13 * size, mixed(fresh->inside, 0.3)}, emitter, random);
+                addSparks(energy, emitter, random);
+                break;
+            case Debris::Wood:
+                addDust({3, 0.4, 0.25, 0.13 * size, mixed(fresh->inside, 0.3)}, emitter, random);
+                addPieces(
+                    {ParticleKind::Splinter, countOf(energy, 1.5, 12.0, 40.0), 0.02, 0.06, mixed(fresh->inside, 0.0)},
+                    emitter, random);
+                break;
+        }
+    }
+
+    void addImpact(const EventRecord& impact, Random& random) {
+        const std::optional<Flying> sides[] = {
+            flyingOf(m_project, impact.materials[0], false),
+            flyingOf(m_project, impact.materials[1], m_project.ground.isOn && impact.other == 0)};
+        const ImpactEmitter emitter(impact);
+        const double energy = impact.energy;
+        for (const std::optional<Flying>& side : sides) {
+            if (!side) continue;
+            switch (side->debris) {
+                case Debris::Mineral:
+                    addDust({countOf(energy, 0.6, 1.0, 6.0), 0.5, growing(energy, 0.1, 0.2, 0.7),
+                             growing(energy, 0.018, 0.03, 0.25), mixed(side->inside, 0.3)},
+                            emitter, random);
+                    addPieces(
+                        {ParticleKind::Chip, countOf(energy, 0.5, 1.0, 12.0), 0.008, 0.022, mixed(side->inside, 0.0)},
+                        emitter, random);
+                    break;
+                case Debris::Glass:
+                    addPieces({ParticleKind::Splinter, countOf(energy, 1.5, 3.0, 20.0), 0.005, 0.014,
+                               mixed(side->outside, 0.0)},
+                              emitter, random);
+                    break;
+                case Debris::Metal: addSparks(energy, emitter, random); break;
+                case Debris::Wood:
+                    addPieces(
+                        {ParticleKind::Splinter, countOf(energy, 0.4, 0.0, 8.0), 0.012, 0.03, mixed(side->inside, 0.0)},
+                        emitter, random);
+                    break;
+            }
+        }
+    }
+
+    struct DustStyle {
+        int count;
+        double lifetime;  // s
+        double opacity;
+        double radius;  // m, of the smallest
+        glm::vec3 colour;
     };
-    void write(const Places& places, double radius, double opacity, glm::vec4 colour) {
-        m_scene.puffs.push_back({glm::vec4(glm::vec3(places.now - m_scene.origin), radius),
-                                 glm::vec4(glm::vec3(places.before - places.now), opacity), colour});
+    void addDust(const DustStyle& style, const Emitter& emitter, Random& random) {
+        for (int k = 0; k < style.count; ++k) {
+            const Emitter::Start start = emitter.next(random);
+            add({.kind = ParticleKind::Dust,
+                 .from = start.from,
+                 .velocity = start.velocity,
+                 .radius = style.radius * random.between(1.0, 2.0),
+                 .lifetime = style.lifetime * random.between(0.65, 1.1),
+                 .opacity = style.opacity,
+                 .colour = style.colour,
+                 .phase = random.unit()});
+        }
+    }
+
+    struct PieceStyle {
+        ParticleKind kind;
+        int count;
+        double least, most;  // m: radii
+        glm::vec3 colour;
+    };
+    void addPieces(const PieceStyle& style, const Emitter& emitter, Random& random) {
+        for (int k = 0; k < style.count; ++k) {
+            const Emitter::Start start = emitter.next(random);
+            const Vec3 aside(random.between(-0.8, 0.8), random.between(0.0, 1.2), random.between(-0.8, 0.8));
+            add({.kind = style.kind,
+                 .from = start.from,
+                 .velocity = start.velocity + aside,
+                 .radius = random.between(style.least, style.most),
+                 .lifetime = random.between(0.5, 0.9),
+                 .colour = style.colour,
+                 .phase = random.unit(),
+                 .spin = random.between(-4.0, 4.0)});
+        }
+    }
+
+    /// Sparks, and a flash where they come from.
+    void addSparks(double energy, const Emitter& emitter, Random& random) {
+        if (energy < kSparkEnergy) return;
+        const glm::vec3 hot(kHot.red, kHot.green, kHot.blue);
+        const int count = countOf(energy, 1.5, 6.0, 40.0);
+        Vec3 flash(0.0);
+        for (int k = 0; k < count; ++k) {
+            const Emitter::Start start = emitter.next(random);
+            if (k == 0) flash = start.from;
+            add({.kind = ParticleKind::Spark,
+                 .from = start.from,
+                 .velocity = random.between(1.5, 4.0) * start.velocity,
+                 .radius = random.between(0.005, 0.01),
+                 .lifetime = random.between(0.15, 0.4),
+                 .colour = hot});
+        }
+        add({.kind = ParticleKind::Flash,
+             .from = flash,
+             .radius = growing(energy, 0.03, 0.08, 0.4),
+             .lifetime = 0.07,
+             .opacity = 0.8,
+             .colour = hot});
+    }
+
+    void add(const ParticleStart& start) {
+        if (m_age < start.lifetime && !isFull()) m_scene.particles.push_back(particleAt(start, m_age, m_world));
     }
 
     RenderScene& m_scene;
-    const Session& m_session;
-    double m_dt = m_session.stepLength();
+    const Project& m_project;
+    DustMoment m_moment;
+    ParticleWorld m_world;
+    double m_age = 0.0;  // s, of the event
 };
 
 }  // namespace
 
-void addDust(RenderScene& scene, const Session& session) {
-    const std::vector<PlayBreak>& breaks = session.recentBreaks();
-    DustWriter writer(scene, session);
-    for (auto broken = breaks.rbegin(); broken != breaks.rend() && !writer.isFull(); ++broken) writer.add(*broken);
+void addDust(RenderScene& scene, const Project& project, std::span<const EventRecord> events,
+             const DustMoment& moment) {
+    const auto shown = static_cast<std::uint64_t>(kDustTime / moment.stepLength);
+    DustWriter writer(scene, project, moment);
+    for (auto event = events.rbegin(); event != events.rend() && !writer.isFull(); ++event) {
+        if (event->step > moment.step) continue;
+        if (event->step + shown <= moment.step) break;
+        writer.add(*event);
+    }
 }
 
 }  // namespace rubble

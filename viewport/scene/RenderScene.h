@@ -72,14 +72,23 @@ struct SceneLine {
 };
 enum class LineEnd { Round, Arrow };
 
-/// A billboard of dust, or a splinter that glints as it rotates.
-struct DustPuff {
+enum class ParticleKind {
+    Dust,
+    Splinter,  // slender, glints as it rotates
+    Chip,      // a small fragment
+    Spark,     // a streak along its flight that glows
+    Flash,     // a short glow
+};
+
+/// A billboard of dust, or of something small that flies.
+struct Particle {
     glm::vec4 position{0.0f};  // m, relative to RenderScene::origin; w: radius, m
     glm::vec4 previousOffset{
-        0.0f};               // m: its position one step earlier minus its position now; w: opacity at its centre
-    glm::vec4 colour{1.0f};  // sRGB; w: dust: seed of its noise, in [0, 1); splinter: 1 + its rotation, in turns
-    bool isSplinter() const { return colour.w >= 1.0f; }
-    bool operator==(const DustPuff&) const = default;
+        0.0f};  // m: its position one step earlier minus its position now; w: opacity at its centre
+    // sRGB; w: its ParticleKind as a number, plus of dust the seed of its noise, else its rotation, in turns: in [0, 1)
+    glm::vec4 colour{1.0f};
+    ParticleKind kind() const { return static_cast<ParticleKind>(static_cast<int>(colour.w)); }
+    bool operator==(const Particle&) const = default;
 };
 
 /// A closed interval of numbers.
@@ -115,7 +124,7 @@ struct RenderScene {
     double largestBondArea = 0.0;           // m², of the widest bond line; 0: there are no bond lines
     std::vector<SceneLine> lines;
     std::vector<SceneLine> boxes;  // axis-aligned, from one corner to the opposite one
-    std::vector<DustPuff> puffs;
+    std::vector<Particle> particles;
     std::optional<SceneSummary> summary;  // cached; see summaryOf()
     bool operator==(const RenderScene&) const = default;
 };

@@ -21,6 +21,8 @@ void SessionPlayback::step() {
         }
     }
     m_session.step();
+    m_builder->record(m_session);
+    if (m_afterStep) m_afterStep(m_session);
     const std::vector<Diagnostic>& reported = m_session.events().diagnostics;
     m_diagnostics.insert(m_diagnostics.end(), reported.begin(), reported.end());
 }

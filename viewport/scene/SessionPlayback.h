@@ -2,6 +2,8 @@
 
 #include "viewport/scene/SessionSceneBuilder.h"
 
+#include <functional>
+
 namespace rubble {
 
 /// Plays a session and builds its render scenes at requested steps, in ascending order.
@@ -13,6 +15,8 @@ public:
                     const SceneOptions& options = {}, const PlayOverlays& overlays = {});
 
     const Session& session() const { return m_session; }
+    /// Calls back after each step from now on.
+    void setAfterStep(std::function<void(const Session&)> afterStep) { m_afterStep = std::move(afterStep); }
     /// The scene at the current step.
     std::shared_ptr<const RenderScene> scene() { return m_builder->sceneOf(m_session); }
     /// Plays on to a step and returns its scene. Builds every scene of the last second before it, since heat cools down
@@ -29,6 +33,7 @@ private:
     Session m_session;
     std::vector<TimedInput> m_inputs;
     std::size_t m_nextInput = 0;
+    std::function<void(const Session&)> m_afterStep;
     std::unique_ptr<SessionSceneBuilder> m_builder;
     std::vector<Diagnostic> m_diagnostics;
 };

@@ -177,11 +177,23 @@ void SessionSceneBuilder::recordImpacts(const Session& session) {
     }
 }
 
+void SessionSceneBuilder::record(const Session& session) {
+    m_history.add(session.stepsDone(), session.events().told.records);
+}
+
+/// Adds what flies after the events that were told.
+void SessionSceneBuilder::addToldDust(const Session& session, RenderScene& scene) const {
+    const DustMoment moment{session.stepsDone(), session.stepLength(), session.world().gravity()};
+    const std::uint64_t first = moment.step - std::min(moment.step, stepOf(kDustTime, moment.stepLength));
+    addDust(scene, m_scene->project, m_history.between(first, moment.step), moment);
+}
+
 void SessionSceneBuilder::addOverlays(const Session& session, RenderScene& scene) {
     scene.lines.clear();
     scene.boxes.clear();
-    scene.puffs.clear();
-    addDust(scene, session);
+    scene.particles.clear();
+    record(session);
+    addToldDust(session, scene);
     recordImpacts(session);
     if (m_overlays.hasContacts || m_overlays.hasNormals || m_overlays.hasImpulses) {
         addContactLines(scene, session, m_overlays, m_arrowScale);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/play/analysis/Forecast.h"
+#include "core/play/events/EventHistory.h"
 #include "viewport/scene/OverlayColours.h"
 #include "viewport/scene/PlayOverlays.h"
 #include "viewport/scene/SceneBuilder.h"
@@ -33,6 +34,12 @@ public:
     /// a seek) these are empty; called again at the same step, it returns the same content.
     std::shared_ptr<const RenderScene> sceneOf(const Session& session);
 
+    /// Records what the session's last step told, of which the following scenes show the dust. Must be called after
+    /// each step, also those that are played again to seek; sceneOf() does it for the step that it shows.
+    void record(const Session& session);
+    /// Sets what was told before the first scene, where the session was played without this.
+    void setHistory(EventHistory history) { m_history = std::move(history); }
+
     /// Sets the overlays of the following scenes. Switching hulls rebuilds the geometry; all else is cheap.
     void setOverlays(const PlayOverlays& overlays);
     /// Sets what the heat overlay shows: a break forecast, by ascending body number. Without one, the default, it shows
@@ -58,6 +65,7 @@ private:
     std::uint32_t sceneIndexOf(const PlayBody& body) const;
     bool writePoses(const Session& session, RenderScene& scene) const;
     void addOverlays(const Session& session, RenderScene& scene);
+    void addToldDust(const Session& session, RenderScene& scene) const;
     std::vector<BodyTint> tintsOf(const Session& session) const;
     void recordImpacts(const Session& session);
     void makeModels();
@@ -79,6 +87,7 @@ private:
     std::optional<BodyCollapse> m_collapse;
     std::vector<Model> m_models;  // one per batch; the scene's assets first
     std::vector<Slots> m_slots;   // one per origin
+    EventHistory m_history;       // whose dust is shown
     RenderScene m_layout;         // what all scenes share, with all bodies hidden
     std::vector<std::shared_ptr<RenderScene>> m_pool;
     std::shared_ptr<const RenderScene> m_previous;  // the last scene built, in the layout of m_layout

@@ -134,7 +134,9 @@ Result<Image> ContactSheetPainter::renderImage(const SheetEntry& entry, const Ta
     std::shared_ptr<const RenderScene> scene;
     if (entry.session) {
         const std::shared_ptr<const PlayScene> played(entry.session, &entry.session->scene());
-        scene = SessionSceneBuilder(played, {.colouring = m_style.colouring}).sceneOf(*entry.session);
+        SessionSceneBuilder builder(played, {.colouring = m_style.colouring});
+        builder.setHistory(entry.history);
+        scene = builder.sceneOf(*entry.session);
     } else {
         scene = std::make_shared<const RenderScene>(sceneAtRest(m_project, entry, m_style));
     }
@@ -170,6 +172,7 @@ Status drawContactSheet(const SheetRequest& request, const SheetStyle& style,
             continue;
         }
         entry->session = nullptr;
+        entry->history = {};
         take(std::move(*entry), std::move(picture));
         task.report(static_cast<double>(++done) / static_cast<double>(request.variants.size()));
     }

@@ -4,7 +4,9 @@
 #include "core/io/media/VideoFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/Temporary.h"
+#include "core/sound/session/SoundRecorder.h"
 #include "viewport/render/OffscreenRenderer.h"
+#include "viewport/video/CameraListener.h"
 #include "viewport/video/FrameWriter.h"
 
 #include <algorithm>
@@ -55,6 +57,18 @@ Status renderTo(std::span<SessionPlayback> playbacks, const VideoPlan& plan, Pic
     return writer.finish();
 }
 
+double secondsOf(const VideoPlan& plan) { return plan.frames / plan.frameRate; }
+
+/// What was recorded, at the times of the frames and as long as they.
+Result<StereoTrack> trackOf(const SoundRecorder& recorder, double stepLength, const VideoPlan& plan) {
+    std::vector<SoundCue> cues;
+    for (SoundCue cue : recorder.cues()) {
+        cue.time = (cue.time / stepLength - plan.first) / (plan.stepsPerFrame * plan.frameRate);
+        if (cue.time >= 0.0) cues.push_back(cue);
+    }
+    return mixedTrack(cues, secondsOf(plan), listenerAt(plan.view.camera));
+}
+
 }  // namespace
 
 int frameCount(double first, double last, double stepsPerFrame) {
@@ -74,6 +88,9 @@ Status renderFrames(std::span<SessionPlayback> playbacks, const VideoPlan& plan,
 
 Status renderVideo(std::span<SessionPlayback> playbacks, const VideoPlan& plan, const fs::path& video,
                    const TaskContext& task) {
+    if (plan.hasSound) {
+        if (const Status checked = checkTrackLength(secondsOf(plan)); !checked) return checked;
+    }
     if (const Status replaceable = checkVideoReplaceable(video); !replaceable) return replaceable;
     removeLeftovers(video.parent_path());
     const auto folder = TemporaryFolder::create(video.parent_path());
@@ -81,11 +98,17 @@ Status renderVideo(std::span<SessionPlayback> playbacks, const VideoPlan& plan, 
     const fs::path pictures = (*folder)->path() / "pictures";  // the folder itself is locked already
     const auto sequence = PictureSequence::create(pictures, video);
     if (!sequence) return sequence.error();
+    SoundRecorder recorder;
+    SessionPlayback& heard = playbacks.back();
+    if (plan.hasSound) heard.setAfterStep([&recorder](const Session& session) { recorder.add(session); });
     const Status rendered = renderTo(playbacks, plan, **sequence, task.stage(0.0, kRenderingFraction));
+    heard.setAfterStep({});
     if (!rendered) return rendered;
-    if (plan.sound.empty()) return encodeVideo(pictures, plan.frameRate, video, task);
+    if (!plan.hasSound) return encodeVideo(pictures, plan.frameRate, video, task);
     const fs::path sound = (*folder)->path() / "sound.wav";
-    const Status written = writeFileAtomically(sound, plan.sound);
+    const Result<StereoTrack> track = trackOf(recorder, heard.session().stepLength(), plan);
+    if (!track) return track.error();
+    const Status written = writeFileAtomically(sound, wavFile(*track));
     return written ? encodeVideo(pictures, plan.frameRate, video, task, sound) : written;
 }
 

@@ -6,7 +6,6 @@
 
 #include <filesystem>
 #include <span>
-#include <string>
 
 namespace rubble {
 
@@ -18,7 +17,7 @@ struct VideoPlan {
     double stepsPerFrame = 1.0;  // > 0; poses between two steps are interpolated
     int frames = 1;              // at most kMaxPictures
     double frameRate = 30.0;     // frames per second
-    std::string sound;           // of a video: a WAV file; empty: none
+    bool hasSound = false;       // of a video: that of the last playback, heard from the camera, as fast as the frames
 };
 
 inline constexpr int kPlaybackGap = 8;  // pixels between two playbacks side by side
@@ -36,10 +35,10 @@ enum class Unfinished { Kept, Removed };
 Status renderFrames(std::span<SessionPlayback> playbacks, const VideoPlan& plan, const std::filesystem::path& folder,
                     Unfinished unfinished, const TaskContext& task = {});
 
-/// The same, encoded as a video: see encodeVideo(). The images lie in a hidden folder beside it meanwhile and are
-/// always removed.
+/// The same, encoded as a video: see encodeVideo(). The images and the sound lie in a hidden folder beside it meanwhile
+/// and are always removed.
 ///
-/// Errors: those of renderFrames() and encodeVideo().
+/// Errors: those of renderFrames(), checkTrackLength() and encodeVideo().
 Status renderVideo(std::span<SessionPlayback> playbacks, const VideoPlan& plan, const std::filesystem::path& video,
                    const TaskContext& task = {});
 

@@ -105,7 +105,8 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
     std::optional<ReplayRecorder> recorder;
     if (plan.isRecorded) recorder.emplace(*session, programVersion(), projectHash(session->scene().project));
     ReplaySize recorded;
-    SoundRecorder heard(*session);
+    SoundRecorder heard;
+    const Listener listener = frontListener(*session);
     std::optional<EventsText> told;
     if (plan.events) told.emplace(*plan.events);
     for (int step = 1; step <= plan.simulation.steps; ++step) {
@@ -137,7 +138,7 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
     if (told) run.events = std::move(*told).finished();
     if (const Status saved = saveResult(plan, *session, run); !saved) return saved.error();
     if (!plan.isHeard) return run;
-    Result<StereoTrack> sound = heard.track();
+    Result<StereoTrack> sound = heard.track(listener);
     if (!sound) return sound.error();
     run.sound = std::move(*sound);
     return run;

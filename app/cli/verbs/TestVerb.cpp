@@ -12,7 +12,7 @@
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/CreatedDirectories.h"
 #include "viewport/render/OffscreenRenderer.h"
-#include "viewport/scene/SessionSceneBuilder.h"
+#include "viewport/scene/SessionPlayback.h"
 
 #include <algorithm>
 #include <chrono>
@@ -72,12 +72,13 @@ Status renderFailure(const std::shared_ptr<const PlayScene>& scene, const PlayTe
     const TaskContext task{.cancel = context.cancel};
     Result<Session> session = sessionOf(scene, test, {.threads = options.threads}, start);
     if (!session) return session.error();
-    SessionSceneBuilder builder(scene);
-    const Box3 framed = withSpaceForDebris(boundsOf(*builder.sceneOf(*session)));
-    if (const Status played = simulateTo(*session, outcome.failedAt(), context, task); !played) return played;
+    SessionPlayback playback(scene, std::move(*session));
+    const Box3 framed = withSpaceForDebris(boundsOf(*playback.scene()));
+    const auto failed = playback.sceneAtStep(outcome.failedAt(), task);
+    if (!failed) return failed.error();
+    printWarnings(playback, context);
     const PictureOptions picture{.samples = kSamples};
-    const Result<Image> image =
-        renderImage(builder.sceneOf(*session), pictureView(picture, framed), picture.samples, task);
+    const Result<Image> image = renderImage(*failed, pictureView(picture, framed), picture.samples, task);
     if (!image) return image.error();
     const Result<std::string> png = pngOf(*image);
     if (!png) return png.error();

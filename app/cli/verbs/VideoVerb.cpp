@@ -9,7 +9,6 @@
 #include "core/base/QuantityText.h"
 #include "core/io/media/PictureSequence.h"
 #include "core/io/media/VideoFile.h"
-#include "core/sound/session/SoundRecorder.h"
 #include "viewport/video/Video.h"
 
 #include <algorithm>
@@ -26,8 +25,8 @@ constexpr const char* kVideoFooter =
 on; a sequence that is stopped keeps those that are complete. A folder that already holds such pictures is
 rejected. With ffmpeg installed, VIDEO.mp4 (or .mkv, .mov, .webm) encodes them as a video. With --compare each
 picture shows the same step twice, side by side, without destruction on the left and with it on the right, each
-of the given --size. With --sound a video has the sound of impacts and breaks, faster or slower as the
-pictures are.
+of the given --size. With --sound a video has the sound of impacts and breaks as heard from the camera, faster
+or slower as the pictures are; that with destruction with --compare.
 
 Examples:
   rubble-cli video house.rubble hit.mp4 --steps 300 --shot "block under the roof"
@@ -81,28 +80,8 @@ Result<VideoPlan> planOf(const VideoOptions& options) {
                      .first = static_cast<double>(options.first),
                      .stepsPerFrame = static_cast<double>(options.every),
                      .frames = pictures,
-                     .frameRate = options.rate.value_or(std::min(asPlayed, rangeOf(ProjectNumber::FrameRate).max))};
-}
-
-/// The sound of the simulation at the times of its pictures, as a WAV file.
-Result<std::string> soundOf(const PreparedProject& play, const VideoOptions& options, const VideoPlan& plan,
-                            const TaskContext& task) {
-    Result<Session> session = createSession(play, options.play, options.threads);
-    if (!session) return session.error();
-    SoundRecorder recorder(*session);
-    for (int step = 0; step < options.steps; ++step) {
-        if (task.isCancelled()) return TaskContext::cancelled();
-        session->step();
-        recorder.add(*session);
-    }
-    std::vector<SoundCue> cues;
-    for (SoundCue cue : recorder.cues()) {
-        cue.time = (cue.time / options.play.stepLength - plan.first) / (plan.stepsPerFrame * plan.frameRate);
-        if (cue.time >= 0.0) cues.push_back(cue);
-    }
-    const Result<StereoTrack> track = mixedTrack(cues, plan.frames / plan.frameRate, recorder.listener());
-    if (!track) return track.error();
-    return wavFile(*track);
+                     .frameRate = options.rate.value_or(std::min(asPlayed, rangeOf(ProjectNumber::FrameRate).max)),
+                     .hasSound = options.hasSound};
 }
 
 Status video(const VideoOptions& options, const CliContext& context) {
@@ -129,11 +108,6 @@ Status video(const VideoOptions& options, const CliContext& context) {
     if (!playbacks) return playbacks.error();
     plan->view = pictureView(options.picture, withSpaceForDebris(boundsOf(*playbacks->front().scene())));
     plan->view.settings.msaa = kVideoMsaa;
-    if (options.hasSound) {
-        Result<std::string> sound = soundOf(*play, options, *plan, task);
-        if (!sound) return sound.error();
-        plan->sound = std::move(*sound);
-    }
     ProgressLine line(context, "Rendering");
     task.progress = [&line](double fraction) { line.show(fraction); };
     const Status shot = isVideo ? renderVideo(*playbacks, *plan, options.output, task)
@@ -171,7 +145,8 @@ Verb addVideo(CLI::App& program) {
     command.flag("--compare", options->isCompared, "Show it without and with destruction, side by side")
         .valueName(" ");  // hides CLI11's note on --no-destruction
     command["--compare"].excludes(command["--no-destruction"].valueName(" "));
-    command.flag("--sound", options->hasSound, "Add the sound of impacts and breaks to a video");
+    command.flag("--sound", options->hasSound,
+                 "Add the sound of impacts and breaks, heard from the camera, to a video");
     addViewOptions(command, options->picture);
     addStyleOptions(command, options->picture);
     addOverlayOption(command, options->picture);

@@ -134,6 +134,7 @@ private:
             if (task.isCancelled()) return TaskContext::cancelled();
             moved->step();
             observer.afterStep();
+            entry.history.add(moved->stepsDone(), moved->events().told.records);
         }
         observer.measure(entry.figures);
         entry.figures.isPlayed = true;

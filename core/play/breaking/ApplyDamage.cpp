@@ -110,7 +110,6 @@ Status applyDamage(const SessionParts& parts, const SessionDamage& damage) {
     if (!targets) return targets.error();
     SessionState& state = parts.state;
     PlayEvents before = std::move(state.events);
-    const std::size_t recentBreaks = state.recentBreaks.size();
     state.events = {};
     for (;;) {
         std::vector<PendingBreak> breaks = nextBreaks(parts, *targets);
@@ -119,7 +118,6 @@ Status applyDamage(const SessionParts& parts, const SessionDamage& damage) {
     }
     for (Diagnostic& one : state.events.diagnostics) before.diagnostics.push_back(std::move(one));
     state.events = std::move(before);
-    state.recentBreaks.resize(recentBreaks);
     for (const auto& [origin, target] : *targets) state.damage[origin] = target.damage;
     return success();
 }

@@ -174,7 +174,6 @@ void addFragments(const SessionParts& parts, PendingBreak& broken, Stopwatch& wa
     event.milliseconds += watch.lap();
     auditSwap(parts, broken, fragments);
     parts.state.events.breaks.push_back(event);
-    parts.state.recentBreaks.push_back(event);
 }
 
 }  // namespace

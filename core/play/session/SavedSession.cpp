@@ -153,7 +153,6 @@ SavedSession savedSession(const Session& session, StateKind kind) {
     const std::shared_ptr<const SessionSnapshot> snapshot = session.snapshot();
     SavedSession saved{.dt = session.stepLength(), .bakes = bakesOf(session.scene()), .state = snapshot->state};
     saved.state.events = {};
-    saved.state.recentBreaks.clear();
     for (PlayBody& body : saved.state.bodies) {
         body.asset.reset();
         body.hull.reset();

@@ -90,9 +90,6 @@ void Session::step() {
     std::vector<EventRecord> happened = happenedEvents(parts);
     removeDebris(parts);
     tellEvents(parts, std::move(happened));
-    const auto recent = static_cast<std::uint64_t>(kRecentTime / m_settings.dt);
-    std::erase_if(m_state->recentBreaks,
-                  [&](const PlayBreak& broken) { return broken.step + recent <= m_state->step; });
 }
 
 std::uint64_t Session::stepsDone() const { return m_state->step; }
@@ -124,7 +121,6 @@ Status Session::apply(const SessionDamage& damage) {
 }
 
 const PlayEvents& Session::events() const { return m_state->events; }
-const std::vector<PlayBreak>& Session::recentBreaks() const { return m_state->recentBreaks; }
 double Session::swapMilliseconds() const { return m_swapMilliseconds; }
 
 std::shared_ptr<const SessionSnapshot> Session::snapshot() const {

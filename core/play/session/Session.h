@@ -61,8 +61,6 @@ public:
     Status apply(const SessionDamage& damage);
 
     const PlayEvents& events() const;
-    /// The breaks of the last kRecentTime, for drawing their dust.
-    const std::vector<PlayBreak>& recentBreaks() const;
     /// The time that the last step spent on breaks and swaps, ms; the rest is World::times().
     double swapMilliseconds() const;
     ContentHash hash() const { return world().hash(); }
@@ -84,8 +82,6 @@ private:
     World m_world;
     double m_swapMilliseconds = 0.0;
 };
-
-inline constexpr double kRecentTime = 1.0;  // s
 
 /// The number of steps of dt before a shot at this time is due.
 std::uint64_t stepOf(double time, double dt);

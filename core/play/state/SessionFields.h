@@ -6,7 +6,7 @@
 namespace rubble {
 
 /// Visits the fields of the structs of a SessionState, as those in WorldFields.h. Assets and hulls of bodies follow
-/// from their origins and are not visited, nor are the events of the last step and the breaks whose dust is drawn.
+/// from their origins and are not visited, nor are the events of the last step.
 template <FieldsOf<ContentHash> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
     auto& [high, low] = self;
@@ -186,7 +186,7 @@ void visitFields(Self& self, Visit& visit) {
 template <FieldsOf<SessionState> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
     [[maybe_unused]] auto& [step, hasDestruction, bodies, nextNumber, origins, damage, pending, materials,
-                            assetThresholds, instanceThresholds, lowest, events, toldImpacts, recentBreaks] = self;
+                            assetThresholds, instanceThresholds, lowest, events, toldImpacts] = self;
     visit("step", step);
     visit("hasDestruction", hasDestruction);
     visit("bodies", bodies);

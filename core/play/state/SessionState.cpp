@@ -9,8 +9,7 @@ std::size_t byteCount(const SessionState& state) {
     std::size_t damage = 0;
     for (const auto& [origin, one] : state.damage) damage += sizeof(one) + one.broken.size() / 8;
     return sizeof(SessionState) + damage +
-           elementBytes(state.bodies, state.origins, state.pending, state.materials, state.toldImpacts,
-                        state.recentBreaks) +
+           elementBytes(state.bodies, state.origins, state.pending, state.materials, state.toldImpacts) +
            elementBytes(events.inputs, events.breaks, events.impacts, events.born, events.removed, events.diagnostics,
                         events.told.records);
 }

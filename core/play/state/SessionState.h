@@ -41,7 +41,6 @@ struct SessionState {
     double lowest = 0.0;                      // m: bodies below it have left the world
     PlayEvents events;
     std::vector<ToldImpact> toldImpacts;  // ascending bodies
-    std::vector<PlayBreak> recentBreaks;  // of the last kRecentTime; never read by the simulation
 };
 
 struct SessionSnapshot {

@@ -1,69 +1,12 @@
 #include "core/sound/mix/SoundTrack.h"
 
 #include "core/base/MessageText.h"
-#include "core/base/Random.h"
-#include "core/base/math/Trigonometry.h"
 #include "core/sound/mix/Limiter.h"
 
-#include <glm/geometric.hpp>
-
-#include <algorithm>
 #include <cmath>
-#include <map>
-#include <optional>
-#include <tuple>
 
 namespace rubble {
 namespace {
-
-constexpr double kAmplitudeOfJoule = 0.02;           // of full scale, 1 m away: 2.5 kJ reach it
-constexpr double kNearest = 1.0;                     // m: what is nearer is as loud
-constexpr std::uint64_t kTakes = 4;                  // samples of the same kind that follow each other
-constexpr double kLightest = 1e-3, kHeaviest = 1e5;  // kg: bodies beyond sound like these
-
-bool isFinite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-std::optional<std::string> faultOf(const SoundCue& cue) {
-    if (!(cue.time >= 0.0 && cue.time <= kMaxTrackSeconds)) return "its time is not within the longest track";
-    if (!(cue.energy >= 0.0 && std::isfinite(cue.energy))) return "its energy is negative or not finite";
-    if (!(cue.mass > 0.0 && std::isfinite(cue.mass))) return "its mass is not positive and finite";
-    if (!isFinite(cue.point)) return "its point is not finite";
-    return std::nullopt;
-}
-
-/// Samples that were made. Masses between the same two powers of two sound alike.
-class SampleCache {
-public:
-    const std::vector<float>& sampleOf(const SoundCue& cue, std::uint64_t take) {
-        int size = 0;
-        std::frexp(std::clamp(cue.mass, kLightest, kHeaviest), &size);
-        const auto key = std::tuple(cue.kind, cue.first, cue.second, size, take);
-        const auto found = m_samples.find(key);
-        if (found != m_samples.end()) return found->second;
-        std::uint64_t seed = mixSeeds(static_cast<std::uint64_t>(cue.kind), take);
-        seed = mixSeeds(
-            seed, static_cast<std::uint64_t>(cue.first) * kSoundMaterials + static_cast<std::uint64_t>(cue.second));
-        seed = mixSeeds(seed, static_cast<std::uint64_t>(size + 1000));
-        return m_samples[key] = synthesized({.kind = cue.kind,
-                                             .first = cue.first,
-                                             .second = cue.second,
-                                             .mass = std::ldexp(0.75, size),
-                                             .randomSeed = seed});
-    }
-
-private:
-    std::map<std::tuple<CueKind, SoundMaterial, SoundMaterial, int, std::uint64_t>, std::vector<float>> m_samples;
-};
-
-/// The amplitudes of a cue on the left and on the right.
-std::array<double, 2> levelsOf(const SoundCue& cue, const Listener& listener) {
-    const Vec3 way = cue.point - listener.position;
-    const double distance = glm::length(way);
-    const double level = kAmplitudeOfJoule * std::sqrt(cue.energy) / std::max(kNearest, distance);
-    const double pan = distance > 0.0 ? std::clamp(glm::dot(way, listener.right) / distance, -1.0, 1.0) : 0.0;
-    const double angle = (1.0 + pan) * kFullTurn / 8.0;
-    return {level * cosine(angle), level * sine(angle)};
-}
 
 void addLittleEndian(std::string& bytes, std::uint32_t value, int count) {
     for (int k = 0; k < count; ++k) bytes += static_cast<char>((value >> (8 * k)) & 0xff);
@@ -71,11 +14,14 @@ void addLittleEndian(std::string& bytes, std::uint32_t value, int count) {
 
 }  // namespace
 
+Status checkTrackLength(double seconds) {
+    if (seconds >= 0.0 && seconds <= kMaxTrackSeconds) return success();
+    return Error{ErrorCode::BadInput,
+                 "A sound track is at most " + messageText(kMaxTrackSeconds) + " s long; export a shorter part."};
+}
+
 Result<StereoTrack> mixedTrack(std::span<const SoundCue> cues, double seconds, const Listener& listener) {
-    if (!(seconds >= 0.0 && seconds <= kMaxTrackSeconds)) {
-        return Error{ErrorCode::BadInput,
-                     "A sound track is at most " + messageText(kMaxTrackSeconds) + " s long; export a shorter part."};
-    }
+    if (const Status checked = checkTrackLength(seconds); !checked) return checked.error();
     const auto frames = static_cast<std::size_t>(std::ceil(seconds * kSampleRate));
     StereoSamples mixed(frames, {0.0f, 0.0f});
     SampleCache cache;
@@ -84,7 +30,8 @@ Result<StereoTrack> mixedTrack(std::span<const SoundCue> cues, double seconds, c
         if (const std::optional<std::string> fault = faultOf(cue)) {
             return Error{ErrorCode::BadInput, "Sound cue " + std::to_string(index) + " is refused: " + *fault + "."};
         }
-        const std::vector<float>& sample = cache.sampleOf(cue, index % kTakes);
+        const SharedSample shared = sampleOf(cue, index, cache);
+        const std::vector<float>& sample = *shared;
         const std::array<double, 2> levels = levelsOf(cue, listener);
         const auto start = static_cast<std::size_t>(std::lround(cue.time * kSampleRate));
         for (std::size_t k = 0; k < sample.size() && start + k < frames; ++k) {
@@ -96,9 +43,7 @@ Result<StereoTrack> mixedTrack(std::span<const SoundCue> cues, double seconds, c
     StereoTrack track;
     track.samples.reserve(2 * frames);
     for (const std::array<float, 2>& frame : mixed) {
-        for (const float value : frame) {
-            track.samples.push_back(static_cast<std::int16_t>(std::lround(std::clamp(value, -1.0f, 1.0f) * 32767.0f)));
-        }
+        for (const float value : frame) track.samples.push_back(sixteenBits(value));
     }
     return track;
 }

@@ -3,6 +3,7 @@
 #include "core/geometry/search/Box3.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace rubble {
 namespace {
@@ -10,15 +11,6 @@ namespace {
 constexpr double kLeastEnergy = 1.0;  // J: breaks without a blow are heard, too
 constexpr double kLeastMass = 1e-3;   // kg
 constexpr double kNearestView = 3.0;  // m
-
-Listener listenerOf(const Session& session) {
-    Box3 around;
-    for (const PlayBody& body : session.bodies()) {
-        if (body.role != PlayRole::Ground) around.include(session.world().box(body.body));
-    }
-    if (around.isEmpty()) return {};
-    return {.position = around.centre() + Vec3(0.0, 0.0, std::max(kNearestView, around.diagonal()))};
-}
 
 /// What a material of the project sounds like; stone for the ground, metal for projectiles that are no asset.
 SoundMaterial soundMaterialOf(const Session& session, Id id, std::uint32_t body) {
@@ -59,15 +51,28 @@ SoundCue breakCue(const Session& session, const EventRecord& broken) {
 
 }  // namespace
 
-SoundRecorder::SoundRecorder(const Session& session) : m_listener(listenerOf(session)) {}
+std::vector<SoundCue> cuesOf(const Session& session) {
+    std::vector<SoundCue> cues;
+    for (const EventRecord& record : session.events().told.records) {
+        if (record.kind != EventKind::Impact && record.kind != EventKind::Broken) continue;
+        cues.push_back(record.kind == EventKind::Impact ? impactCue(session, record) : breakCue(session, record));
+        cues.back().time = static_cast<double>(session.stepsDone()) * session.stepLength();
+    }
+    return cues;
+}
+
+Listener frontListener(const Session& session) {
+    Box3 around;
+    for (const PlayBody& body : session.bodies()) {
+        if (body.role != PlayRole::Ground) around.include(session.world().box(body.body));
+    }
+    if (around.isEmpty()) return {};
+    return {.position = around.centre() + Vec3(0.0, 0.0, std::max(kNearestView, around.diagonal()))};
+}
 
 void SoundRecorder::add(const Session& session) {
     m_seconds = static_cast<double>(session.stepsDone()) * session.stepLength();
-    for (const EventRecord& record : session.events().told.records) {
-        if (record.kind != EventKind::Impact && record.kind != EventKind::Broken) continue;
-        m_cues.push_back(record.kind == EventKind::Impact ? impactCue(session, record) : breakCue(session, record));
-        m_cues.back().time = m_seconds;
-    }
+    std::ranges::copy(cuesOf(session), std::back_inserter(m_cues));
 }
 
 }  // namespace rubble

@@ -158,6 +158,23 @@ private slots:
         stage.settle();
         QCOMPARE(stage.step(), *steps.begin());
     }
+    void dustIsTheSamePlayedAndSought() {
+        test::Stage stage;
+        stage.controller.setToolSettings(test::heavyBox());
+        stage.start();
+        stage.controller.throwAlong(test::kAtBlock);
+        std::vector<std::vector<Particle>> played;
+        for (int step = 1; step <= 30; ++step) {
+            stage.advance(1);
+            played.push_back(stage.controller.frame()->scene->particles);
+        }
+        QVERIFY(played.back().size() > 5);
+        for (const std::uint64_t step : {12u, 30u, 25u, 1u, 29u}) {
+            stage.controller.seek(step);
+            stage.settle();
+            QVERIFY(stage.controller.frame()->scene->particles == played[step - 1]);
+        }
+    }
     void throwInThePastKeepsABranch() {
         test::Stage stage;
         stage.controller.setToolSettings(test::heavyBox());

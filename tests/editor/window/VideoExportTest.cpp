@@ -5,6 +5,7 @@
 #include "tests/support/editor/Dialogs.h"
 #include "tests/support/editor/EditorStory.h"
 #include "tests/support/files/Ffmpeg.h"
+#include "tests/support/files/FileBytes.h"
 #include "tests/support/files/FileLimits.h"
 #include "tests/support/viewport/Pictures.h"
 
@@ -17,6 +18,8 @@
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QToolButton>
+
+#include <algorithm>
 
 using namespace rubble;
 
@@ -97,6 +100,31 @@ private slots:
         QFile video(m_folder->filePath("hit.mp4"));
         QVERIFY(video.open(QIODevice::ReadOnly));
         QVERIFY(video.readAll().contains("-framerate\n15\n"));
+    }
+    void videosHaveSoundAndImagesHaveNone() {
+        const test::Ffmpeg ffmpeg(test::Ffmpeg::kKeepsSound);
+        ask([this](VideoDialog& dialog) {
+            auto* sound = dialog.findChild<QCheckBox*>("video-sound");
+            QVERIFY(!sound->isChecked() && !dialog.options().hasSound);
+            fill(dialog, m_folder->filePath("hit.mp4"), 0, 90, 60.0);
+            sound->setChecked(true);
+            QVERIFY(dialog.options().hasSound);
+            auto* kind = dialog.findChild<QComboBox*>();
+            kind->setCurrentIndex(1);
+            QVERIFY(!sound->isEnabled() && !dialog.options().hasSound);
+            kind->setCurrentIndex(0);
+            QTest::mouseClick(&okButton(dialog), Qt::LeftButton);
+        });
+        QTRY_VERIFY_WITH_TIMEOUT(!videos().isBusy(), kPatience);
+        const QByteArray heard = bytesOfFile(m_folder->filePath("hit.mp4"));
+        QCOMPARE(heard.size(), 44 + 4 * 48000 * 91 / 60);
+        QVERIFY(std::ranges::any_of(heard.mid(44), [](char byte) { return byte != 0; }));
+        ask([](VideoDialog& dialog) {
+            QVERIFY(dialog.findChild<QCheckBox*>("video-sound")->isChecked());  // it is remembered
+            dialog.reject();
+        });
+        QSettings().remove("video/sound");
+        (void)takeOffer();
     }
     void cancelledVideoLeavesNoFiles() {
         const test::Ffmpeg none;

@@ -27,7 +27,9 @@ private slots:
                                       .msaa = 8,
                                       .refining = ProgressiveRendering::Always,
                                       .isSmooth = false,
-                                      .hasStatistics = true};
+                                      .hasStatistics = true,
+                                      .hasSound = true,
+                                      .volume = 25};
         QSettings settings;
         writePreferences(preferences, settings);
         QVERIFY(readPreferences(settings) == preferences);
@@ -38,7 +40,10 @@ private slots:
         settings.setValue("preferences/theme", "purple");
         settings.setValue("preferences/msaa", 3);
         settings.setValue("preferences/autosaveSeconds", "often");
+        settings.setValue("preferences/volume", "loud");
         QVERIFY(readPreferences(settings) == Preferences{});
+        settings.setValue("preferences/volume", 300);
+        QCOMPARE(readPreferences(settings).volume, 100);
     }
     void recentFilesExistAndAreNewestFirst() {
         RecentFiles recent;

@@ -19,6 +19,13 @@ first=$(printf "$2" 0)
 [ -s "$first" ] || { echo "$first: No such file" >&2; exit 1; }
 for word; do echo "$word"; done >> "$video"
 )";
+    /// Makes a video that is the sound it was given.
+    static constexpr const char* kKeepsSound = R"(#!/bin/sh
+for video; do :; done
+for word; do
+  case "$word" in */sound.wav) cp "$word" "$video" ;; esac
+done
+)";
     static constexpr const char* kFails = R"(#!/bin/sh
 for video; do :; done
 echo half > "$video"

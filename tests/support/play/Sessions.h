@@ -24,6 +24,11 @@ inline Session sessionOf(const Project& project, const SessionSettings& settings
     return std::move(*session);
 }
 
+/// The scene of a session, which must outlive it.
+inline std::shared_ptr<const PlayScene> sharedScene(const Session& session) {
+    return {std::shared_ptr<const PlayScene>(), &session.scene()};
+}
+
 inline const PlayAsset& onlyAsset(const PlayScene& scene) { return *scene.assets.begin()->second; }
 
 /// A block of 1 x 1 x 0.5 m in `pieces` fragments, of density 1000 and threshold 100 N·s, above the ground, without

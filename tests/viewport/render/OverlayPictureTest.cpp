@@ -82,7 +82,7 @@ private slots:
         RenderScene scene = centredWall();
         const QImage clear = picture(scene);
         const auto puffAt = [&](float z) {
-            scene.puffs = {
+            scene.particles = {
                 {glm::vec4(0.0f, 0.0f, z, 0.3f), glm::vec4(0.0f, 0.0f, 0.0f, 0.9f), glm::vec4(1.0f, 1.0f, 1.0f, 0.3f)}};
             return test::meanDifference(picture(scene).copy(80, 80, 40, 40), clear.copy(80, 80, 40, 40));
         };

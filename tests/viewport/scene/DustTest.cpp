@@ -1,50 +1,91 @@
+// Tests viewport/scene/Dust.cpp and viewport/scene/DustParticles.cpp.
 #include "tests/support/TestProgram.h"
 #include "viewport/scene/Dust.h"
 
-#include "tests/support/play/Sessions.h"
+#include "tests/support/asset/ProjectParts.h"
+
+#include <QTest>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace rubble;
-using test::addInput;
-using test::floatingBlock;
 
 namespace {
 
-/// The puffs of a session's scene.
-std::vector<DustPuff> puffsOf(const Session& session) {
-    RenderScene scene;
-    addDust(scene, session);
-    return scene.puffs;
+constexpr double kStep = 1.0 / 60.0;  // s
+
+/// Something that the steps of a session told, and the materials that it names.
+struct Told {
+    Project project;
+    std::vector<EventRecord> events;
+};
+
+/// What flies at a step, without gravity unless given.
+std::vector<Particle> particlesAt(const Told& told, std::uint64_t step, Vec3 gravity = Vec3(0.0)) {
+    RenderScene scene{.hasGround = told.project.ground.isOn};
+    addDust(scene, told.project, told.events, {step, kStep, gravity});
+    return scene.particles;
 }
 
-/// A block that broke one step ago.
-Session brokenBlock() {
-    Session session = test::sessionOf(floatingBlock(5));
-    addInput(session, BreakInput{1});
-    session.step();
-    return session;
+/// A block of 1 x 1 x 0.5 m at (0, 5, 0) that broke in step 1 of a blow from +z.
+Told brokenBlock(double energy = 100.0, Material material = {}) {
+    Told told;
+    const Id id = test::addMaterial(told.project, material);
+    EventRecord broken{.step = 1,
+                       .kind = EventKind::Broken,
+                       .body = 1,
+                       .other = 2,
+                       .point = {0.0, 5.0, 0.25},
+                       .normal = {0.0, 0.0, -1.0},
+                       .energy = energy,
+                       .area = 4.0,
+                       .mass = 0.5 * material.density,
+                       .count = 5,
+                       .materials = {id, id}};
+    broken.box = {{-0.5, 4.5, -0.25}, {0.5, 5.5, 0.25}};
+    told.events = {broken};
+    return told;
 }
 
-/// The same of another material.
-Session brokenBlockOf(const Material& like, const Vec3& gravity = Vec3(0.0)) {
-    Project project = floatingBlock(5);
-    project.gravity = gravity;
-    Material& material = project.materials[0];
-    material.outside = like.outside;
-    material.inside = like.inside;
-    material.opacity = like.opacity;
-    material.fractureToughness = like.fractureToughness;
-    Session session = test::sessionOf(project);
-    addInput(session, BreakInput{1});
-    session.step();
-    return session;
+/// A body that hit the ground at the origin in step 1.
+Told impactOnGround(double energy, Material material = {}) {
+    Told told;
+    const Id id = test::addMaterial(told.project, material);
+    told.events = {{.step = 1,
+                    .body = 1,
+                    .other = 0,
+                    .normal = {0.0, 1.0, 0.0},
+                    .speed = 5.0,
+                    .energy = energy,
+                    .materials = {id, 0}}};
+    return told;
 }
 
-void step(Session& session, int steps) {
-    for (int k = 0; k < steps; ++k) session.step();
+Material materialOf(double opacity, double density, std::optional<double> toughness) {
+    return {.density = density, .fractureToughness = toughness, .opacity = opacity};
+}
+const Material kGlass = materialOf(0.3, 2500.0, 7.5e5);
+const Material kSteel = materialOf(1.0, 7850.0, 6e7);
+const Material kSpruce = materialOf(1.0, 420.0, 5e6);
+
+std::size_t countOf(const std::vector<Particle>& particles, ParticleKind kind) {
+    return static_cast<std::size_t>(std::ranges::count(particles, kind, &Particle::kind));
 }
 
-bool areSame(const DustPuff& a, const DustPuff& b) {
-    return a.position == b.position && a.previousOffset == b.previousOffset && a.colour == b.colour;
+std::vector<Particle> only(const std::vector<Particle>& particles, ParticleKind kind) {
+    std::vector<Particle> some;
+    std::ranges::copy_if(particles, std::back_inserter(some),
+                         [kind](const Particle& one) { return one.kind() == kind; });
+    return some;
+}
+
+float meanHeight(const std::vector<Particle>& particles) {
+    float sum = 0.0f;
+    for (const Particle& one : particles) sum += one.position.y;
+    return sum / static_cast<float>(particles.size());
 }
 
 }  // namespace
@@ -52,104 +93,148 @@ bool areSame(const DustPuff& a, const DustPuff& b) {
 class DustTest : public QObject {
     Q_OBJECT
 private slots:
-    void breakEmitsDustAtItsCuts() {
-        Session whole = test::sessionOf(floatingBlock(5));
-        step(whole, 1);
-        QVERIFY(puffsOf(whole).empty());
-        const std::vector<DustPuff> puffs = puffsOf(brokenBlock());
-        QVERIFY(puffs.size() >= 10);
-        for (const DustPuff& puff : puffs) {
-            const glm::vec3 arm = glm::vec3(puff.position) - glm::vec3(0.0f, 5.0f, 0.0f);
-            QVERIFY(std::abs(arm.x) < 0.55f && std::abs(arm.y) < 0.55f && std::abs(arm.z) < 0.3f);
-            QVERIFY(puff.previousOffset.w > 0.05f && puff.position.w > 0.02f);
+    void breakMakesDustAndChipsAtItsSurfaces() {
+        QVERIFY(particlesAt({}, 1).empty());
+        const std::vector<Particle> particles = particlesAt(brokenBlock(), 1);
+        QVERIFY(countOf(particles, ParticleKind::Dust) >= 10 && countOf(particles, ParticleKind::Chip) >= 4);
+        for (const Particle& one : particles) {
+            const glm::vec3 arm = glm::vec3(one.position) - glm::vec3(0.0f, 5.0f, 0.0f);
+            QVERIFY(std::abs(arm.x) < 0.6f && std::abs(arm.y) < 0.6f);
+            QVERIFY(std::abs(std::abs(arm.z) - 0.25f) < 0.06f);  // of both sides
+            QVERIFY(one.previousOffset.w > 0.05f && one.position.w > 0.005f);
         }
     }
     void dustDriftsGrowsAndFades() {
-        Session session = brokenBlock();
-        step(session, 5);
-        const std::vector<DustPuff> early = puffsOf(session);
-        step(session, 10);
-        const std::vector<DustPuff> late = puffsOf(session);
-        QVERIFY(late.size() == early.size());
+        const Told told = brokenBlock();
+        const auto dustAt = [&](std::uint64_t step) { return only(particlesAt(told, step), ParticleKind::Dust); };
+        const std::vector<Particle> early = dustAt(6), late = dustAt(16);
+        QCOMPARE(late.size(), early.size());
         for (std::size_t k = 0; k < late.size(); ++k) {
             QVERIFY(late[k].position.w > early[k].position.w && late[k].previousOffset.w < early[k].previousOffset.w);
             QVERIFY(glm::distance(late[k].position, early[k].position) > 0.05f);
         }
-        step(session, 45);
-        QVERIFY(puffsOf(session).empty());
-        QVERIFY(session.recentBreaks().empty());
+        QVERIFY(dustAt(43).empty());             // 0.7 s
+        QVERIFY(particlesAt(told, 61).empty());  // nothing lies longer than a second
+        QVERIFY(particlesAt(told, 0).empty());   // nor before it happened
     }
-    void brickMakesShortLivedDustOfItsColour() {
+    void dustHasTheColourOfTheInside() {
         const Colour clay{0.55, 0.30, 0.20};
-        Session session = brokenBlockOf({.outside = clay, .inside = clay});
-        step(session, 2);
-        const std::vector<DustPuff> puffs = puffsOf(session);
-        QVERIFY(puffs.size() >= 10);
-        for (const DustPuff& puff : puffs) {
-            QVERIFY(!puff.isSplinter());
-            QVERIFY(puff.colour.x > puff.colour.y + 0.1f && puff.colour.y > puff.colour.z);
+        for (const Particle& one : particlesAt(brokenBlock(100.0, {.outside = {}, .inside = clay}), 2)) {
+            QVERIFY(one.kind() == ParticleKind::Dust || one.kind() == ParticleKind::Chip);
+            QVERIFY(one.colour.x > one.colour.y + 0.1f && one.colour.y > one.colour.z);
         }
-        step(session, 40);  // 0.7 s
-        QVERIFY(puffsOf(session).empty());
     }
     void glassSplintersAndMakesHardlyAnyDust() {
-        Session session = brokenBlockOf({.opacity = 0.3}, {0.0, -9.81, 0.0});
-        step(session, 2);
-        const std::vector<DustPuff> early = puffsOf(session);
-        const auto splinters = std::ranges::count_if(early, &DustPuff::isSplinter);
-        QVERIFY(splinters >= 50 && std::ssize(early) - splinters <= 4);
-        for (const DustPuff& puff : early) {
-            QVERIFY(puff.isSplinter() ? puff.position.w < 0.021f : puff.previousOffset.w < 0.15f);
-            QVERIFY(puff.colour.w < 2.0f);
+        const Told told = brokenBlock(100.0, kGlass);
+        const Vec3 gravity(0.0, -9.81, 0.0);
+        const std::vector<Particle> early = particlesAt(told, 2, gravity);
+        const std::size_t splinters = countOf(early, ParticleKind::Splinter);
+        QVERIFY(splinters >= 50 && early.size() - splinters <= 4);
+        for (const Particle& one : early) {
+            QVERIFY(one.kind() == ParticleKind::Splinter ? one.position.w < 0.021f : one.previousOffset.w < 0.15f);
         }
-        step(session, 20);
-        const std::vector<DustPuff> late = puffsOf(session);
-        QVERIFY(!late.empty() && std::ranges::all_of(late, &DustPuff::isSplinter));
-        const auto height = [](const std::vector<DustPuff>& puffs) {
-            float sum = 0.0f;
-            for (const DustPuff& puff : puffs) sum += puff.position.y;
-            return sum / static_cast<float>(puffs.size());
-        };
-        QVERIFY(height(late) < height(early) - 0.2f);  // they fall
+        const std::vector<Particle> late = particlesAt(told, 22, gravity);
+        QCOMPARE(countOf(late, ParticleKind::Splinter), late.size());
+        QVERIFY(meanHeight(late) < meanHeight(early) - 0.2f);  // they fall
         QVERIFY(!std::ranges::equal(
-            early, late, {}, [](const DustPuff& puff) { return puff.colour.w; },
-            [](const DustPuff& puff) { return puff.colour.w; }));  // and rotate
-        step(session, 35);                                         // 0.95 s
-        QVERIFY(puffsOf(session).empty());
+            only(early, ParticleKind::Splinter), late, {}, [](const Particle& one) { return one.colour.w; },
+            [](const Particle& one) { return one.colour.w; }));  // and rotate
+        QVERIFY(particlesAt(told, 57, gravity).empty());
     }
-    void toughMaterialsMakeHardlyAnyDust() {
-        Session session = brokenBlockOf({.fractureToughness = 5e7});
-        step(session, 2);
-        QVERIFY(puffsOf(session).size() <= 4);
+    void metalMakesSparksWhereItIsHitHard() {
+        const std::vector<Particle> particles = particlesAt(impactOnGround(2000.0, kSteel), 1);
+        QVERIFY(countOf(particles, ParticleKind::Spark) >= 10);
+        QCOMPARE(countOf(particles, ParticleKind::Flash), std::size_t{1});
+        QCOMPARE(countOf(particlesAt(impactOnGround(2000.0, kSteel), 12), ParticleKind::Flash), std::size_t{0});
+        QCOMPARE(countOf(particlesAt(impactOnGround(20.0, kSteel), 1), ParticleKind::Spark), std::size_t{0});
+        QCOMPARE(countOf(particlesAt(impactOnGround(2000.0), 1), ParticleKind::Spark), std::size_t{0});
+        const std::vector<Particle> broken = particlesAt(brokenBlock(0.0, kSteel), 2);
+        QVERIFY(broken.size() <= 4 && countOf(broken, ParticleKind::Dust) == broken.size());
+    }
+    void woodSplinters() {
+        const std::vector<Particle> particles = particlesAt(brokenBlock(1000.0, kSpruce), 2);
+        QVERIFY(countOf(particles, ParticleKind::Splinter) >= 10 && countOf(particles, ParticleKind::Dust) <= 4);
+    }
+    void impactGrowsWithTheCubeRootOfItsEnergy() {
+        QVERIFY(particlesAt(impactOnGround(1.0), 1).empty());  // a weak one is not seen
+        std::size_t before = 0;
+        float radius = 0.0f;
+        for (const double energy : {10.0, 80.0, 640.0}) {
+            const std::vector<Particle> particles = particlesAt(impactOnGround(energy), 1);
+            float largest = 0.0f;
+            for (const Particle& one : particles) largest = std::max(largest, one.position.w);
+            QVERIFY(particles.size() > before && largest > radius);
+            before = particles.size();
+            radius = largest;
+        }
+        for (const double energy : {1e9, 1e300}) QVERIFY(particlesAt(impactOnGround(energy), 1).size() <= 40);
+    }
+    void impactOnTheGroundFliesAlongItAndNotBelow() {
+        const Told told = impactOnGround(500.0);
+        for (const std::uint64_t step : {1u, 10u, 30u}) {
+            for (const Particle& one : particlesAt(told, step, {0.0, -9.81, 0.0})) {
+                if (one.kind() == ParticleKind::Chip) QVERIFY(one.position.y >= 0.0f);
+            }
+        }
+        float wide = 0.0f;
+        for (const Particle& one : particlesAt(told, 10)) wide = std::max(wide, std::abs(one.position.x));
+        QVERIFY(wide > 0.2f);
     }
     /// A pane of 8 m makes no clouds that hide it.
     void cloudsOfLargeBodiesAreSmall() {
-        Project project = floatingBlock(5);
-        for (Vec2& point : project.assets[0].prism.outline.outer) point *= 8.0;
-        Session session = test::sessionOf(project);
-        addInput(session, BreakInput{1});
-        step(session, 20);
-        for (const DustPuff& puff : puffsOf(session)) QVERIFY(puff.position.w < 0.6f);
+        Told told = brokenBlock();
+        told.events[0].box = {{-4.0, 1.0, -0.25}, {4.0, 9.0, 0.25}};
+        for (const Particle& one : particlesAt(told, 20)) QVERIFY(one.position.w < 0.8f);
     }
-    void dustIsDeterministicAfterSeeking() {
-        Session session = brokenBlock(), other = brokenBlock();
-        step(session, 10);
-        const auto then = session.snapshot();
-        const std::vector<DustPuff> puffs = puffsOf(session);
-        step(other, 10);
-        QVERIFY(std::ranges::equal(puffs, puffsOf(other), areSame));
-        step(session, 60);
-        session.restore(*then);
-        QVERIFY(std::ranges::equal(puffs, puffsOf(session), areSame));
+    /// The box of a wall that stands at 45 degrees to the axes is as deep as it is wide; its dust starts at its faces.
+    void dustOfAnObliqueWallStartsAtItsFaces() {
+        Told told = brokenBlock();
+        EventRecord& broken = told.events[0];
+        const double half = 2.0 * std::sqrt(0.5);
+        broken.normal = {-std::sqrt(0.5), 0.0, -std::sqrt(0.5)};
+        broken.point = {0.07, 1.0, 0.07};  // of 4 x 2 x 0.2 m
+        broken.box = {{-half, 0.0, -half}, {half, 2.0, half}};
+        broken.mass = 1.6 * told.project.materials[0].density;
+        for (const Particle& one : only(particlesAt(told, 1), ParticleKind::Dust)) {
+            const double depth = glm::dot(Vec3(glm::vec3(one.position)) - broken.point, broken.normal);
+            QVERIFY2(std::min(std::abs(depth), std::abs(depth - 0.2)) < 0.06, qPrintable(QString::number(depth)));
+        }
+    }
+    void particlesAreBoundedAndTheLatestWin() {
+        Told told;
+        for (std::uint64_t step = 1; step <= 50; ++step) {
+            for (std::uint32_t body = 0; body < 16; ++body) {
+                told.events.push_back(brokenBlock(1e5).events[0]);
+                told.events.back().step = step;
+                told.events.back().body = body;
+            }
+        }
+        told.project = brokenBlock().project;
+        QCOMPARE(particlesAt(told, 50).size(), std::size_t{2000});
+        const std::vector<EventRecord> latest(told.events.end() - 16, told.events.end());
+        const std::vector<Particle> some = particlesAt({told.project, latest}, 50), all = particlesAt(told, 50);
+        QVERIFY(std::equal(some.begin(), some.end(), all.begin()));
+    }
+    void sameEventsGiveTheSameParticlesAndOthersDiffer() {
+        Told told = brokenBlock();
+        const std::vector<Particle> particles = particlesAt(told, 5);
+        QVERIFY(particlesAt(told, 5) == particles);
+        told.events[0].body = 2;
+        QVERIFY(particlesAt(told, 5) != particles);
     }
     void previousOffsetMatchesThePreviousScene() {
-        Session session = brokenBlock();
-        const std::vector<DustPuff> before = puffsOf(session);
-        step(session, 1);
-        const std::vector<DustPuff> now = puffsOf(session);
-        for (std::size_t k = 0; k < now.size(); ++k) {
-            QVERIFY(glm::distance(glm::vec3(now[k].position + now[k].previousOffset), glm::vec3(before[k].position)) <
-                    1e-5f);
+        for (const Told& told : {brokenBlock(), brokenBlock(100.0, kGlass), impactOnGround(500.0, kSteel)}) {
+            const auto flying = [](const std::vector<Particle>& all) {
+                std::vector<Particle> some = all;
+                std::erase_if(some, [](const Particle& one) { return one.kind() >= ParticleKind::Spark; });
+                return some;
+            };
+            const std::vector<Particle> before = flying(particlesAt(told, 5)), now = flying(particlesAt(told, 6));
+            QCOMPARE(now.size(), before.size());
+            for (std::size_t k = 0; k < now.size(); ++k) {
+                const glm::vec3 earlier = glm::vec3(now[k].position + now[k].previousOffset);
+                QVERIFY(glm::distance(earlier, glm::vec3(before[k].position)) < 1e-5f);
+            }
         }
     }
 };

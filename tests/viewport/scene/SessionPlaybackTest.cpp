@@ -52,6 +52,26 @@ private slots:
         const auto first = playback.sceneAtStep(5);
         QCOMPARE((*playback.sceneAtStep(5))->poses, (*first)->poses);
     }
+    void eachStepIsToldOnceItIsDone() {
+        SessionPlayback playback = playbackOf({{0, kThrow}});
+        std::vector<std::uint64_t> steps;
+        playback.setAfterStep([&](const Session& session) { steps.push_back(session.stepsDone()); });
+        QVERIFY(playback.sceneAtStep(3).hasValue());
+        QCOMPARE(steps, (std::vector<std::uint64_t>{1, 2, 3}));
+        playback.setAfterStep({});
+        QVERIFY(playback.sceneAtStep(90).hasValue());
+        QCOMPARE(steps.size(), std::size_t{3});
+    }
+    /// Scenes are built of the last second only; dust of the steps before it would be gone anyway.
+    void dustIsThatOfTheSameStepHoweverItIsReached() {
+        SessionPlayback stepwise = playbackOf({{0, kThrow}}), atOnce = playbackOf({{0, kThrow}});
+        std::size_t most = 0;
+        for (std::uint64_t step = 1; step <= 20; ++step) {
+            most = std::max(most, (*stepwise.sceneAtStep(step))->particles.size());
+        }
+        QVERIFY(most > 10);
+        QVERIFY((*atOnce.sceneAtStep(20))->particles == (*stepwise.sceneAtStep(20))->particles);
+    }
     void invalidInputBecomesADiagnostic() {
         SessionPlayback playback = playbackOf({{2, GrabInput{.body = 77, .force = 1.0}}, {3, kThrow}});
         QVERIFY(playback.sceneAtStep(5).hasValue());

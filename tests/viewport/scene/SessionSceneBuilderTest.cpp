@@ -271,6 +271,40 @@ private slots:
         QCOMPARE(faultOf(*again, drawn.session), QString());
         QCOMPARE(again->poses.size(), bodies);  // removed bodies have no slot
     }
+    void dustIsThatOfTheStepAfterASeek() {
+        Session session = test::sessionOf(floatingBlock(5));
+        SessionSceneBuilder builder(test::sharedScene(session));
+        addInput(session, BreakInput{1});
+        std::vector<std::vector<Particle>> played;
+        std::shared_ptr<const SessionSnapshot> at10;
+        for (int step = 1; step <= 20; ++step) {
+            session.step();
+            builder.record(session);
+            played.push_back(builder.sceneOf(session)->particles);
+            if (step == 10) at10 = session.snapshot();
+        }
+        QVERIFY(played[0].size() > 10 && played[19].size() > 10);
+        session.restore(*at10);
+        QVERIFY(builder.sceneOf(session)->particles == played[9]);
+        for (int step = 11; step <= 20; ++step) {
+            session.step();
+            builder.record(session);  // played on to the step that is sought, without scenes
+        }
+        QVERIFY(builder.sceneOf(session)->particles == played[19]);
+    }
+    void historyOfASessionPlayedElsewhereIsShown() {
+        Session session = test::sessionOf(floatingBlock(5));
+        addInput(session, BreakInput{1});
+        EventHistory history;
+        for (int step = 0; step < 5; ++step) {
+            session.step();
+            history.add(session.stepsDone(), session.events().told.records);
+        }
+        SessionSceneBuilder ignorant(test::sharedScene(session)), told(test::sharedScene(session));
+        told.setHistory(history);
+        QVERIFY(ignorant.sceneOf(session)->particles.empty());
+        QVERIFY(told.sceneOf(session)->particles.size() > 10);
+    }
     void bodiesHaveMaterialColours() {
         Project project = floatingBlock(2);
         project.materials[0].outside = {1.0, 0.0, 0.0};

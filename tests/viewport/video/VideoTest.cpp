@@ -1,14 +1,20 @@
+// Tests viewport/video/Video.cpp and viewport/video/CameraListener.cpp.
 #include "tests/support/TestProgram.h"
 #include "viewport/video/Video.h"
 
 #include "core/io/media/VideoFile.h"
+#include "core/sound/session/SoundRecorder.h"
 #include "tests/support/files/Ffmpeg.h"
+#include "tests/support/files/FileBytes.h"
 #include "tests/support/files/FileLimits.h"
 #include "tests/support/play/Sessions.h"
 #include "tests/support/viewport/Pictures.h"
+#include "viewport/video/CameraListener.h"
 
 #include <QDir>
 #include <QImage>
+
+#include <numbers>
 
 using namespace rubble;
 
@@ -29,6 +35,21 @@ std::vector<SessionPlayback> flights(int count = 1) {
 VideoPlan plan(int pictures, double first = 0.0, double every = 1.0) {
     RenderView view{.camera = {.target = {0.0, 6.0, 0.0}, .distance = 14.0}, .size = {160, 90}};
     return {.view = view, .samples = 0, .first = first, .stepsPerFrame = every, .frames = pictures, .frameRate = 30.0};
+}
+
+/// A box that hits the block.
+ShotInput hit() { return {"throw", test::throwAtBlock(5.0, 40.0)}; }
+
+double energyOf(const StereoTrack& track, std::size_t side) {
+    double sum = 0.0;
+    for (std::size_t k = side; k < track.samples.size(); k += 2) sum += 1.0 * track.samples[k] * track.samples[k];
+    return sum;
+}
+
+/// The first sample of a WAV file that is not zero.
+qint64 onsetOf(const QByteArray& wav) {
+    const auto heard = std::find_if(wav.begin() + 44, wav.end(), [](char byte) { return byte != 0; });
+    return (heard - wav.begin() - 44) / 4;
 }
 
 }  // namespace
@@ -75,6 +96,42 @@ private slots:
         QVERIFY2(shot.error().message.ends_with("File too large."), shot.error().message.c_str());
         QVERIFY(QDir(m_directory->path()).isEmpty());
     }
+    void soundIsThatOfTheSimulationHeardFromTheCamera() {
+        VideoPlan heard = plan(30, 0.0, 2.0);  // a second in real time
+        heard.view.camera.target.x = 4.0;      // the block is on the left
+        const QByteArray sound = soundOf(heard);
+        Session session = test::sessionOf(test::floatingBlock());
+        test::addInput(session, hit());
+        SoundRecorder recorder;
+        for (int step = 0; step < 58; ++step) {
+            session.step();
+            recorder.add(session);
+        }
+        QVERIFY(!recorder.cues().empty());
+        const StereoTrack track = *mixedTrack(recorder.cues(), 1.0, listenerAt(heard.view.camera));
+        QCOMPARE(sound, QByteArray::fromStdString(wavFile(track)));
+        QVERIFY(energyOf(track, 0) > 1.5 * energyOf(track, 1));
+        heard.view.camera.azimuth = std::numbers::pi;  // from behind it is on the right
+        QVERIFY(soundOf(heard) != sound);
+    }
+    void soundIsAsFastAndAsLongAsTheFrames() {
+        VideoPlan slow = plan(20, 6.0, 0.5);
+        slow.frameRate = 25.0;
+        QCOMPARE(soundOf(slow).size(), 44 + 4 * 48000 * 20 / 25);
+        const QByteArray real = soundOf(plan(30, 0.0, 2.0)), half = soundOf(plan(60, 0.0, 1.0));
+        QVERIFY(onsetOf(real) < 24000 && std::abs(onsetOf(half) - 2 * onsetOf(real)) <= 1);
+    }
+    void videoTooLongForASoundIsRefusedBeforeItIsRendered() {
+        VideoPlan longest = plan(10000);
+        longest.hasSound = true;
+        longest.frameRate = 1.0;
+        const test::Ffmpeg ffmpeg(test::Ffmpeg::kKeepsSound);
+        std::vector<SessionPlayback> playbacks = flights();
+        const Status made = renderVideo(playbacks, longest, m_directory->filePath("long.mp4").toStdString());
+        QCOMPARE(made.error().code, ErrorCode::BadInput);
+        QCOMPARE(playbacks[0].session().stepsDone(), std::uint64_t{0});
+        QVERIFY(QDir(m_directory->path()).isEmpty());
+    }
     void encodesAVideoWithFfmpeg() {
         const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
         std::vector<SessionPlayback> playbacks = flights();
@@ -96,6 +153,18 @@ private slots:
     }
 
 private:
+    /// The sound of a video of a hit.
+    QByteArray soundOf(VideoPlan heard) {
+        heard.hasSound = true;
+        const test::Ffmpeg ffmpeg(test::Ffmpeg::kKeepsSound);
+        const auto scene = test::playSceneOf(test::floatingBlock());
+        std::vector<SessionPlayback> playbacks;
+        playbacks.emplace_back(scene, Session::start(scene).value(), std::vector<TimedInput>{{0, hit()}});
+        const QString path = m_directory->filePath("hit.mp4");
+        const Status made = renderVideo(playbacks, heard, path.toStdString());
+        if (!made) qFatal("%s", made.error().message.c_str());
+        return bytesOfFile(path);
+    }
     std::string folder() const { return m_directory->filePath("video").toStdString(); }
     QStringList names() const { return QDir(m_directory->filePath("video")).entryList(QDir::Files, QDir::Name); }
     bool video(std::vector<SessionPlayback> playbacks, const VideoPlan& plan) {

@@ -55,6 +55,8 @@ private slots:
             QVERIFY(entry.session && entry.session->stepsDone() == 30);
             QVERIFY(entry.figures.breakImpact && *entry.figures.breakImpact >= 100.0);  // its threshold
             QVERIFY(entry.figures.debrisHeight && *entry.figures.debrisHeight > 5.0);
+            const std::span<const EventRecord> told = entry.history.between(0, 30);
+            QVERIFY(std::ranges::count(told, EventKind::Broken, &EventRecord::kind) >= 1);
         }
     }
     void firstVariantPlaysAsTheProject() {

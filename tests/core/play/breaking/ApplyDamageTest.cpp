@@ -44,7 +44,7 @@ private slots:
 
         Session fresh = test::damaged(scene, session.damage());
         QVERIFY(fresh.damage() == session.damage());
-        QVERIFY(fresh.events().born.empty() && fresh.recentBreaks().empty());
+        QVERIFY(fresh.events().born.empty() && fresh.events().breaks.empty());
         QCOMPARE(fresh.stepsDone(), std::uint64_t{0});
         QCOMPARE(fresh.bodies().size(), session.bodies().size());
         for (std::size_t k = 0; k < fresh.bodies().size(); ++k) {

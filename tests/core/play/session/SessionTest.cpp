@@ -32,18 +32,6 @@ double relative(Vec3 a, Vec3 b) { return glm::distance(a, b) / glm::length(b); }
 class SessionTest : public QObject {
     Q_OBJECT
 private slots:
-    void recentBreaksAreKeptForASecond() {
-        Session session = test::sessionOf(test::floatingBlock(5));
-        test::addInput(session, BreakInput{1});
-        session.step();
-        QCOMPARE(session.recentBreaks().size(), std::size_t{1});
-        const PlayBreak& broken = session.recentBreaks().front();
-        QVERIFY(broken.pose.position == Vec3(0.0, 5.0, 0.0) && broken.asset == session.bodies().back().asset);
-        for (int k = 1; k < 60; ++k) session.step();
-        QCOMPARE(session.recentBreaks().size(), std::size_t{1});
-        session.step();
-        QVERIFY(session.recentBreaks().empty());
-    }
     void bodyBrokenTwiceInAStepBreaksOnce() {
         Session session = test::sessionOf(test::floatingBlock(5));
         test::addInput(session, BreakInput{1});

@@ -12,7 +12,7 @@ using namespace rubble;
 namespace {
 
 SoundRecorder heard(Session& session, int steps) {
-    SoundRecorder recorder(session);
+    SoundRecorder recorder;
     for (int step = 0; step < steps; ++step) {
         session.step();
         recorder.add(session);
@@ -44,7 +44,7 @@ private slots:
         QCOMPARE(cue.mass, 500.0);
         QCOMPARE(cue.second, SoundMaterial::Stone);  // the ground
         QVERIFY(std::abs(cue.point.y) < 0.08);       // within the way of a step
-        QCOMPARE(recorder.track()->frames(), 96000u);
+        QCOMPARE(recorder.track({})->frames(), 96000u);
     }
     void breakOfAPaneSoundsOfGlass() {
         Session session = test::sessionOf(test::pane());
@@ -65,12 +65,12 @@ private slots:
         Session session = test::sessionOf(test::floatingBlock());
         const SoundRecorder recorder = heard(session, 30);
         QVERIFY(recorder.cues().empty());
-        const StereoTrack track = *recorder.track();
+        const StereoTrack track = *recorder.track({});
         QVERIFY(std::ranges::all_of(track.samples, [](std::int16_t value) { return value == 0; }));
     }
     void listenerIsInFrontOfTheScene() {
         const Session session = test::sessionOf(test::floatingBlock());
-        const Listener listener = SoundRecorder(session).listener();
+        const Listener listener = frontListener(session);
         QVERIFY(glm::distance(listener.position, Vec3(0.0, 5.0, 3.0)) < 0.1);
     }
 };

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QObject>
+
+#include <memory>
+
+class QIODevice;
+
+namespace rubble {
+
+/// The default audio device, which plays on a thread of its own. Follows devices that come and go.
+class AudioOutput : public QObject {
+    Q_OBJECT
+public:
+    explicit AudioOutput(QObject* parent = nullptr);
+    ~AudioOutput() override;
+
+    /// Why there is no sound, as a sentence; empty where there is a device.
+    QString fault() const;
+    /// Reads 16-bit stereo samples of kSampleRate from a stream, which must live until stop() or the destructor has
+    /// returned. Where there is no device, it starts when there is one.
+    void start(QIODevice& stream);
+    void stop();
+
+signals:
+    /// fault() changed.
+    void changed();
+
+private:
+    struct Devices;
+    std::unique_ptr<Devices> m_devices;
+};
+
+}  // namespace rubble
