@@ -2,6 +2,7 @@
 
 #include "core/io/system/AtomicFile.h"
 #include "editor/dialogs/MessageBoxes.h"
+#include "editor/dialogs/OutputPath.h"
 #include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
 #include "editor/play/EventExport.h"
@@ -11,6 +12,7 @@
 #include "editor/workspace/Workspace.h"
 
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMainWindow>
 
 #include <algorithm>
@@ -55,8 +57,12 @@ QString EventActions::askForFile(const QString& title) {
     dialog.setNameFilters({csvFilter(), linesFilter()});
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix("csv");
-    connect(&dialog, &QFileDialog::filterSelected, &dialog,
-            [&dialog](const QString& filter) { dialog.setDefaultSuffix(filter == linesFilter() ? "jsonl" : "csv"); });
+    suggestOutput(dialog, m_views.workspace().file(), ".csv");
+    connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
+        dialog.setDefaultSuffix(filter == linesFilter() ? "jsonl" : "csv");
+        const QString name = QFileInfo(dialog.selectedFiles().value(0)).completeBaseName();
+        if (!name.isEmpty()) dialog.selectFile(name + '.' + dialog.defaultSuffix());
+    });
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().first() : QString();
 }
 

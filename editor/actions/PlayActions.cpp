@@ -9,6 +9,7 @@
 #include "editor/actions/VideoActions.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/dialogs/MessageBoxes.h"
+#include "editor/dialogs/OutputPath.h"
 #include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
 #include "editor/view3d/PlayView.h"
@@ -26,6 +27,7 @@
 #include <QLocale>
 #include <QMainWindow>
 #include <QMenu>
+#include <QStandardPaths>
 
 namespace rubble {
 
@@ -266,6 +268,7 @@ void PlayActions::saveReplay() {
     QFileDialog dialog(&m_views.window(), tr("Save Replay"), {}, replayFilter());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix("replay");
+    suggestOutput(dialog, m_workspace.file(), ".replay");
     if (dialog.exec() != QDialog::Accepted) return;
     const QString path = dialog.selectedFiles().first();
     controller().requestScript([this, path](const PlayScript& script) { writeReplay(path, script); });
@@ -286,7 +289,8 @@ void PlayActions::writeReplay(const QString& path, const PlayScript& script) {
 }
 
 void PlayActions::openReplay() {
-    const QString path = QFileDialog::getOpenFileName(&m_views.window(), tr("Open Replay"), {}, replayFilter());
+    const QString folder = outputDefaults(m_workspace.file(), QStandardPaths::DocumentsLocation).folder;
+    const QString path = QFileDialog::getOpenFileName(&m_views.window(), tr("Open Replay"), folder, replayFilter());
     if (path.isEmpty()) return;
     const Result<Replay> replay = loadReplay(toPath(path));
     if (!replay) return showError(&m_views.window(), replay.error());
@@ -303,6 +307,7 @@ void PlayActions::saveState() {
     QFileDialog dialog(&m_views.window(), tr("Save State"), {}, stateFilter());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix("rubblestate");
+    suggestOutput(dialog, m_workspace.file(), ".rubblestate");
     if (dialog.exec() != QDialog::Accepted) return;
     const QString path = dialog.selectedFiles().first();
     controller().requestState([this, path](const std::shared_ptr<const SavedSession>& saved) {
@@ -313,7 +318,8 @@ void PlayActions::saveState() {
 }
 
 void PlayActions::openState() {
-    const QString path = QFileDialog::getOpenFileName(&m_views.window(), tr("Load State"), {}, stateFilter());
+    const QString folder = outputDefaults(m_workspace.file(), QStandardPaths::DocumentsLocation).folder;
+    const QString path = QFileDialog::getOpenFileName(&m_views.window(), tr("Load State"), folder, stateFilter());
     if (!path.isEmpty()) loadState(path);
 }
 

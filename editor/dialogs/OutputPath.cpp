@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QDir>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -44,6 +45,12 @@ QString unusedPath(const QString& folder, const QString& name, const QString& su
         path = QString("%1 %2").arg(base).arg(k);
     }
     return path + suffix;
+}
+
+void suggestOutput(QFileDialog& dialog, const DocumentFile& file, const QString& suffix) {
+    const auto [name, folder] = outputDefaults(file, QStandardPaths::DocumentsLocation);
+    dialog.setDirectory(folder);
+    dialog.selectFile(QFileInfo(unusedPath(folder, name, suffix)).fileName());
 }
 
 QString unusedPathIn(const QVariant& setting, const QString& folder, const QString& name, const QString& suffix) {

@@ -7,6 +7,7 @@
 
 class QDialog;
 class QFormLayout;
+class QFileDialog;
 class QHBoxLayout;
 class QLabel;
 class QLineEdit;
@@ -32,6 +33,9 @@ QString unusedPath(const QString& folder, const QString& name, const QString& su
 
 /// Returns unusedPath() in native notation, in the folder of a setting if that exists, else in `folder`.
 QString unusedPathIn(const QVariant& setting, const QString& folder, const QString& name, const QString& suffix);
+
+/// Lets a dialog that saves a file begin in the folder of the project, with an unused name after it.
+void suggestOutput(QFileDialog& dialog, const DocumentFile& file, const QString& suffix);
 
 /// Returns a label whose mnemonic leads to a control.
 QLabel* buddyLabel(const QString& text, QWidget* buddy);

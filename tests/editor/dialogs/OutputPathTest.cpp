@@ -1,5 +1,6 @@
 #include "editor/dialogs/OutputPath.h"
 
+#include "editor/document/DocumentFile.h"
 #include "editor/document/FilePath.h"
 #include "tests/support/TestProgram.h"
 
@@ -7,6 +8,7 @@
 #include <QDialog>
 #include <QDir>
 #include <QFile>
+#include <QFileDialog>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -35,6 +37,19 @@ private slots:
         };
         QCOMPARE(proposed(stored.path()), QDir::toNativeSeparators(stored.filePath("wall.png")));
         QCOMPARE(proposed(stored.filePath("gone")), QDir::toNativeSeparators(other.filePath("wall.png")));
+    }
+    void dialogsBeginBesideTheProject() {
+        const QTemporaryDir folder;
+        Document document{Project()};
+        DocumentFile file(document);
+        QVERIFY(file.saveAs(folder.filePath("house.rubble")));
+        QFileDialog dialog;
+        dialog.setAcceptMode(QFileDialog::AcceptSave);
+        suggestOutput(dialog, file, ".csv");
+        QCOMPARE(dialog.selectedFiles(), QStringList{folder.filePath("house.csv")});
+        touch(folder.filePath("house.csv"));
+        suggestOutput(dialog, file, ".csv");
+        QCOMPARE(QFileInfo(dialog.selectedFiles().value(0)).fileName(), "house 2.csv");
     }
     void buttonAcceptsAndKeepsTheFocusInTheField() {
         QDialog dialog;
