@@ -15,7 +15,7 @@ struct PlayPlan {
     std::optional<EventsFormat> events;  // they are kept
     bool isHeard = false;                // its sound is made
     std::string state;                   // file to start from; empty: from the start
-    std::string remapped;                // the project that the state is of, if only its damage is taken; empty: this one
+    std::string remapped;                // the project that the state was of: only its damage is taken; empty: none
     std::string savedState;              // file for the state after the last step; empty: none
     StateKind savedKind = StateKind::Whole;
 };
