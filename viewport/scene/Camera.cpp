@@ -13,10 +13,11 @@ namespace rubble {
 namespace {
 
 constexpr double kQuarterTurn = std::numbers::pi / 2.0;
-constexpr double kNearest = 1e-4;    // m; nearer, rounding to single precision becomes visible
-constexpr double kFarthest = 1e6;    // m
-constexpr double kMargin = 1.08;     // the framed box takes 1 / kMargin of the image
-constexpr double kLeastNear = 2e-4;  // near plane ÷ far plane at least: limits the error of the depth buffer
+constexpr double kNearest = 1e-4;      // m; nearer, rounding to single precision becomes visible
+constexpr double kFarthest = 1e6;      // m
+constexpr double kMargin = 1.08;       // the framed box takes 1 / kMargin of the image
+constexpr double kMostCovered = 0.75;  // of the height of an image, by strips
+constexpr double kLeastNear = 2e-4;    // near plane ÷ far plane at least: limits the error of the depth buffer
 
 double halfTangent(const Camera& camera) { return sine(camera.fieldOfView / 2.0) / cosine(camera.fieldOfView / 2.0); }
 
@@ -122,9 +123,9 @@ Camera dollied(Camera camera, double factor, Vec2 anchor, ImageSize size) {
 /// and t before the target's plane is within if |y - above * tangent * t| <= free * tangent * (distance - t).
 Camera framing(Camera camera, const Box3& box, ImageSize size, const ImageStrips& strips) {
     if (box.isEmpty()) return camera;
-    const double scale = std::max(1.0, 1.5 * (strips.top + strips.bottom) / size.height) * size.height;
-    const double above = (strips.top - strips.bottom) / scale;
-    const double free = 1.0 - (strips.top + strips.bottom) / scale;
+    const double wanted = strips.top + strips.bottom, covered = std::min(wanted, kMostCovered * size.height);
+    const double above = wanted > 0.0 ? covered / wanted * (strips.top - strips.bottom) / size.height : 0.0;
+    const double free = 1.0 - covered / size.height;
     const CameraAxes axes = axesOf(camera);
     const double tangent = halfTangent(camera);
     double distance = 0.0;

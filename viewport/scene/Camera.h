@@ -65,7 +65,7 @@ struct ImageStrips {
     bool operator==(const ImageStrips&) const = default;
 };
 /// Moves the camera so that a box fills the image between the strips; its orientation stays. An empty box changes
-/// nothing. Strips may take up to two thirds of the image; more is ignored.
+/// nothing. Strips may take up to three quarters of the image; more is ignored.
 Camera framing(Camera camera, const Box3& box, ImageSize size, const ImageStrips& strips = {});
 /// Interpolates two cameras: `fraction` 0 gives `from`, 1 gives `to`. Rotates the shorter way.
 Camera interpolated(const Camera& from, const Camera& to, double fraction);

@@ -107,7 +107,7 @@ private slots:
         }
         const Box3 box = boxAround({}, 1.0);
         const Camera most = framing({}, box, kSize, {.top = 200.0, .bottom = 200.0});
-        QVERIFY(most == framing({}, box, kSize, {.top = 100.0, .bottom = 100.0}));
+        QVERIFY(most == framing({}, box, kSize, {.top = 112.5, .bottom = 112.5}));
     }
     void depthRangeContainsTheBounds() {
         std::mt19937 random(4);
