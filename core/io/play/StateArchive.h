@@ -92,7 +92,7 @@ private:
     template <class... Ts>
     void write(const std::variant<Ts...>& value) {
         write(static_cast<std::uint8_t>(value.index()));
-        std::visit([this](const auto& one) { write(one); }, value);
+        std::visit([this](const auto& one) { this->write(one); }, value);
     }
     template <class T>
     requires std::is_class_v<T>
