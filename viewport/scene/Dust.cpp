@@ -39,18 +39,18 @@ glm::vec3 mixed(const Colour& colour, double pale) {
         glm::mix(Vec3(colour.red, colour.green, colour.blue), Vec3(kPale.red, kPale.green, kPale.blue), pale));
 }
 
-/// A material as far as it flies.
-struct Flying {
+/// What the particles of a material are, and their colours.
+struct ParticleMaterial {
     Debris debris = Debris::Mineral;
     Colour inside, outside;
 };
 
 /// What a body consists of; nothing of a plain projectile, which stays whole.
-std::optional<Flying> flyingOf(const Project& project, Id material, bool isGround) {
+std::optional<ParticleMaterial> particleMaterialOf(const Project& project, Id material, bool isGround) {
     if (const Material* found = findMaterial(project, material)) {
-        return Flying{debrisOf(*found), found->inside, found->outside};
+        return ParticleMaterial{debrisOf(*found), found->inside, found->outside};
     }
-    if (isGround) return Flying{Debris::Mineral, kSoil, kSoil};
+    if (isGround) return ParticleMaterial{Debris::Mineral, kSoil, kSoil};
     return std::nullopt;
 }
 
@@ -61,12 +61,12 @@ Vec3 randomDirection(Random& random) {
 }
 
 /// In proportion to the cube root of an energy, J: `one` at a joule.
-double growing(double energy, double one, double least, double most) {
+double scaledByEnergy(double energy, double one, double least, double most) {
     constexpr double kLeast = 1e-9;  // J: the root is of positive numbers only
     return std::clamp(one * cubeRoot(std::max(energy, kLeast)), least, most);
 }
 int countOf(double energy, double one, double least, double most) {
-    return static_cast<int>(growing(energy, one, least, most));
+    return static_cast<int>(scaledByEnergy(energy, one, least, most));
 }
 
 /// Where the particles of an event start, and how fast.
@@ -122,7 +122,7 @@ private:
 class ImpactEmitter : public Emitter {
 public:
     explicit ImpactEmitter(const EventRecord& impact)
-        : m_impact(impact), m_speed(growing(impact.energy, 0.3, 0.3, 3.0)) {}
+        : m_impact(impact), m_speed(scaledByEnergy(impact.energy, 0.3, 0.3, 3.0)) {}
 
     Start next(Random& random) const override {
         const Vec3 direction = randomDirection(random);
@@ -160,19 +160,19 @@ public:
 private:
     void addBreak(const EventRecord& broken, Random& random) {
         const Material* body = findMaterial(m_project, broken.materials[0]);
-        const std::optional<Flying> fresh = flyingOf(m_project, broken.materials[1], false);
+        const std::optional<ParticleMaterial> fresh = particleMaterialOf(m_project, broken.materials[1], false);
         if (!fresh) return;
         const BreakEmitter emitter(broken, body != nullptr ? body->density : kMineralDensity);
         const double size = emitter.size(), energy = broken.energy;
         switch (fresh->debris) {
             case Debris::Mineral:
                 addDust({14, 0.6, 0.85, 0.13 * size, mixed(fresh->inside, 0.3)}, emitter, random);
-                addPieces({ParticleKind::Chip, countOf(energy, 1.0, 4.0, 30.0), 0.012, 0.04, mixed(fresh->inside, 0.0)},
-                          emitter, random);
+                addChips({ParticleKind::Chip, countOf(energy, 1.0, 4.0, 30.0), 0.012, 0.04, mixed(fresh->inside, 0.0)},
+                         emitter, random);
                 break;
             case Debris::Glass:
                 addDust({3, 0.3, 0.12, 0.13 * size, mixed(fresh->inside, 0.9)}, emitter, random);
-                addPieces(
+                addChips(
                     {ParticleKind::Splinter, countOf(energy, 6.0, 60.0, 90.0), 0.007, 0.02, mixed(fresh->outside, 0.0)},
                     emitter, random);
                 break;
@@ -182,7 +182,7 @@ private:
                 break;
             case Debris::Wood:
                 addDust({3, 0.4, 0.25, 0.13 * size, mixed(fresh->inside, 0.3)}, emitter, random);
-                addPieces(
+                addChips(
                     {ParticleKind::Splinter, countOf(energy, 1.5, 12.0, 40.0), 0.02, 0.06, mixed(fresh->inside, 0.0)},
                     emitter, random);
                 break;
@@ -190,30 +190,30 @@ private:
     }
 
     void addImpact(const EventRecord& impact, Random& random) {
-        const std::optional<Flying> sides[] = {
-            flyingOf(m_project, impact.materials[0], false),
-            flyingOf(m_project, impact.materials[1], m_project.ground.isOn && impact.other == 0)};
+        const std::optional<ParticleMaterial> sides[] = {
+            particleMaterialOf(m_project, impact.materials[0], false),
+            particleMaterialOf(m_project, impact.materials[1], m_project.ground.isOn && impact.other == 0)};
         const ImpactEmitter emitter(impact);
         const double energy = impact.energy;
-        for (const std::optional<Flying>& side : sides) {
+        for (const std::optional<ParticleMaterial>& side : sides) {
             if (!side) continue;
             switch (side->debris) {
                 case Debris::Mineral:
-                    addDust({countOf(energy, 0.6, 1.0, 6.0), 0.5, growing(energy, 0.1, 0.2, 0.7),
-                             growing(energy, 0.018, 0.03, 0.25), mixed(side->inside, 0.3)},
+                    addDust({countOf(energy, 0.6, 1.0, 6.0), 0.5, scaledByEnergy(energy, 0.1, 0.2, 0.7),
+                             scaledByEnergy(energy, 0.018, 0.03, 0.25), mixed(side->inside, 0.3)},
                             emitter, random);
-                    addPieces(
+                    addChips(
                         {ParticleKind::Chip, countOf(energy, 0.5, 1.0, 12.0), 0.008, 0.022, mixed(side->inside, 0.0)},
                         emitter, random);
                     break;
                 case Debris::Glass:
-                    addPieces({ParticleKind::Splinter, countOf(energy, 1.5, 3.0, 20.0), 0.005, 0.014,
-                               mixed(side->outside, 0.0)},
-                              emitter, random);
+                    addChips({ParticleKind::Splinter, countOf(energy, 1.5, 3.0, 20.0), 0.005, 0.014,
+                              mixed(side->outside, 0.0)},
+                             emitter, random);
                     break;
                 case Debris::Metal: addSparks(energy, emitter, random); break;
                 case Debris::Wood:
-                    addPieces(
+                    addChips(
                         {ParticleKind::Splinter, countOf(energy, 0.4, 0.0, 8.0), 0.012, 0.03, mixed(side->inside, 0.0)},
                         emitter, random);
                     break;
@@ -242,13 +242,14 @@ private:
         }
     }
 
-    struct PieceStyle {
+    struct ChipStyle {
         ParticleKind kind;
         int count;
         double least, most;  // m: radii
         glm::vec3 colour;
     };
-    void addPieces(const PieceStyle& style, const Emitter& emitter, Random& random) {
+    /// Chips or splinters.
+    void addChips(const ChipStyle& style, const Emitter& emitter, Random& random) {
         for (int k = 0; k < style.count; ++k) {
             const Emitter::Start start = emitter.next(random);
             const Vec3 aside(random.between(-0.8, 0.8), random.between(0.0, 1.2), random.between(-0.8, 0.8));
@@ -281,7 +282,7 @@ private:
         }
         add({.kind = ParticleKind::Flash,
              .from = flash,
-             .radius = growing(energy, 0.03, 0.08, 0.4),
+             .radius = scaledByEnergy(energy, 0.03, 0.08, 0.4),
              .lifetime = 0.07,
              .opacity = 0.8,
              .colour = hot});

@@ -43,9 +43,7 @@ Result<Session> sessionOf(const PreparedProject& project, const PlayPlan& plan) 
     Result<Session> session = loadState(plan.state, project.scene, {.threads = threads});
     if (!session) return session.error();
     for (const Shot& shot : project.shots) {
-        const std::uint64_t step = session->stepsDone() + stepOf(shot.time, session->stepLength());
-        const Status added = session->add(TimedInput{step, ShotInput{shot.name, shot.action}});
-        if (!added) return added.error();
+        if (const Status added = session->add(shot); !added) return added.error();
     }
     return session;
 }

@@ -33,17 +33,17 @@ void reportLeft(const SessionParts& parts, const PlayBody& body, const std::stri
 }
 
 /// A body that is to be removed.
-struct Gone {
+struct PendingRemoval {
     std::uint32_t number = 0;
     RemovalReason reason = RemovalReason::None;
 };
 
 /// Adds the debris that exceeds a number of fragments: sleeping first, then the smallest, then the oldest. Returns the
 /// number of bodies visited.
-std::size_t addExcess(const SessionParts& parts, std::uint32_t maxFragments, std::vector<Gone>& gone) {
+std::size_t addExcess(const SessionParts& parts, std::uint32_t maxFragments, std::vector<PendingRemoval>& gone) {
     std::vector<std::tuple<bool, double, std::uint32_t>> debris;  // awake, volume, number
     for (const PlayBody& body : parts.state.bodies) {
-        if (!body.isDebris() || std::ranges::binary_search(gone, body.number, {}, &Gone::number)) continue;
+        if (!body.isDebris() || std::ranges::binary_search(gone, body.number, {}, &PendingRemoval::number)) continue;
         debris.emplace_back(!parts.world.state(body.body).asleep, parts.world.shape(body.body).mass.volume,
                             body.number);
     }
@@ -74,7 +74,7 @@ double fadeOf(const PlayBody& body, const Debris& debris, std::uint64_t step, do
 
 std::size_t removeDebris(const SessionParts& parts) {
     const Debris& debris = parts.scene.project.debris;
-    std::vector<Gone> gone;  // by number
+    std::vector<PendingRemoval> gone;  // ascending numbers, then those in excess
     std::size_t visited = parts.state.bodies.size();
     for (const PlayBody& body : parts.state.bodies) {
         const bool isFaded = fadeOf(body, debris, parts.state.step, parts.settings.dt) >= 1.0;
@@ -84,7 +84,7 @@ std::size_t removeDebris(const SessionParts& parts) {
         if (reason) gone.push_back({body.number, RemovalReason::LeftWorld});
     }
     if (debris.maxFragments) visited += addExcess(parts, *debris.maxFragments, gone);
-    std::ranges::sort(gone, {}, &Gone::number);
+    std::ranges::sort(gone, {}, &PendingRemoval::number);
     for (const auto& [number, reason] : gone) {
         parts.state.events.removed.push_back(removalOf(parts, *findBody(parts.state, number), reason));
         removeFromWorld(parts, number);

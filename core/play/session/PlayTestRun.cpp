@@ -208,9 +208,7 @@ Result<Session> sessionOf(std::shared_ptr<const PlayScene> scene, const PlayTest
     if (!session) return session.error();
     for (const Shot& shot : scene->project.shots) {
         if (std::ranges::find(test.shots, shot.id) == test.shots.end()) continue;
-        const std::uint64_t step = session->stepsDone() + stepOf(shot.time, session->stepLength());
-        const Status added = session->add(TimedInput{step, ShotInput{shot.name, shot.action}});
-        if (!added) return added.error();
+        if (const Status added = session->add(shot); !added) return added.error();
     }
     return session;
 }

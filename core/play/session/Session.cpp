@@ -69,8 +69,7 @@ Status Session::add(const TimedInput& timed) {
 }
 
 Status Session::add(const Shot& shot) {
-    return add(
-        TimedInput{std::max(m_state->step, stepOf(shot.time, m_settings.dt)), ShotInput{shot.name, shot.action}});
+    return add(TimedInput{m_state->step + stepOf(shot.time, m_settings.dt), ShotInput{shot.name, shot.action}});
 }
 
 void Session::step() {

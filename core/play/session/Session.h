@@ -26,7 +26,7 @@ public:
     /// missing id or body, a past step.
     Status add(const PlayInput& input);
     Status add(const TimedInput& timed);
-    /// Adds a shot of the project at its time: before the first step that starts no earlier.
+    /// Adds a shot of the project at its time, counted from now: before the first step that starts no earlier.
     Status add(const Shot& shot);
 
     void step();

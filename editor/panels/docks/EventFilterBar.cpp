@@ -58,7 +58,7 @@ QToolButton* EventFilterBar::makeKind(EventKind kind) {
     button->setObjectName(iconNameOf(kind));
     button->setCheckable(true);
     button->setChecked(true);
-    button->setVisible(kind != EventKind::Bonds && kind != EventKind::Detached);
+    button->setVisible(kind != EventKind::Bonds && kind != EventKind::Detached);  // no asset has bonds
     connect(button, &QToolButton::toggled, this, [this, kind](bool isOn) {
         EventFilter filter = m_filter;
         filter.kinds[static_cast<std::size_t>(kind)] = isOn;
@@ -159,10 +159,6 @@ void EventFilterBar::setMaterials(const std::vector<Material>& materials) {
     EventFilter filter = m_filter;
     filter.material = m_material->currentData().toUInt();
     change(filter);
-}
-
-void EventFilterBar::setKindVisible(EventKind kind, bool isVisible) {
-    m_toggles[static_cast<std::size_t>(kind)]->setVisible(isVisible);
 }
 
 }  // namespace rubble

@@ -25,8 +25,6 @@ public:
     void setFilter(const EventFilter& filter);
     /// Sets the materials to select from. A selected one that is gone is deselected.
     void setMaterials(const std::vector<Material>& materials);
-    /// Shows the toggles of kinds that seldom happen; others are always shown.
-    void setKindVisible(EventKind kind, bool isVisible);
 
 signals:
     void filterChanged(const rubble::EventFilter& filter);

@@ -1,5 +1,7 @@
 #include "editor/panels/docks/EventTable.h"
 
+#include "editor/widgets/appearance/EventAppearance.h"
+
 #include <QAction>
 #include <QHeaderView>
 #include <QScrollBar>
@@ -23,7 +25,7 @@ constexpr std::array<const char*, EventModel::kColumns> kColumnNames{
 /// A long text of a column.
 QString sampleOf(int column) {
     switch (column) {
-        case EventModel::kKind: return QStringLiteral("XXX Removed");  // with an icon
+        case EventModel::kKind: return titleOf(EventKind::Detached);
         case EventModel::kBody:
         case EventModel::kOther: return QStringLiteral("roof front right/12");
         case EventModel::kMaterials: return QStringLiteral("concrete, glass");
@@ -111,10 +113,13 @@ QStringList EventTable::hiddenByDefault() { return {QStringLiteral("threshold"),
 void EventTable::widenColumns() {
     QHeaderView& header = *horizontalHeader();
     const auto width = [this](const QString& text) { return fontMetrics().horizontalAdvance(text); };
+    const int iconSpace = style()->pixelMetric(QStyle::PM_SmallIconSize, nullptr, this) + kEventCellMargin / 2;
     header.setMinimumSectionSize(width(QStringLiteral("000")) + kEventCellMargin);
     for (int column = 0; column < EventModel::kColumns; ++column) {
         const QString title = m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
-        header.resizeSection(column, std::max(width(title) + kSortMargin, width(sampleOf(column)) + kEventCellMargin));
+        const int icon = column == EventModel::kKind ? iconSpace : 0;
+        header.resizeSection(column,
+                             std::max(width(title) + kSortMargin, width(sampleOf(column)) + kEventCellMargin + icon));
     }
     header.setStretchLastSection(true);
 }

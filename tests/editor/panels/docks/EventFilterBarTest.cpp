@@ -75,8 +75,6 @@ private slots:
     void kindsThatDoNotHappenAreHidden() {
         EventFilterBar bar;
         QVERIFY(button(bar, "event-bonds")->isHidden() && !button(bar, "event-broken")->isHidden());
-        bar.setKindVisible(EventKind::Bonds, true);
-        QVERIFY(!button(bar, "event-bonds")->isHidden());
     }
     void aNarrowBarHasTwoRows() {
         EventFilterBar bar;
