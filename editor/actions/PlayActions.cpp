@@ -74,10 +74,12 @@ PlayActions::PlayActions(Views& views, PreferenceStore& preferences, VideoAction
     updateState();
 }
 
-/// The actions of the menu but those for videos, events and sound, which enable themselves.
+/// The actions of the menu but those for the timeline, videos, events and sound, which enable themselves.
 QList<QAction*> PlayActions::ownActions() const {
     QList<QAction*> actions = m_menu->actions();
-    for (QAction* other : m_events->actions() + QList{m_video.action(), m_sound->action()}) actions.removeOne(other);
+    const QList<QAction*> others{m_timeline->stepBack(), m_timeline->menu()->menuAction(), m_video.action(),
+                                 m_sound->action()};
+    for (QAction* other : m_events->actions() + others) actions.removeOne(other);
     return actions;
 }
 
@@ -98,10 +100,11 @@ void PlayActions::addRun() {
     connect(m_reset, &QAction::triggered, &controller(), &PlayController::reset);
     for (QAction* action : {m_pause, m_reset}) action->setAutoRepeat(false);
     for (QAction* action : {m_pause, m_step}) action->setPriority(QAction::LowPriority);  // icons alone in tool bars
-    auto* timeline = new TimelineActions(m_views, m_step);
-    m_menu->addActions({m_step, timeline->stepBack(), m_reset});
-    m_views.scene().playView().tool().setActions({m_pause, m_step, timeline->stepBack(), m_reset, timeline->loop()});
-    m_menu->addMenu(timeline->menu())->setIcon(iconNamed("dock-history"));
+    m_timeline = new TimelineActions(m_views, m_step);
+    m_menu->addActions({m_step, m_timeline->stepBack(), m_reset});
+    m_views.scene().playView().tool().setActions(
+        {m_pause, m_step, m_timeline->stepBack(), m_reset, m_timeline->loop()});
+    m_menu->addMenu(m_timeline->menu())->setIcon(iconNamed("dock-history"));
 }
 
 /// The view handles their keys, with the pointer and the charge of a throw.

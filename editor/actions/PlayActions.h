@@ -10,6 +10,7 @@ namespace rubble {
 
 class EventActions;
 class SoundActions;
+class TimelineActions;
 class VideoActions;
 class PlayController;
 class PreferenceStore;
@@ -59,6 +60,7 @@ private:
     Workspace& m_workspace;
     PreferenceStore& m_preferences;
     VideoActions& m_video;
+    TimelineActions* m_timeline = nullptr;
     EventActions* m_events;
     QMenu* m_menu;
     QAction* m_play = nullptr;

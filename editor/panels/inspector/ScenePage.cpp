@@ -110,18 +110,18 @@ void ScenePage::buildDamage(Section& section) {
 }
 
 void ScenePage::buildEvents(Section& section) {
-    auto* energy = section.addRow(tr("Least Energy"), new NumberField,
+    auto* energy = section.addRow(tr("Least energy"), new NumberField,
                                   tr("Impacts that take less energy are only counted and summed"));
     energy->setFormat(Units::energies());
     energy->setRange(fieldRange(ProjectNumber::EventEnergy));
     m_form.bind(
         energy, tr("Set Least Energy of Events"), [](const SceneSettings& scene) { return scene.events.leastEnergy; },
         [](SceneSettings& scene, double entered) { scene.events.leastEnergy = entered; });
-    auto* most = section.addRow(tr("Most per Step"), new NumberField,
+    auto* most = section.addRow(tr("Events per step"), new NumberField,
                                 tr("The strongest events of a step are told one by one, the rest counted and summed"));
     most->setRange(wholeFieldRange(ProjectNumber::EventRecords));
     m_form.bind(
-        most, tr("Set Most Events per Step"),
+        most, tr("Set Events per Step"),
         [](const SceneSettings& scene) { return static_cast<double>(scene.events.maxRecords); },
         [](SceneSettings& scene, double entered) { scene.events.maxRecords = static_cast<std::uint32_t>(entered); });
 }

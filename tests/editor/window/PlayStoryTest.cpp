@@ -43,6 +43,7 @@ private slots:
     }
 
     void houseStands() {
+        for (const char* name : {"play-step-back", "play-step", "play-reset"}) QVERIFY(!action(name)->isEnabled());
         QTest::keyClick(&window(), Qt::Key_P, Qt::ControlModifier);
         QTRY_VERIFY_WITH_TIMEOUT(play().isPlaying(), kPatience);
         const QImage before = picture();

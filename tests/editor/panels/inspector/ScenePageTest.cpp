@@ -14,8 +14,8 @@ private slots:
         desk.selection.setSubject(Part::Scene);
         desk.type("Gravity along y", "-3.7");
         QCOMPARE(desk.document.project().gravity.y, -3.7);
-        desk.type("Least Energy", "2 kJ");
-        desk.type("Most per Step", "40");
+        desk.type("Least energy", "2 kJ");
+        desk.type("Events per step", "40");
         QVERIFY((desk.document.project().events == EventSettings{.leastEnergy = 2000.0, .maxRecords = 40}));
         desk.undoAll();
         QCOMPARE(desk.text(), projectText(fullProject()));
