@@ -112,8 +112,8 @@ QStringList PlayView::statisticsLines() const {
 
 QString PlayView::collapseText(const CollapseForecast& collapse) {
     const QString name = nameText(collapse.name);
-    if (collapse.bodies == 0) return tr("Without %1 nothing would fall").arg(name);
-    const QString falling = tr("Without %1 %Ln body(s) would fall, %2", nullptr, static_cast<int>(collapse.bodies))
+    if (collapse.bodies == 0) return tr("Without %1, nothing would fall").arg(name);
+    const QString falling = tr("Without %1, %Ln bodies would fall: %2", nullptr, static_cast<int>(collapse.bodies))
                                 .arg(name, localizedQuantity(QuantityKind::Mass, collapse.mass));
     if (std::isinf(collapse.first)) return falling;
     if (std::isinf(collapse.last)) return tr("%1, the first for %2").arg(falling, playTimeText(collapse.first));

@@ -303,10 +303,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Without %1 %Ln body(s) would fall, %2</source>
+        <source>Without %1, %Ln bodies would fall: %2</source>
         <translation>
-            <numerusform>Without %1 %Ln body would fall, %2</numerusform>
-            <numerusform>Without %1 %Ln bodys would fall, %2</numerusform>
+            <numerusform>Without %1, %Ln body would fall: %2</numerusform>
+            <numerusform>Without %1, %Ln bodies would fall: %2</numerusform>
         </translation>
     </message>
 </context>

@@ -1,6 +1,7 @@
 #include "editor/view3d/PlayView.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/PlayStage.h"
+#include "tests/support/play/RestingProjects.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QApplication>
@@ -47,6 +48,23 @@ private slots:
         view.refresh();
         QVERIFY(&viewport.scene() != shown);
         QVERIFY(isMoving(viewport.scene()));
+    }
+    void textsSayWhatWouldFall() {
+        test::Stage stage(test::stackProject());
+        ViewportWidget viewport;
+        PlayView view(stage.controller, viewport);
+        stage.start();
+        stage.controller.setOverlays({.hasCollapse = true});
+        const auto textAt = [&](double height) {
+            stage.controller.aim(Ray{{0.0, height, 4.0}, {0.0, 0.0, -1.0}});
+            stage.advance(30);
+            view.refresh();
+            return view.hud().accessibleText();
+        };
+        const QString lowest = textAt(0.25), highest = textAt(2.25);
+        QVERIFY2(lowest.contains("Without block 0, 4 bodies would fall: 2000\u00a0kg, for up to 0.6"),
+                 qPrintable(lowest));
+        QVERIFY2(highest.contains("Without block 4, nothing would fall"), qPrintable(highest));
     }
     void grabShowsItsSpringAndWhetherItCanLift() {
         Project project = test::floatingBlock();
