@@ -32,7 +32,8 @@ void addLine(Journal& journal, const std::vector<std::string>& fields) {
     const std::string& kind = fields[1];
     if (kind == "state") addState(journal, time, fields);
     if (kind == "close") journal.documents[std::stoi(fields[2])].isClosed = true;
-    if (kind == "beat") journal.beats.push_back(time);
+    if (kind == "beat" || kind == "busy") journal.beats.push_back(time);
+    if (kind == "beat") journal.idleBeats.push_back(time);
     if (kind == "interval") journal.intervals.push_back({time, std::stoi(fields[2])});
     if (kind == "offer") journal.offers.push_back(fields[2]);
     if (kind == "event") journal.events.push_back(fields[2]);

@@ -50,7 +50,8 @@ struct JournaledInterval {
 /// What a journal says. The kinds of lines are the names of the fields.
 struct Journal {
     std::map<int, JournaledDocument> documents;  // state, close
-    std::vector<double> beats;                   // times at which the event loop was idle enough to fire a timer
+    std::vector<double> beats;                   // beat, busy: times at which the event loop fired a timer
+    std::vector<double> idleBeats;               // beat: with no backup being written
     std::vector<JournaledInterval> intervals;    // from a change to its backup
     std::vector<std::string> offers;             // questions whether to restore a backup
     std::vector<std::string> events;             // what the monkey did

@@ -23,8 +23,8 @@ std::optional<int> longestIntervalFrom(const Journal& journal, double time) {
 bool isBackupDue(const Journal& journal, double change) {
     const std::optional<int> interval = longestIntervalFrom(journal, change);
     if (!interval) return false;
-    const auto after = std::ranges::lower_bound(journal.beats, change + kTimerTolerance * *interval);
-    return journal.beats.end() - after >= kBeatsToWrite;
+    const auto after = std::ranges::lower_bound(journal.idleBeats, change + kTimerTolerance * *interval);
+    return journal.idleBeats.end() - after >= kBeatsToWrite;
 }
 
 }  // namespace

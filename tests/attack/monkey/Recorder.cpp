@@ -10,6 +10,7 @@
 #include <QEvent>
 #include <QTimer>
 
+#include <algorithm>
 #include <utility>
 
 namespace rubble::attack {
@@ -17,12 +18,20 @@ namespace {
 
 constexpr std::chrono::milliseconds kBeat{20};
 
+/// Whether a backup is being written on another thread, which may wait for processor and disk.
+bool isWritingBackup() {
+    return std::ranges::any_of(QApplication::topLevelWidgets(), [](QWidget* widget) {
+        auto* const window = qobject_cast<MainWindow*>(widget);
+        return window != nullptr && window->workspace().autosave().isWriting();
+    });
+}
+
 }  // namespace
 
 Recorder::Recorder(PreferenceStore& preferences, JournalWriter& journal) : m_journal(journal) {
     qApp->installEventFilter(this);
     auto* beat = new QTimer(this);
-    connect(beat, &QTimer::timeout, this, [this] { m_journal.note("beat"); });
+    connect(beat, &QTimer::timeout, this, [this] { m_journal.note(isWritingBackup() ? "busy" : "beat"); });
     beat->start(kBeat);
     const auto noteInterval = [this, &preferences] {
         m_journal.note("interval", {std::to_string(preferences.preferences().autosaveSeconds)});
