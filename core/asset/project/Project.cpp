@@ -20,8 +20,9 @@ bool Asset::operator==(const Asset& other) const {
            fragmentLevels == other.fragmentLevels && fragmentThresholds == other.fragmentThresholds &&
            edits == other.edits && threshold == other.threshold && contactTime == other.contactTime &&
            strengthRule == other.strengthRule && insideUvScale == other.insideUvScale &&
-           insideMaterial == other.insideMaterial && cutAtImpact == other.cutAtImpact &&
-           requirements == other.requirements && isSameSurface(surface, other.surface) && texture == other.texture;
+           insideMaterial == other.insideMaterial && cutAtImpact == other.cutAtImpact && breakAs == other.breakAs &&
+           bonding == other.bonding && requirements == other.requirements && isSameSurface(surface, other.surface) &&
+           texture == other.texture;
 }
 
 AssetMaterials materialsOf(const Project& project, const Asset& asset) {

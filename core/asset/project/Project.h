@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/asset/project/Bonding.h"
 #include "core/asset/project/FragmentPath.h"
 #include "core/asset/project/Shaping.h"
 #include "core/asset/project/Texture.h"
@@ -48,6 +49,7 @@ struct Level {
     Pattern pattern;
     double minimumVolume = 0.0;       // m³; smaller fragments are not fractured
     std::optional<double> threshold;  // N·s, > 0, of each fragment that it fractures; none: follows from its volume
+    double bondStrength = 1.0;        // >= 0: multiplies the strength of the bonds between its fragments
     bool operator==(const Level&) const = default;
 };
 
@@ -127,6 +129,8 @@ struct Asset {
     double insideUvScale = 1.0;                         // UV units per metre on inside faces
     Id insideMaterial = 0;                              // of inside faces; 0: the asset's own material
     std::optional<CutAtImpact> cutAtImpact;             // none: it breaks into the fragments of its pattern
+    BreakAs breakAs = BreakAs::Whole;                   // what is cut at the point of impact breaks whole
+    Bonding bonding;                                    // of what breaks as bonded
     std::vector<StrengthRequirement> requirements;      // in the order of editing
     std::shared_ptr<const Surface> surface;             // of the imported mesh; null if not imported
     std::optional<Texture> texture;                     // of the outside; none: the material's colour alone
@@ -142,6 +146,8 @@ struct Instance {
     std::optional<double> threshold;  // N·s, overrides the asset's
     bool isFixed = false;             // static, as the ground, until it breaks
     bool isUnbreakable = false;       // never breaks, whatever the impact; may be fixed as well
+    bool isAnchored = false;          // bonded: held by what it touches at the start, if that is fixed
+    double bondStrength = 1.0;        // >= 0: multiplies the strength of its bonds
     std::uint32_t variant = 0;        // of the fracture: see variantOf()
     bool isHidden = false;            // in the editor only; it takes part in play
     bool isLocked = false;            // neither selected nor moved in the 3D view
@@ -259,6 +265,7 @@ struct Project {
     EventSettings events;
     std::vector<Shot> shots;
     std::vector<PlayTest> playTests;
+    std::vector<Mortar> mortars;
     bool operator==(const Project&) const = default;
 };
 
