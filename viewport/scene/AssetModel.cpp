@@ -82,9 +82,9 @@ std::vector<ModelBond> bondsOf(const AssetModel& model) {
     for (std::uint32_t solid = 0; solid < model.solids.size(); ++solid) {
         if (model.solids[solid].fragment == kNone) continue;
         const BakedFragment fragment = model.bake->fragment(model.solids[solid].fragment);
-        for (const Bond& bond : fragment.solid.bonds()) {
-            const std::uint32_t other = solidOf[fragment.firstSibling + bond.fragment];
-            if (other != kNone && other > solid) bonds.push_back({solid, other, bond.area});
+        for (const FragmentContact& contact : fragment.solid.contacts()) {
+            const std::uint32_t other = solidOf[fragment.firstSibling + contact.fragment];
+            if (other != kNone && other > solid) bonds.push_back({solid, other, contact.area});
         }
     }
     return bonds;

@@ -92,7 +92,8 @@ FragmentSet withNeighbours(const Bake& bake, const FragmentSet& set) {
     for (const BakedFracture& fracture : bake.fractures) {
         for (std::uint32_t k = 0; k < fracture.fragments.count(); ++k) {
             if (!set[fracture.first + k]) continue;
-            for (const Bond& bond : fracture.fragments[k].bonds()) found[fracture.first + bond.fragment] = true;
+            for (const FragmentContact& contact : fracture.fragments[k].contacts())
+                found[fracture.first + contact.fragment] = true;
         }
     }
     for (std::uint32_t level = 1; level < levelCount(bake); ++level) {

@@ -9,20 +9,20 @@
 namespace rubble {
 namespace {
 
-/// Merges bonds, whose areas are the lengths of single edges: one per neighbour, ascending.
-void mergeBonds(double minLength, double depth, std::vector<Bond>& bonds) {
-    std::sort(bonds.begin(), bonds.end(), [](const Bond& a, const Bond& b) {
+/// Merges contacts, whose areas are the lengths of single edges: one per neighbour, ascending.
+void mergeContacts(double minLength, double depth, std::vector<FragmentContact>& contacts) {
+    std::sort(contacts.begin(), contacts.end(), [](const FragmentContact& a, const FragmentContact& b) {
         return a.fragment != b.fragment ? a.fragment < b.fragment : a.area < b.area;
     });
     std::size_t count = 0;
-    for (std::size_t i = 0; i < bonds.size();) {
-        Bond merged{bonds[i].fragment, 0.0};
-        for (; i < bonds.size() && bonds[i].fragment == merged.fragment; ++i) merged.area += bonds[i].area;
+    for (std::size_t i = 0; i < contacts.size();) {
+        FragmentContact merged{contacts[i].fragment, 0.0};
+        for (; i < contacts.size() && contacts[i].fragment == merged.fragment; ++i) merged.area += contacts[i].area;
         if (merged.area <= minLength) continue;
         merged.area *= depth;
-        bonds[count++] = merged;
+        contacts[count++] = merged;
     }
-    bonds.resize(count);
+    contacts.resize(count);
 }
 
 /// The fragment that contains the mass of a piece; kNone: none.
@@ -71,14 +71,14 @@ std::vector<std::uint32_t> Fragment::edgeNeighbours() const {
     return fragments;
 }
 
-std::vector<Bond> Fragment::bonds() const {
-    std::vector<Bond> bonds;
+std::vector<FragmentContact> Fragment::contacts() const {
+    std::vector<FragmentContact> contacts;
     const Partition& partition = m_all->partition;
     const auto addEdges = [&](std::uint32_t piece) {
         forEachEdge(partition, piece, [&](std::uint32_t from, std::uint32_t to, std::uint32_t neighbour) {
             const std::uint32_t behind = fragmentOf(*m_all, neighbour);
             if (behind == kNone || behind == m_index) return;
-            bonds.push_back({behind, glm::distance(partition.points[from], partition.points[to])});
+            contacts.push_back({behind, glm::distance(partition.points[from], partition.points[to])});
         });
     };
     addEdges(piece());
@@ -86,8 +86,8 @@ std::vector<Bond> Fragment::bonds() const {
         if (!record().receivesMass) break;
         if (fragmentOf(*m_all, transfer.receiver) == m_index) addEdges(transfer.thin);
     }
-    mergeBonds(m_all->minSharedEdge, m_all->depth, bonds);
-    return bonds;
+    mergeContacts(m_all->minSharedEdge, m_all->depth, contacts);
+    return contacts;
 }
 
 std::vector<Polytope> Fragment::hulls() const {

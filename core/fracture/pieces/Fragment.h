@@ -14,7 +14,7 @@
 namespace rubble {
 
 /// A neighbouring fragment and the contact area.
-struct Bond {
+struct FragmentContact {
     std::uint32_t fragment = 0;  // index in the same list
     double area = 0.0;           // m²
 };
@@ -24,7 +24,7 @@ struct PieceRecord;
 
 /// One solid piece of a prism. Its own frame has the prism's axes and its centre of mass as origin.
 ///
-/// A view, valid while the Fragments object exists and is not moved: outline, bonds and hulls are computed from the
+/// A view, valid while the Fragments object exists and is not moved: outline, contacts and hulls are computed from the
 /// partition on each call, in O(n log n) in the piece's corners.
 class Fragment {
 public:
@@ -39,7 +39,7 @@ public:
     bool isConvex() const;                              // up to rounding
     Polygon outline() const;                            // the exact piece, m, in the fragment's frame
     std::vector<std::uint32_t> edgeNeighbours() const;  // of each edge, ring after ring: a fragment; kNone: outside
-    std::vector<Bond> bonds() const;                    // ascending fragment
+    std::vector<FragmentContact> contacts() const;      // ascending fragment
 
     /// The convex hulls that fill the fragment, in its frame: one if its outline is convex, otherwise one per convex
     /// part. Corners on straight sides, or reflex by no more than rounding, are omitted.
@@ -77,7 +77,7 @@ struct Fragments {
     double gapArea = 0.0;                     // m², of all pieces, that the gap removed
     double depth = 0.0;                       // m
     HullTolerance tolerance;                  // of the hulls
-    double minSharedEdge = 0.0;               // m: pieces that share less have no bond
+    double minSharedEdge = 0.0;               // m: pieces that share less have no contact
     Vec3 origin{0.0, 0.0, 0.0};               // of the prism's frame in that of `Fragment::offset()`, m
 
     UninitializedVector<PieceRecord> records;            // of each piece; undefined for thin ones

@@ -82,25 +82,25 @@ Fault hullFault(const Fragment& fragment, const Polygon& outline, double slack) 
     return std::nullopt;
 }
 
-using BondLists = std::vector<std::vector<Bond>>;  // one per fragment
+using ContactLists = std::vector<std::vector<FragmentContact>>;  // one per fragment
 
-const Bond* findBond(const std::vector<Bond>& bonds, std::uint32_t to) {
-    const auto found = std::ranges::lower_bound(bonds, to, {}, &Bond::fragment);
-    return found != bonds.end() && found->fragment == to ? &*found : nullptr;
+const FragmentContact* findContact(const std::vector<FragmentContact>& contacts, std::uint32_t to) {
+    const auto found = std::ranges::lower_bound(contacts, to, {}, &FragmentContact::fragment);
+    return found != contacts.end() && found->fragment == to ? &*found : nullptr;
 }
 
 /// Bonds are ascending and mutual, and match the edges that have a fragment behind them; with a gap edges are not
 /// compared.
-Fault bondFault(const BondLists& lists, std::uint32_t index, const Fragment& fragment, const Polygon& outline,
-                double slack, bool hasGap) {
-    const std::vector<Bond>& bonds = lists[index];
-    for (std::size_t k = 0; k < bonds.size(); ++k) {
-        if (bonds[k].fragment >= lists.size() || bonds[k].fragment == index)
-            return "has a bond to a fragment that does not exist.";
-        if (k > 0 && bonds[k - 1].fragment >= bonds[k].fragment) return "has bonds out of order.";
-        const Bond* back = findBond(lists[bonds[k].fragment], index);
-        if (!(bonds[k].area > 0.0) || !back || back->area != bonds[k].area) {
-            return "has a bond to fragment " + std::to_string(bonds[k].fragment) + " that is not mutual.";
+Fault contactFault(const ContactLists& lists, std::uint32_t index, const Fragment& fragment, const Polygon& outline,
+                   double slack, bool hasGap) {
+    const std::vector<FragmentContact>& contacts = lists[index];
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        if (contacts[k].fragment >= lists.size() || contacts[k].fragment == index)
+            return "has a contact with a fragment that does not exist.";
+        if (k > 0 && contacts[k - 1].fragment >= contacts[k].fragment) return "has contacts out of order.";
+        const FragmentContact* back = findContact(lists[contacts[k].fragment], index);
+        if (!(contacts[k].area > 0.0) || !back || back->area != contacts[k].area) {
+            return "has a contact with fragment " + std::to_string(contacts[k].fragment) + " that is not mutual.";
         }
     }
     if (hasGap) return std::nullopt;
@@ -109,9 +109,9 @@ Fault bondFault(const BondLists& lists, std::uint32_t index, const Fragment& fra
     std::size_t edge = 0;
     forEachEdge(outline, [&](Vec2 from, Vec2 to) {
         const std::uint32_t behind = neighbours[edge++];
-        if (behind == kNone || behind == index || findBond(bonds, behind)) return;
+        if (behind == kNone || behind == index || findContact(contacts, behind)) return;
         if (!(fragment.depth() * glm::distance(from, to) <= slack)) {
-            fault = "has no bond to fragment " + std::to_string(behind) + ", which it touches.";
+            fault = "has no contact with fragment " + std::to_string(behind) + ", which it touches.";
         }
     });
     return fault;
@@ -160,8 +160,8 @@ std::optional<std::string> verifyFragments(const Fragments& fragments, const Pri
     if (Fault fault = tableFault(fragments, prism)) return fault;
     const double diameter = boundsOf(prism.outline.outer).diagonal();
     const bool hasGap = &fragments.shapes() != &fragments.partition;
-    BondLists bonds;
-    for (std::uint32_t i = 0; i < fragments.count(); ++i) bonds.push_back(fragments[i].bonds());
+    ContactLists contacts;
+    for (std::uint32_t i = 0; i < fragments.count(); ++i) contacts.push_back(fragments[i].contacts());
     for (std::uint32_t i = 0; i < fragments.count(); ++i) {
         const auto named = [&](const Fault& fault) { return "Fragment " + std::to_string(i) + " " + *fault; };
         const Fragment fragment = fragments[i];
@@ -170,7 +170,7 @@ std::optional<std::string> verifyFragments(const Fragments& fragments, const Pri
         const double bondSlack = 2.0 * kRelative * diameter * prism.depth;
         if (const Fault fault = massFault(fragments, i, kRelative * diameter)) return named(fault);
         if (const Fault fault = hullFault(fragment, outline, hullSlack)) return named(fault);
-        if (const Fault fault = bondFault(bonds, i, fragment, outline, bondSlack, hasGap)) return named(fault);
+        if (const Fault fault = contactFault(contacts, i, fragment, outline, bondSlack, hasGap)) return named(fault);
     }
     if (Fault fault = orderFault(fragments)) return fault;
     return sumFault(fragments, prism, (fragments.partition.gap + fragments.gapArea) * prism.depth);

@@ -56,10 +56,10 @@ void writePackBody(JsonWriter& json, std::string_view key, const PackBodySource&
         json.number("lostMass", density * body.lostVolume);
     }
     json.openArray("neighbours");
-    for (const Bond& bond : body.bonds) {
+    for (const FragmentContact& contact : body.contacts) {
         json.openObject();
-        json.wholeNumber("fragment", std::uint64_t{body.firstSibling + bond.fragment});
-        json.number("area", bond.area);
+        json.wholeNumber("fragment", std::uint64_t{body.firstSibling + contact.fragment});
+        json.number("area", contact.area);
         json.close();
     }
     json.close();
@@ -70,7 +70,7 @@ void writePackBody(JsonWriter& json, std::string_view key, const PackBodySource&
 }
 
 std::size_t packBodySize(const PackBodySource& body) {
-    std::size_t size = 512 + 48 * body.bonds.size();
+    std::size_t size = 512 + 48 * body.contacts.size();
     for (const Polytope& hull : body.hulls) {
         size += 80 + 64 * hull.vertices.size() + 84 * hull.planes.size() + 32 * hull.edges.size();
     }

@@ -15,8 +15,8 @@ struct PackBodySource {
     std::uint32_t parent = kNone;
     Vec3 offset{0.0, 0.0, 0.0};  // m
     MassProperties mass;         // at density 1; the body's origin is its centre of mass
-    std::vector<Bond> bonds;
-    std::uint32_t firstSibling = 0;  // index of the fragment that is 0 in the bonds
+    std::vector<FragmentContact> contacts;
+    std::uint32_t firstSibling = 0;  // index of the fragment that is 0 in the contacts
     std::vector<Polytope> hulls;
     std::optional<double> threshold;  // N·s, that is set for it
     double gap = 0.0;                 // m between its fragments; 0: none

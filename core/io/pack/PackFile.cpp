@@ -107,7 +107,7 @@ std::string chunkJson(const Bake& bake, const Asset& asset, double density, std:
                           .parent = fragment.parent,
                           .offset = solid.offset(),
                           .mass = solid.mass(),
-                          .bonds = solid.bonds(),
+                          .contacts = solid.contacts(),
                           .firstSibling = fragment.firstSibling,
                           .hulls = solid.hulls()});
         setGap(bake, k, bodies.back());

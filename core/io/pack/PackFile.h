@@ -57,17 +57,17 @@ struct PackHull {
 struct PackBody {
     std::string id;  // "3" for the whole of asset 3, "3/5.17.1" for a fragment
     std::string name;
-    std::uint32_t parent = kNone;      // index of the parent fragment; kNone: the whole
-    Vec3 offset{0.0, 0.0, 0.0};        // of its frame's origin in the asset's frame, m
-    double volume = 0.0;               // m³
-    double mass = 0.0;                 // kg
-    Vec3 centreOfMass{0.0, 0.0, 0.0};  // in its own frame, m
-    Mat3 inertia{0.0};                 // kg·m², about the centre of mass, in its own axes
-    std::vector<Bond> neighbours;      // `fragment`: index in Pack::fragments; ascending
-    std::optional<double> threshold;   // N·s, that is set for it; none: follows from its volume
-    double gap = 0.0;                  // m between its fragments; 0: none
-    double lostMass = 0.0;             // kg that the gap takes from them
-    std::vector<PackHull> hulls;       // in its own frame
+    std::uint32_t parent = kNone;             // index of the parent fragment; kNone: the whole
+    Vec3 offset{0.0, 0.0, 0.0};               // of its frame's origin in the asset's frame, m
+    double volume = 0.0;                      // m³
+    double mass = 0.0;                        // kg
+    Vec3 centreOfMass{0.0, 0.0, 0.0};         // in its own frame, m
+    Mat3 inertia{0.0};                        // kg·m², about the centre of mass, in its own axes
+    std::vector<FragmentContact> neighbours;  // `fragment`: index in Pack::fragments; ascending
+    std::optional<double> threshold;          // N·s, that is set for it; none: follows from its volume
+    double gap = 0.0;                         // m between its fragments; 0: none
+    double lostMass = 0.0;                    // kg that the gap takes from them
+    std::vector<PackHull> hulls;              // in its own frame
 };
 
 /// The contents of pack.json.

@@ -52,7 +52,7 @@ Mat3 readInertia(const JsonValue& value) {
     return Mat3{0.0};
 }
 
-Bond readNeighbour(const JsonValue& value) {
+FragmentContact readNeighbour(const JsonValue& value) {
     value.requireObject({"fragment", "area"});
     return {.fragment = value["fragment"].index(0, kNone - 1), .area = value["area"].number(above(0.0))};
 }

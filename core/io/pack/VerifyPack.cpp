@@ -112,8 +112,8 @@ ErrorText verifyNeighbours(const Pack& pack, std::uint32_t index) {
             return neighbour + " is out of order; neighbours must ascend.";
         if (other == index) return neighbour + " is itself.";
         if (pack.fragments[other].parent != body.parent) return neighbour + " has another parent.";
-        const std::vector<Bond>& theirs = pack.fragments[other].neighbours;
-        const auto back = std::ranges::find(theirs, index, &Bond::fragment);
+        const std::vector<FragmentContact>& theirs = pack.fragments[other].neighbours;
+        const auto back = std::ranges::find(theirs, index, &FragmentContact::fragment);
         if (back == theirs.end()) return neighbour + " does not list it as a neighbour.";
         if (!isNear(back->area, body.neighbours[k].area)) return neighbour + " states a different shared area.";
     }

@@ -69,11 +69,11 @@ public:
             if (!isWithinParent(m_bounds[k])) return ownerOf(k) + "it extends beyond its parent.";
         }
         for (std::size_t k = 0; k < m_children.size(); ++k) {
-            for (const Bond& bond : fragment(k).neighbours) {
-                const auto other = std::ranges::lower_bound(m_children, bond.fragment) - m_children.begin();
+            for (const FragmentContact& contact : fragment(k).neighbours) {
+                const auto other = std::ranges::lower_bound(m_children, contact.fragment) - m_children.begin();
                 const auto index = static_cast<std::size_t>(other);
                 if (index < k) continue;
-                if (ErrorText error = pairError(k, index, bond.area)) return error;
+                if (ErrorText error = pairError(k, index, contact.area)) return error;
             }
         }
         if (ErrorText error = unlistedError()) return error;
@@ -122,8 +122,9 @@ private:
     /// Siblings that touch are neighbours.
     ErrorText unlistedError() {
         return forEachNearPair([&](std::size_t first, std::size_t second) -> ErrorText {
-            const std::vector<Bond>& bonds = fragment(first).neighbours;
-            const auto isListed = std::ranges::find(bonds, m_children[second], &Bond::fragment) != bonds.end();
+            const std::vector<FragmentContact>& contacts = fragment(first).neighbours;
+            const auto isListed =
+                std::ranges::find(contacts, m_children[second], &FragmentContact::fragment) != contacts.end();
             return isListed ? std::nullopt : pairError(first, second, 0.0);
         });
     }

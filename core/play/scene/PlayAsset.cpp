@@ -24,9 +24,10 @@ Result<std::shared_ptr<const Shape>> namedShape(const std::string& name, std::sp
 PlayFracture playFracture(const BakedFracture& baked) {
     PlayFracture fracture{.first = baked.first, .count = baked.fragments.count()};
     for (std::uint32_t k = 0; k < fracture.count; ++k) {
-        for (const Bond& bond : baked.fragments[k].bonds()) {
-            fracture.area += bond.area;
-            if (bond.fragment > k) fracture.neighbours.push_back({baked.first + k, baked.first + bond.fragment, {}});
+        for (const FragmentContact& contact : baked.fragments[k].contacts()) {
+            fracture.area += contact.area;
+            if (contact.fragment > k)
+                fracture.neighbours.push_back({baked.first + k, baked.first + contact.fragment, {}});
         }
     }
     return fracture;

@@ -43,7 +43,7 @@ void FragmentMetrics::measure(std::uint32_t fragment) {
     column(FragmentColumn::Area)[fragment] = area(outline);
     column(FragmentColumn::Volume)[fragment] = baked.solid.volume();
     column(FragmentColumn::Aspect)[fragment] = aspectRatio(outline);
-    column(FragmentColumn::Neighbours)[fragment] = static_cast<double>(baked.solid.bonds().size());
+    column(FragmentColumn::Neighbours)[fragment] = static_cast<double>(baked.solid.contacts().size());
     column(FragmentColumn::Level)[fragment] = baked.level;
 }
 

@@ -164,16 +164,16 @@ private slots:
         const Project project = starterProject();
         const AssetBakes bakes = allBakes(project);
         const Bake& bake = *bakes.begin()->second;
-        std::size_t bonds = 0;
+        std::size_t contacts = 0;
         double largest = 0.0;
         for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) {
-            for (const Bond& bond : bake.fragment(k).solid.bonds()) {
-                ++bonds;
-                largest = std::max(largest, bond.area);
+            for (const FragmentContact& contact : bake.fragment(k).solid.contacts()) {
+                ++contacts;
+                largest = std::max(largest, contact.area);
             }
         }
         RenderScene scene = sceneOf(project, bakes, {.explodeFactor = 0.5, .hasBonds = true});
-        QCOMPARE(scene.lines.size(), bonds / 2);
+        QCOMPARE(scene.lines.size(), contacts / 2);
         QCOMPARE(scene.largestBondArea, largest);
         float widest = 0.0f;
         for (const SceneLine& line : scene.lines) {
@@ -188,10 +188,10 @@ private slots:
             QVERIFY(isMiddle(line.from) && isMiddle(line.to));
         }
         QVERIFY(widest > 3.0f);
-        const std::uint32_t touching = static_cast<std::uint32_t>(bake.fragment(0).solid.bonds().size());
+        const std::uint32_t touching = static_cast<std::uint32_t>(bake.fragment(0).solid.contacts().size());
         const RenderScene fewer =
             sceneOf(project, bakes, {.hasBonds = true, .marks = {.hidden = {{project.assets[0].id, 0, 0}}}});
-        QCOMPARE(fewer.lines.size(), bonds / 2 - touching);
+        QCOMPARE(fewer.lines.size(), contacts / 2 - touching);
         QVERIFY(sceneOf(project, bakes, {}).lines.empty());
     }
     void fragmentColoursAreStable() {

@@ -32,7 +32,9 @@ Bake bakedOn(int threads, const Asset& asset) {
 }
 
 bool areEqual(const Bake& a, const Bake& b) {
-    const auto sameBond = [](const Bond& x, const Bond& y) { return x.fragment == y.fragment && x.area == y.area; };
+    const auto sameContact = [](const FragmentContact& x, const FragmentContact& y) {
+        return x.fragment == y.fragment && x.area == y.area;
+    };
     const auto sameFragment = [&](std::uint32_t k) {
         const BakedFragment x = a.fragment(k), y = b.fragment(k);
         return x.parent == y.parent && x.level == y.level && x.firstChild == y.firstChild &&
@@ -40,7 +42,7 @@ bool areEqual(const Bake& a, const Bake& b) {
                x.solid.edgeNeighbours() == y.solid.edgeNeighbours() && x.solid.isConvex() == y.solid.isConvex() &&
                x.solid.offset() == y.solid.offset() && x.solid.mass().volume == y.solid.mass().volume &&
                x.solid.mass().inertia == y.solid.mass().inertia &&
-               std::ranges::equal(x.solid.bonds(), y.solid.bonds(), sameBond);
+               std::ranges::equal(x.solid.contacts(), y.solid.contacts(), sameContact);
     };
     bool isEqual = a.input == b.input && idsOf(a) == idsOf(b);
     for (std::uint32_t k = 0; isEqual && k < a.fragmentCount(); ++k) isEqual = sameFragment(k);
@@ -79,7 +81,7 @@ private slots:
         QCOMPARE(result->fragment(6).parent, 1u);
         QCOMPARE(result->fragment(6).level, 1u);
         QVERIFY(result->fragment(6).solid.offset() == Vec3(0.625, 0.25, 0.0));  // in the prism's frame
-        QCOMPARE(result->fragment(6).solid.bonds()[0].fragment, 1u);            // among its siblings
+        QCOMPARE(result->fragment(6).solid.contacts()[0].fragment, 1u);         // among its siblings
         QCOMPARE(bakeFault(*result, asset), std::string());
     }
     void smallFragmentsAreNotFractured() {

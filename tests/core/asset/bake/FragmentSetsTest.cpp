@@ -67,8 +67,8 @@ bool isFilled(const Bake& bake, const FragmentSet& set, std::uint32_t fragment) 
 
 bool touchesOne(const Bake& bake, const FragmentSet& set, std::uint32_t fragment) {
     const BakedFragment baked = bake.fragment(fragment);
-    for (const Bond& bond : baked.solid.bonds()) {
-        if (set[baked.firstSibling + bond.fragment]) return true;
+    for (const FragmentContact& contact : baked.solid.contacts()) {
+        if (set[baked.firstSibling + contact.fragment]) return true;
     }
     return false;
 }

@@ -44,9 +44,9 @@ std::map<std::string, std::string> hashesOf(const Bake& bake) {
         hasher.add(fragment.solid.offset().x);
         hasher.add(fragment.solid.offset().y);
         hasher.add(fragment.solid.volume());
-        for (const Bond& bond : fragment.solid.bonds()) {
-            hasher.add(std::uint64_t{bond.fragment});
-            hasher.add(bond.area);
+        for (const FragmentContact& contact : fragment.solid.contacts()) {
+            hasher.add(std::uint64_t{contact.fragment});
+            hasher.add(contact.area);
         }
         hashes[bake.fragmentId(k)] = hasher.digest().hex();
     }

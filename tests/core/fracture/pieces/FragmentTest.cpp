@@ -67,11 +67,13 @@ std::vector<Vec2> randomSeeds(Random& random, std::uint64_t count, Vec2 size) {
 }
 
 bool areEqual(const Fragment& a, const Fragment& b) {
-    const auto sameBond = [](const Bond& x, const Bond& y) { return x.fragment == y.fragment && x.area == y.area; };
+    const auto sameContact = [](const FragmentContact& x, const FragmentContact& y) {
+        return x.fragment == y.fragment && x.area == y.area;
+    };
     return a.seed() == b.seed() && a.partOfCell() == b.partOfCell() && a.outline() == b.outline() &&
            a.edgeNeighbours() == b.edgeNeighbours() && a.offset() == b.offset() && a.volume() == b.volume() &&
            a.mass().inertia == b.mass().inertia && a.isConvex() == b.isConvex() &&
-           std::ranges::equal(a.bonds(), b.bonds(), sameBond);
+           std::ranges::equal(a.contacts(), b.contacts(), sameContact);
 }
 
 }  // namespace
@@ -88,7 +90,7 @@ private slots:
         QCOMPARE(box[0].volume(), 24.0);
         QCOMPARE(box[0].mass().inertia[2][2], 24.0 * (4.0 + 16.0) / 12.0);
         QVERIFY(box[0].hulls()[0].vertices[0] == Vec3(-1, -2, 1.5));
-        QVERIFY(box[0].bonds().empty());
+        QVERIFY(box[0].contacts().empty());
         QCOMPARE(box.fault(), std::string());
     }
     void halvesOfABoxAreBonded() {
@@ -97,9 +99,9 @@ private slots:
         QVERIFY(halves[0].offset() == Vec3(0.75, 0.5, 0));
         QVERIFY(halves[1].offset() == Vec3(0.25, 0.5, 0));
         QCOMPARE(halves[0].volume(), 0.25);
-        QCOMPARE(halves[0].bonds().size(), std::size_t{1});
-        QCOMPARE(halves[0].bonds()[0].fragment, 1u);
-        QCOMPARE(halves[0].bonds()[0].area, 0.5);
+        QCOMPARE(halves[0].contacts().size(), std::size_t{1});
+        QCOMPARE(halves[0].contacts()[0].fragment, 1u);
+        QCOMPARE(halves[0].contacts()[0].area, 0.5);
         QCOMPARE(std::ranges::count(halves[0].edgeNeighbours(), 1u), 1);
         QCOMPARE(std::ranges::count(halves[0].edgeNeighbours(), kNone), 3);
         QCOMPARE(halves.fault(), std::string());
@@ -107,9 +109,9 @@ private slots:
     void cellsTouchingInAPointAreNotBonded() {
         const Broken quarters = broken(unitSquare(), {{0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}});
         QCOMPARE(quarters.count(), std::size_t{4});
-        QCOMPARE(quarters[0].bonds().size(), std::size_t{2});
-        QCOMPARE(quarters[0].bonds()[0].fragment, 1u);
-        QCOMPARE(quarters[0].bonds()[1].fragment, 2u);
+        QCOMPARE(quarters[0].contacts().size(), std::size_t{2});
+        QCOMPARE(quarters[0].contacts()[0].fragment, 1u);
+        QCOMPARE(quarters[0].contacts()[1].fragment, 2u);
         QCOMPARE(quarters.fault(), std::string());
     }
     void concavePieceHasOneHullPerConvexPart() {
@@ -153,7 +155,7 @@ private slots:
         QCOMPARE(square.count(), std::size_t{2});
         QCOMPARE(square[0].volume(), 14.0);
         QCOMPARE(square[1].hulls().size(), std::size_t{1});
-        QCOMPARE(square[0].bonds()[0].area, 4.0 * std::sqrt(2.0));
+        QCOMPARE(square[0].contacts()[0].area, 4.0 * std::sqrt(2.0));
         QCOMPARE(square.fault(), std::string());
     }
     void thinPieceTransfersItsMassToItsNeighbour() {
@@ -171,8 +173,8 @@ private slots:
         QCOMPARE(box[0].volume(), 0.5 + width);
         QCOMPARE(box[1].edgeNeighbours()[3], 0u);  // behind the thin piece
         QCOMPARE(box[0].edgeNeighbours()[1], 0u);  // itself, with the mass of the thin piece
-        QCOMPARE(box[0].bonds().size(), std::size_t{1});
-        QCOMPARE(box[0].bonds()[0].area, 1.0);
+        QCOMPARE(box[0].contacts().size(), std::size_t{1});
+        QCOMPARE(box[0].contacts()[0].area, 1.0);
         QCOMPARE(box.fault(), std::string());
     }
     void massTransfersPassThinNeighbours() {

@@ -57,8 +57,8 @@ private slots:
     }
     void bondsDoNotDependOnTheGap() {
         const Fragments halves = withGap(unitSquare(), {{0.25, 0.5}, {0.75, 0.5}}, 0.25);
-        QCOMPARE(halves[0].bonds().size(), std::size_t{1});
-        QCOMPARE(halves[0].bonds()[0].area, 2.0);
+        QCOMPARE(halves[0].contacts().size(), std::size_t{1});
+        QCOMPARE(halves[0].contacts()[0].area, 2.0);
         std::vector<std::uint32_t> neighbour = halves[0].edgeNeighbours();
         std::ranges::sort(neighbour);
         QCOMPARE(neighbour, (std::vector<std::uint32_t>{1, kNone, kNone, kNone}));

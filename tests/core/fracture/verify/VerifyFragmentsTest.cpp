@@ -84,11 +84,11 @@ private slots:
         const auto change = [](Fragments& all, Prism&) {
             all.partition.neighbours[sharedCorner(all.partition, 1)] = kNone;
         };
-        QCOMPARE(faultAfter(change), QString("Fragment 0 has a bond to fragment 1 that is not mutual."));
+        QCOMPARE(faultAfter(change), QString("Fragment 0 has a contact with fragment 1 that is not mutual."));
     }
     void neighboursMustBeBonded() {
         QCOMPARE(faultAfter([](Fragments& all, Prism&) { all.minSharedEdge = 5.0; }),
-                 QString("Fragment 0 has no bond to fragment 1, which it touches."));
+                 QString("Fragment 0 has no contact with fragment 1, which it touches."));
     }
     void fragmentsMustBeInTheOrderOfTheirSeeds() {
         const auto exchange = [](Fragments& all, Prism&) {

@@ -67,7 +67,7 @@ private slots:
             QCOMPARE(read.hulls.size(), hulls.size());
             QVERIFY(read.hulls[0].polytope.vertices == hulls[0].vertices);
             QVERIFY(read.hulls[0].polytope.planes == hulls[0].planes);
-            QCOMPARE(read.neighbours.size(), written.solid.bonds().size());
+            QCOMPARE(read.neighbours.size(), written.solid.contacts().size());
         }
     }
     void writtenPacksPassVerification() {
