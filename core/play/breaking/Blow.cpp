@@ -37,7 +37,9 @@ double distanceTo(const World& world, BodyId body, Vec3 point) {
     const BodyState state = world.state(body);
     const Vec3 local = glm::conjugate(state.pose.orientation) * (point - state.centre);
     double least = std::numeric_limits<double>::infinity();
-    for (const Hull& hull : world.shape(body).hulls) least = std::min(least, rubble::distanceTo(hull, local));
+    for (const PlacedHull& placed : world.shape(body).hulls) {
+        least = std::min(least, rubble::distanceTo(*placed.hull, local - toDouble(placed.offset)));
+    }
     return least;
 }
 
