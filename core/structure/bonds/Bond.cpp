@@ -1,5 +1,7 @@
 #include "core/structure/bonds/Bond.h"
 
+#include "core/geometry/polygon/AreaMoments.h"
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -137,6 +139,26 @@ double seedDistanceOf(const Bond& bond, const std::optional<BondedPoints>& seeds
     if (const std::optional<double> distance = distanceAcross(bond, centres)) return *distance;
     const double around = glm::distance(centres.first, bond.centroid) + glm::distance(bond.centroid, centres.second);
     return around > 0.0 ? around : std::sqrt(bond.area);
+}
+
+double seedDistanceToFace(const Bond& bond, Vec3 point) {
+    const double distance = glm::dot(bond.normal, bond.centroid - point);
+    if (distance > 0.0) return distance;
+    const double around = glm::distance(point, bond.centroid);
+    return around > 0.0 ? around : std::sqrt(bond.area);
+}
+
+Bond paintedAnchor(const Fragments& fragments, std::uint32_t fragment) {
+    const Fragment held = fragments[fragment];
+    const AreaMoments moments = momentsOf(held.outline());
+    Bond bond{.first = fragment,
+              .area = moments.area,
+              .centroid = held.offset() + Vec3{moments.centre, 0.0},
+              .normal = {0.0, 0.0, 1.0},
+              .seedDistance = held.depth() / 2.0};
+    bond.moments[0] = {moments.xx, moments.xy, 0.0};
+    bond.moments[1] = {moments.xy, moments.yy, 0.0};
+    return bond;
 }
 
 std::optional<std::string> verifyBonds(std::span<const Bond> bonds, std::uint32_t nodes) {

@@ -48,6 +48,14 @@ std::optional<double> distanceAcross(const Bond& bond, const BondedPoints& point
 /// root of the area if these coincide. No `seeds`: the fragments share one or have none.
 double seedDistanceOf(const Bond& bond, const std::optional<BondedPoints>& seeds, const BondedPoints& centres);
 
+/// The same to an anchor, m, > 0: the distance of a seed or centre from the face along the normal, if the normal leads
+/// away from it; else from the face's centroid, or the root of the area.
+double seedDistanceToFace(const Bond& bond, Vec3 point);
+
+/// The bond of a fragment to an anchor that holds all of it, as a painted one does: over its middle plane, at half of
+/// its depth, with the normal along z. Symmetric about the middle plane, as all bonds of a prism are.
+Bond paintedAnchor(const Fragments& fragments, std::uint32_t fragment);
+
 /// Returns the first fault of bonds between `nodes` nodes in one sentence, or nothing: first, then second ascend,
 /// second is a larger node or an anchor, and of a pair of nodes there is one bond; areas and distances are above zero;
 /// normals have length 1; moments are symmetric and not negative along any axis.

@@ -249,6 +249,25 @@ private slots:
         QCOMPARE(seedDistanceOf(bond, std::nullopt, behind), 2.5);    // 0.5 m and 2 m to the face
         QCOMPARE(seedDistanceOf(bond, std::nullopt, together), 2.0);  // the root of 4 m²
     }
+    void distanceToAnAnchorIsThatToTheFace() {
+        const Bond bond{0, kNone, 4.0, {1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, Mat3{0.0}, 0.0};
+        QCOMPARE(seedDistanceToFace(bond, {-2.0, 5.0, 0.0}), 3.0);
+        QCOMPARE(seedDistanceToFace(bond, {1.0, 5.0, 0.0}), 5.0);  // the normal does not lead away
+        QCOMPARE(seedDistanceToFace(bond, {1.0, 0.0, 0.0}), 2.0);  // the root of 4 m²
+    }
+    void paintedAnchorsHoldAllOfAFragment() {
+        const Polygon outline{rectangle({0.0, 0.0}, {2.0, 1.0}), {}};
+        const std::vector<Vec2> seeds{{0.5, 0.5}, {1.5, 0.5}};
+        const Bond anchor = paintedAnchor(*extrudedFragments({outline, 0.5}, *voronoiPartition(outline, seeds)), 1);
+        QVERIFY(!verifyBonds(std::span(&anchor, 1), 2));
+        QCOMPARE(anchor.first, 1u);
+        QCOMPARE(anchor.second, kNone);
+        QCOMPARE(anchor.area, 1.0);
+        QCOMPARE(anchor.centroid, Vec3(1.5, 0.5, 0.0));
+        QCOMPARE(anchor.seedDistance, 0.25);
+        QVERIFY(isNear(anchor.moments[0].x, 1.0 / 12.0));
+        QVERIFY(isNear(anchor.moments[1].y, 1.0 / 12.0));
+    }
     void verificationNamesTheFirstFault() {
         QCOMPARE(faultAfter([](std::vector<Bond>&) {}), QString());
         QCOMPARE(faultAfter([](auto& bonds) { bonds[1].second = 3; }),

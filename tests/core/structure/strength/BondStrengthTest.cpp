@@ -79,6 +79,20 @@ private slots:
         QCOMPARE(levelStrength(asset, baked, 1), 0.5);
         QVERIFY(areNear(capacitiesOf(asset, 1), {50.0}));
     }
+    void eachLevelHasItsOwn() {
+        Asset asset = fourFragments();
+        for (const double strength : {0.5, 0.25}) {
+            Level level{.bondStrength = strength};
+            level.pattern.layers = {{.id = 9, .randomSeed = 3, .parameters = UniformScatter{.count = 3}}};
+            asset.levels.push_back(level);
+        }
+        const Bake baked = *bake(asset);
+        for (std::uint32_t k = 0; k < baked.fractures.size(); ++k) {
+            const std::uint32_t level = baked.fractures[k].level;
+            QCOMPARE(levelStrength(asset, baked, k), level == 0 ? 1.0 : level == 1 ? 0.5 : 0.25);
+        }
+        QCOMPARE(baked.fractures.back().level, 2u);
+    }
     void theLastStrokeDecides() {
         Asset asset = fourFragments();
         BondStroke strong = stroke(BondBrush::Strength, {{11.0, 20.5}, {13.0, 20.5}});
