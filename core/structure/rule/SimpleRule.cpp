@@ -125,6 +125,23 @@ HitOutcome applyHit(const BondGraph& graph, std::span<const double> capacities, 
     return outcome;
 }
 
+HitOutcome applyLoads(std::span<const double> capacities, const SimpleRule& rule, std::span<const BondLoad> loads,
+                      std::span<BondDamage> damage) {
+    RUBBLE_ASSERT(capacities.size() == damage.size());
+    HitOutcome outcome;
+    for (const auto& [bond, load] : loads) {
+        const BondDamage before = damage[bond];
+        const BondDamage after = damageAfter(before, utilizationOf(load, capacities[bond]), rule.damageFrom);
+        if (after == before) continue;
+        damage[bond] = after;
+        (after == kBroken ? outcome.broken : outcome.damaged).push_back(bond);
+        outcome.taken += capacities[bond] * (after - before) / kBroken;
+    }
+    std::ranges::sort(outcome.broken);
+    std::ranges::sort(outcome.damaged);
+    return outcome;
+}
+
 double leastImpulse(std::span<const double> capacities, const SimpleRule& rule) {
     return capacities.empty() ? kInfinite : rule.damageFrom * std::ranges::min(capacities);
 }

@@ -57,6 +57,17 @@ HitOutcome applyHit(const BondGraph& graph, std::span<const double> capacities, 
                     const BondHit& hit, std::span<const std::uint32_t> ownerOfNode, std::uint32_t owner,
                     std::span<BondDamage> damage);
 
+/// The load of a bond, N·s.
+struct BondLoad {
+    std::uint32_t bond = 0;
+    double load = 0.0;
+};
+
+/// Breaks and damages bonds, each by a load of its own, as a blast does: the same as applyHit(), but nothing that one
+/// takes is missing to another. `taken` is the sum.
+HitOutcome applyLoads(std::span<const double> capacities, const SimpleRule& rule, std::span<const BondLoad> loads,
+                      std::span<BondDamage> damage);
+
 /// A hit with a smaller impulse changes nothing, N·s; infinite if no bond can break.
 double leastImpulse(std::span<const double> capacities, const SimpleRule& rule);
 
