@@ -1,4 +1,5 @@
-// Tests core/asset/checks/BondFaults.cpp, and what core/asset/checks/VerifyProject.cpp checks of mortars.
+// Tests core/asset/checks/BondFaults.cpp, what core/asset/checks/VerifyProject.cpp checks of mortars, and
+// core/asset/project/Bonding.cpp.
 #include "core/asset/checks/BondFaults.h"
 
 #include "core/asset/checks/VerifyProject.h"
@@ -36,6 +37,17 @@ private slots:
     void validBondsHaveNoFault() {
         QCOMPARE(verifyProject(bondedProject()).value_or("no fault"), std::string("no fault"));
         QVERIFY(!bondFault(Asset{}) && !faultOf(Mortar{}));
+    }
+    void equalBondsHaveEqualPictures() {
+        const Bonding bonding = everyBonding("3");
+        Bonding other = everyBonding("3");  // with a picture of its own
+        QVERIFY(bonding == other);
+        auto picture = std::make_shared<GreyImage>(*other.strengthImage->image);
+        picture->grey[0] = 1;
+        other.strengthImage->image = picture;
+        QVERIFY(bonding != other);
+        other.strengthImage->image = nullptr;
+        QVERIFY(bonding != other);
     }
     void endsOfRangesAreAccepted() {
         Project project = bondedProject();
