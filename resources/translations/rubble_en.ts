@@ -31,6 +31,13 @@
             <numerusform>%Ln thresholds of single fragments</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln fragment(s) that never break</source>
+        <translation>
+            <numerusform>%Ln fragment that never breaks</numerusform>
+            <numerusform>%Ln fragments that never break</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -131,6 +138,16 @@
         <translation>
             <numerusform>%Ln hole</numerusform>
             <numerusform>%Ln holes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::BondSection</name>
+    <message numerus="yes">
+        <source>%Ln stroke(s)</source>
+        <translation>
+            <numerusform>%Ln stroke</numerusform>
+            <numerusform>%Ln strokes</numerusform>
         </translation>
     </message>
 </context>
