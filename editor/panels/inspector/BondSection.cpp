@@ -50,12 +50,12 @@ BondSection::BondSection(Document& document, const Selection& selection, QWidget
     addWide(m_heights);
     connect(m_heights, &HeightStrengthEditor::refused, this, &BondSection::refused);
     buildPicture();
-    addStrokeRow(BondBrush::Anchor, tr("Anchors"), tr("Remove all strokes of the anchor brush"),
+    addStrokeRow(BondBrush::Anchor, tr("Anchor brush"), tr("Remove all strokes of the anchor brush"),
                  tr("Clear Anchor Strokes"));
-    addStrokeRow(BondBrush::Strength, tr("Strength strokes"), tr("Remove all strokes of the strength brush"),
+    addStrokeRow(BondBrush::Strength, tr("Strength brush"), tr("Remove all strokes of the strength brush"),
                  tr("Clear Strength Strokes"));
-    addStrokeRow(BondBrush::NeverBreaks, tr("Unbreakable strokes"), tr("Remove all strokes of the unbreakable brush"),
-                 tr("Clear Unbreakable Strokes"));
+    addStrokeRow(BondBrush::NeverBreaks, tr("Never breaks"), tr("Remove all strokes that keep fragments from breaking"),
+                 tr("Clear Never-Breaks Strokes"));
 }
 
 std::vector<Asset> BondSection::selected() const {
@@ -75,6 +75,18 @@ void BondSection::bindNumber(Control* control, const QString& text, Number Bondi
 }
 
 void BondSection::buildImpulse() {
+    auto* source = addRow(tr("Bond strength"), new QComboBox,
+                          tr("Enter the impulse per area, or derive it from the strength of the material"));
+    source->addItem(tr("Entered"), kEnteredImpulse);
+    source->addItem(tr("From material"), kImpulseOfMaterial);
+    m_form.bind(
+        source, tr("Set Source of Bond Strength"),
+        [](const Asset& asset) { return asset.bonding.impulsePerArea ? kEnteredImpulse : kImpulseOfMaterial; },
+        [this](Asset& asset, Id entered) {
+            const double known =
+                bondImpulseOf(asset, materialOf(asset)).value_or(rangeOf(ProjectNumber::BondImpulse).defaultValue);
+            asset.bonding.impulsePerArea = entered == kEnteredImpulse ? std::optional(known) : std::nullopt;
+        });
     m_impulse =
         addRow(tr("Impulse per area"),
                new SliderField(fieldRange(ProjectNumber::BondImpulse), 10.0, 100'000.0, SliderScale::Logarithmic),
@@ -86,19 +98,6 @@ void BondSection::buildImpulse() {
             return bondImpulseOf(asset, materialOf(asset)).value_or(rangeOf(ProjectNumber::BondImpulse).defaultValue);
         },
         [](Asset& asset, double entered) { asset.bonding.impulsePerArea = entered; });
-    auto* source = addRow(tr("Source"), new QComboBox,
-                          tr("Enter the impulse per area, or derive it from the strength of the material"));
-    source->setAccessibleName(tr("Source of impulse per area"));
-    source->addItem(tr("Entered"), kEnteredImpulse);
-    source->addItem(tr("From material"), kImpulseOfMaterial);
-    m_form.bind(
-        source, tr("Set Source of Impulse per Area"),
-        [](const Asset& asset) { return asset.bonding.impulsePerArea ? kEnteredImpulse : kImpulseOfMaterial; },
-        [this](Asset& asset, Id entered) {
-            const double known =
-                bondImpulseOf(asset, materialOf(asset)).value_or(rangeOf(ProjectNumber::BondImpulse).defaultValue);
-            asset.bonding.impulsePerArea = entered == kEnteredImpulse ? std::optional(known) : std::nullopt;
-        });
     m_derivation = new QLabel;
     m_derivation->setObjectName("bondDerivation");
     m_derivation->setTextFormat(Qt::PlainText);

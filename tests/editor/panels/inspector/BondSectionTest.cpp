@@ -105,12 +105,12 @@ private slots:
         QCOMPARE(desk.control<SliderField>("Impulse per area").value(), 2000.0);
         QCOMPARE(desk.derivation().text().replace(QChar(0xa0), ' '),
                  "2000 N·s/m² follows from the strength 2 MPa and the contact time 1 ms.");
-        desk.select("Source of impulse per area", 1);
+        desk.select("Bond strength", 1);
         QCOMPARE(desk.bonds().impulsePerArea, std::optional(2000.0));  // keeps its value
         QVERIFY(!desk.derivation().isVisible());
         desk.type("Impulse per area", "750");
         QCOMPARE(desk.bonds().impulsePerArea, std::optional(750.0));
-        desk.select("Source of impulse per area", 2);
+        desk.select("Bond strength", 2);
         QVERIFY(!desk.bonds().impulsePerArea);
         QVERIFY(desk.isRestored());
     }
@@ -200,7 +200,7 @@ private slots:
         QCOMPARE(brushesWithOneStroke(), 2);
         QVERIFY(!desk.control<QPushButton>("Clear Strength Strokes").isEnabled());
         desk.control<QPushButton>("Clear Anchor Strokes").click();
-        desk.control<QPushButton>("Clear Unbreakable Strokes").click();
+        desk.control<QPushButton>("Clear Never-Breaks Strokes").click();
         QCOMPARE(brushes(), "");
         QCOMPARE(desk.document.undoStack().count(), 3);
         desk.undoAll();
