@@ -234,7 +234,7 @@
     <message numerus="yes">
         <source>%Ln selected fragment(s) break further.</source>
         <translation>
-            <numerusform>%Ln selected fragment break further.</numerusform>
+            <numerusform>%Ln selected fragment breaks further.</numerusform>
             <numerusform>%Ln selected fragments break further.</numerusform>
         </translation>
     </message>
