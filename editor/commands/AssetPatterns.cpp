@@ -87,6 +87,10 @@ void setLevelThreshold(Asset& asset, std::size_t index, std::optional<double> th
     if (Level* level = mutableLevelAt(asset, index)) level->threshold = threshold;
 }
 
+void setBondStrength(Asset& asset, std::size_t index, double strength) {
+    if (Level* level = mutableLevelAt(asset, index)) level->bondStrength = strength;
+}
+
 void removeLevelAt(Asset& asset, std::size_t index) {
     if (index == 0 || index >= patternCount(asset)) return;
     if (index <= asset.levels.size()) {

@@ -28,6 +28,8 @@ void setMinimumVolume(Asset& asset, std::size_t index, double volume);
 /// Sets the threshold, N·s, of the fragments that are fractured; none: it follows from their volumes. Does nothing if
 /// there is no level.
 void setLevelThreshold(Asset& asset, std::size_t index, std::optional<double> threshold);
+/// Sets the factor of the strength of the bonds between the fragments; does nothing if there is no level.
+void setBondStrength(Asset& asset, std::size_t index, double strength);
 /// Removes a level, or a fragment's own pattern.
 void removeLevelAt(Asset& asset, std::size_t index);
 

@@ -139,12 +139,21 @@ void setFragmentThreshold(Asset& asset, const FragmentPath& fragment, std::optio
     }
 }
 
+void setNeverBreaks(Asset& asset, const FragmentPath& fragment, bool neverBreaks) {
+    std::vector<FragmentPath>& all = asset.bonding.neverBreaks;
+    const auto place = std::ranges::lower_bound(all, fragment);
+    const bool exists = place != all.end() && *place == fragment;
+    if (neverBreaks && !exists) all.insert(place, fragment);
+    if (!neverBreaks && exists) all.erase(place);
+}
+
 Edit restoreFragments(const Project& project, Id asset, const std::set<SeedId>& seeds, const FragmentPath& parent) {
     Asset changed = *findAsset(project, asset);
     const EditFilter filter{seeds, parent};
     std::erase_if(changed.edits, [&](const FragmentEdit& edit) { return filter.matches(edit); });
     std::erase_if(changed.fragmentLevels, [&](const FragmentLevel& leaf) { return filter.matches(leaf); });
     std::erase_if(changed.fragmentThresholds, [&](const FragmentThreshold& own) { return filter.matches(own); });
+    std::erase_if(changed.bonding.neverBreaks, [&](const FragmentPath& path) { return filter.matches(path); });
     return modify(FragmentEditsTexts::tr("Restore Fragments"), std::move(changed));
 }
 
@@ -152,7 +161,8 @@ bool canRestoreFragments(const Asset& asset, const std::set<SeedId>& seeds, cons
     const EditFilter filter{seeds, parent};
     const auto matches = [&](const auto& setting) { return filter.matches(setting); };
     return std::ranges::any_of(asset.edits, matches) || std::ranges::any_of(asset.fragmentLevels, matches) ||
-           std::ranges::any_of(asset.fragmentThresholds, matches);
+           std::ranges::any_of(asset.fragmentThresholds, matches) ||
+           std::ranges::any_of(asset.bonding.neverBreaks, matches);
 }
 
 }  // namespace rubble

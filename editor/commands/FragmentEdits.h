@@ -42,8 +42,11 @@ Edit splitFragments(const Project& project, Id asset, const std::vector<Selected
 /// Sets the threshold of a single fragment, N·s; none: it follows from its level or its volume again.
 void setFragmentThreshold(Asset& asset, const FragmentPath& fragment, std::optional<double> threshold);
 
-/// Removes all merges, splits, own patterns and own thresholds of fragments that come from these seeds of the pattern
-/// of `parent` (empty: the whole asset).
+/// Sets whether a single fragment of an asset that breaks as bonded never breaks.
+void setNeverBreaks(Asset& asset, const FragmentPath& fragment, bool neverBreaks);
+
+/// Removes all merges, splits, own patterns and other own settings of fragments that come from these seeds of the
+/// pattern of `parent` (empty: the whole asset).
 Edit restoreFragments(const Project& project, Id asset, const std::set<SeedId>& seeds, const FragmentPath& parent = {});
 /// Whether restoreFragments() would remove anything.
 bool canRestoreFragments(const Asset& asset, const std::set<SeedId>& seeds, const FragmentPath& parent = {});

@@ -36,6 +36,7 @@ void applyPattern(const Project& project, const MaterialPreset& preset, Asset& a
     }
     asset.fragmentLevels.clear();
     asset.fragmentThresholds.clear();
+    asset.bonding.neverBreaks.clear();
     asset.edits.clear();
 }
 

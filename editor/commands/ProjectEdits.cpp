@@ -63,6 +63,20 @@ void removeFromPlayTests(const Project& project, std::span<const Id> instances, 
     }
 }
 
+/// Removes instances from the mortars that name them, and mortars that name no other, which would join all.
+void removeFromMortars(const Project& project, std::span<const Id> instances, Edit& edit) {
+    for (const Mortar& mortar : project.mortars) {
+        Mortar rest = mortar;
+        std::erase_if(rest.instances, [&](Id instance) { return isAmong(instances, instance); });
+        if (rest == mortar) continue;
+        if (rest.instances.empty()) {
+            addRemoval<Mortar>(mortar.id, edit);
+        } else {
+            edit.replacements.push_back(Replacement<Mortar>{rest.id, std::move(rest)});
+        }
+    }
+}
+
 std::vector<Id> shotsThrowing(const Project& project, std::span<const Id> assets) {
     std::vector<Id> shots;
     for (const Shot& shot : project.shots) {
@@ -128,6 +142,8 @@ void renameFragments(const std::map<Id, Id>& layers, Asset& asset) {
     std::ranges::sort(asset.fragmentLevels, {}, &FragmentLevel::fragment);
     for (FragmentThreshold& own : asset.fragmentThresholds) own.fragment = withLayers(own.fragment, layers);
     std::ranges::sort(asset.fragmentThresholds, {}, &FragmentThreshold::fragment);
+    for (FragmentPath& path : asset.bonding.neverBreaks) path = withLayers(path, layers);
+    std::ranges::sort(asset.bonding.neverBreaks);
     for (FragmentEdit& edit : asset.edits) {
         if (auto* split = std::get_if<FragmentSplit>(&edit)) {
             split->fragment = withLayers(split->fragment, layers);
@@ -148,6 +164,7 @@ Edit editBetween(const QString& text, const Project& from, const Project& to) {
     addDifferences(from.instances, to.instances, edit);
     addDifferences(from.shots, to.shots, edit);
     addDifferences(from.playTests, to.playTests, edit);
+    addDifferences(from.mortars, to.mortars, edit);
     if (sceneSettings(from) != sceneSettings(to)) edit.replacements.push_back(sceneSettings(to));
     if (from.nextId != to.nextId) edit.nextId = to.nextId;
     return edit;
@@ -194,6 +211,7 @@ Edit removeAssets(const Project& project, std::span<const Id> assets) {
     for (const Id id : instances) addRemoval<Instance>(id, edit);
     for (const Id id : shots) addRemoval<Shot>(id, edit);
     removeFromPlayTests(project, instances, shots, edit);
+    removeFromMortars(project, instances, edit);
     return edit;
 }
 
@@ -252,6 +270,7 @@ Edit removeInstances(const Project& project, std::span<const Id> instances) {
     Edit edit{.text = ProjectEditsTexts::tr("Delete %n Instance(s)", nullptr, count)};
     for (const Id id : instances) addRemoval<Instance>(id, edit);
     removeFromPlayTests(project, instances, {}, edit);
+    removeFromMortars(project, instances, edit);
     return edit;
 }
 

@@ -52,6 +52,13 @@ void scale(Pattern& pattern, const Scaling& map) {
     }
 }
 
+/// The strokes of bond brushes keep their radius, as patterns do.
+void scale(Bonding& bonding, const Scaling& map) {
+    for (BondStroke& stroke : bonding.strokes) scale(stroke.points, map);
+    if (map.factor.y == 1.0) return;
+    for (HeightStrength& strength : bonding.heightStrengths) strength.height *= map.factor.y;
+}
+
 /// The UV map that gives a scaled point the UV of the original point.
 void scale(AffineUv& uv, const Scaling& map) {
     for (const std::size_t row : {std::size_t{0}, std::size_t{3}}) {
@@ -86,6 +93,7 @@ Asset resized(Asset asset, Vec3 size) {
     }
     scale(asset.prism.outline, map);
     scale(asset.pattern, map);
+    scale(asset.bonding, map);
     asset.prism.depth = size.z;
     return asset;
 }

@@ -29,6 +29,8 @@ template <>
 constexpr ElementList<Shot> kElementList<Shot>{Part::Shot, &Project::shots};
 template <>
 constexpr ElementList<PlayTest> kElementList<PlayTest>{Part::PlayTest, &Project::playTests};
+template <>
+constexpr ElementList<Mortar> kElementList<Mortar>{Part::Mortar, &Project::mortars};
 
 /// The position of the element with an id, or where it would be inserted.
 template <class List>

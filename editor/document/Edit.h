@@ -21,7 +21,7 @@ struct SceneSettings {
 };
 
 /// The kinds of elements of a project.
-enum class Part { Material, Asset, Instance, Shot, PlayTest, Scene };
+enum class Part { Material, Asset, Instance, Shot, PlayTest, Mortar, Scene };
 enum class ChangeKind { Added, Removed, Modified };
 
 /// A change of one element.
@@ -48,7 +48,7 @@ struct Replacement {
     std::optional<Value> value;
 };
 using AnyReplacement = std::variant<Replacement<Material>, Replacement<Asset>, Replacement<Instance>, Replacement<Shot>,
-                                    Replacement<PlayTest>, SceneSettings>;
+                                    Replacement<PlayTest>, Replacement<Mortar>, SceneSettings>;
 
 /// New values for some elements of a project. Applying it exchanges them with the project's, so that applying it again
 /// undoes it. It contains each element at most once.

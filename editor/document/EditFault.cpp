@@ -1,5 +1,6 @@
 #include "editor/document/EditFault.h"
 
+#include "core/asset/checks/BondFaults.h"
 #include "core/asset/checks/PlayFaults.h"
 #include "core/asset/checks/ValueFaults.h"
 #include "core/asset/project/Ids.h"
@@ -56,6 +57,9 @@ public:
     }
     void add(const Replacement<PlayTest>& replacement) {
         addElement(Part::PlayTest, findById(m_project.playTests, replacement.id));
+    }
+    void add(const Replacement<Mortar>& replacement) {
+        addElement(Part::Mortar, findById(m_project.mortars, replacement.id));
     }
     void add(const SceneSettings&) { note(Part::Scene, 0, sceneFault(m_project)); }
 

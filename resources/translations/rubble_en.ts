@@ -31,6 +31,13 @@
             <numerusform>%Ln thresholds of single fragments</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln fragment(s) that never break</source>
+        <translation>
+            <numerusform>%Ln fragment that never breaks</numerusform>
+            <numerusform>%Ln fragments that never break</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -135,6 +142,16 @@
     </message>
 </context>
 <context>
+    <name>rubble::BondSection</name>
+    <message numerus="yes">
+        <source>%Ln stroke(s)</source>
+        <translation>
+            <numerusform>%Ln stroke</numerusform>
+            <numerusform>%Ln strokes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>rubble::ContactSheetWindow</name>
     <message numerus="yes">
         <source>%Ln seed(s) locked in all new variants.</source>
@@ -217,7 +234,7 @@
     <message numerus="yes">
         <source>%Ln selected fragment(s) break further.</source>
         <translation>
-            <numerusform>%Ln selected fragment break further.</numerusform>
+            <numerusform>%Ln selected fragment breaks further.</numerusform>
             <numerusform>%Ln selected fragments break further.</numerusform>
         </translation>
     </message>

@@ -1,5 +1,6 @@
 #include "core/asset/checks/ValueFaults.h"
 
+#include "core/asset/checks/BondFaults.h"
 #include "core/asset/checks/PlayFaults.h"
 #include "core/asset/project/Names.h"
 #include "core/asset/project/Ranges.h"
@@ -27,7 +28,8 @@ Sentence colourFault(const std::string& owner, const Colour& colour) {
 
 Sentence levelFault(const std::string& owner, const Level& level) {
     if (Sentence fault = rangeFault(owner, {{ProjectNumber::MinimumVolume, level.minimumVolume},
-                                            {ProjectNumber::Threshold, level.threshold.value_or(1.0)}})) {
+                                            {ProjectNumber::Threshold, level.threshold.value_or(1.0)},
+                                            {ProjectNumber::BondStrength, level.bondStrength}})) {
         return fault;
     }
     if (Sentence fault = verifyPattern(level.pattern)) return owner + ": " + *fault;
@@ -74,7 +76,7 @@ void reportFaults(const Project& project, const Report& report) {
         return goesOn(fault);
     };
     areDone(project.materials) && std::ranges::all_of(project.assets, isAssetDone) && areDone(project.instances) &&
-        goesOn(sceneFault(project)) && areDone(project.shots) && areDone(project.playTests);
+        goesOn(sceneFault(project)) && areDone(project.shots) && areDone(project.playTests) && areDone(project.mortars);
 }
 
 }  // namespace
@@ -116,6 +118,7 @@ std::optional<std::string> faultOf(const Asset& asset) {
     for (const FragmentThreshold& own : asset.fragmentThresholds) {
         if (Sentence fault = rangeFault(owner, {{ProjectNumber::Threshold, own.threshold}})) return fault;
     }
+    if (Sentence fault = bondFault(asset)) return fault;
     if (asset.texture)
         if (Sentence fault = textureFault(owner, *asset.texture, asset.surface.get())) return fault;
     return playFault(asset);
@@ -133,7 +136,8 @@ std::optional<std::string> faultOf(const Instance& instance) {
     if (!(std::abs(length - 1.0) <= kUnitLengthTolerance)) {
         return owner + ": the orientation has the length " + messageText(length) + ", but it must be 1.";
     }
-    return rangeFault(owner, {{ProjectNumber::Threshold, instance.threshold.value_or(1.0)}});
+    return rangeFault(owner, {{ProjectNumber::Threshold, instance.threshold.value_or(1.0)},
+                              {ProjectNumber::BondStrength, instance.bondStrength}});
 }
 
 std::optional<std::string> sceneFault(const Project& project) {

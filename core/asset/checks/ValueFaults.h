@@ -14,7 +14,8 @@ std::optional<std::string> valueFault(const Project& project);
 /// The first such fault of each element, of each derived threshold and of the scene.
 std::vector<std::string> valueFaults(const Project& project);
 
-/// The same for one element. Those of shots, play-tests and debris are in PlayFaults.h.
+/// The same for one element. Those of shots, play-tests and debris are in PlayFaults.h, that of mortars in
+/// BondFaults.h.
 std::optional<std::string> faultOf(const Material& material);
 /// Without the surface (see surfaceFault()) and the derived threshold.
 std::optional<std::string> faultOf(const Asset& asset);

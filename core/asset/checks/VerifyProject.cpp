@@ -59,6 +59,7 @@ std::vector<IdUse> allIds(const Project& project) {
     addIds(project.instances, "Instance", uses);
     addIds(project.shots, "Saved throw", uses);
     addIds(project.playTests, "Test", uses);
+    addIds(project.mortars, "Mortar", uses);
     return uses;
 }
 
@@ -99,6 +100,21 @@ std::string missing(const std::string& owner, const char* kind, Id id) {
     return owner + " refers to " + kind + " " + std::to_string(id) + ", which does not exist.";
 }
 
+/// Checks the instances of a mortar, which must exist and ascend.
+Sentence instancesFault(const Project& project, const Mortar& mortar) {
+    const std::string owner = ownerText("Mortar", mortar.id, mortar.name);
+    Id before = 0;
+    for (const Id instance : mortar.instances) {
+        if (!findById(project.instances, instance)) return missing(owner, "instance", instance);
+        if (instance <= before) {
+            return owner + ": instance " + std::to_string(instance) + " comes after instance " +
+                   std::to_string(before) + "; ids must ascend.";
+        }
+        before = instance;
+    }
+    return std::nullopt;
+}
+
 Sentence referenceFault(const Project& project) {
     for (const Asset& asset : project.assets) {
         const std::string owner = ownerText("Asset", asset.id, asset.name);
@@ -126,6 +142,9 @@ Sentence referenceFault(const Project& project) {
             return missing(owner, "instance", expectation.instance);
         }
     }
+    for (const Mortar& mortar : project.mortars) {
+        if (Sentence fault = instancesFault(project, mortar)) return fault;
+    }
     return std::nullopt;
 }
 
@@ -137,6 +156,7 @@ std::optional<std::string> structureFault(const Project& project) {
     if (Sentence fault = listFault(project.instances, "Instance")) return fault;
     if (Sentence fault = listFault(project.shots, "Saved throw")) return fault;
     if (Sentence fault = listFault(project.playTests, "Test")) return fault;
+    if (Sentence fault = listFault(project.mortars, "Mortar")) return fault;
     if (Sentence fault = idFault(project)) return fault;
     return referenceFault(project);
 }

@@ -1,5 +1,6 @@
 #include "core/asset/compare/RecipeDifference.h"
 
+#include "core/asset/compare/BondingDifference.h"
 #include "core/asset/strength/Threshold.h"
 #include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
@@ -163,8 +164,11 @@ public:
                 messageText(later.minimumVolume) + " m³");
             add("threshold of fractured fragments" + where, thresholdText(earlier.threshold),
                 thresholdText(later.threshold));
+            add("bond strength" + where, messageText(earlier.bondStrength), messageText(later.bondStrength));
         }
     }
+
+    void add(std::vector<RecipeChange> changes) { std::ranges::move(changes, std::back_inserter(m_list)); }
 
     void compare(const Shaping& before, const Shaping& after) {
         add("small fragments", shapingText(before.smallPieces), shapingText(after.smallPieces));
@@ -202,6 +206,7 @@ std::vector<RecipeChange> recipeChanges(const Project& before, const Asset& earl
     changes.add("threshold", thresholdText(before, earlier), thresholdText(after, later));
     changes.add("inside UV scale", messageText(earlier.insideUvScale), messageText(later.insideUvScale));
     changes.add("cut at impact", cutText(earlier.cutAtImpact), cutText(later.cutAtImpact));
+    changes.add(bondingChanges(earlier, later));
     changes.compare(earlier.pattern, later.pattern, "");
     changes.compare(earlier.levels, later.levels);
     changes.compare(earlier.shaping, later.shaping);

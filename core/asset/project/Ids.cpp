@@ -21,6 +21,7 @@ std::set<Id> usedIds(const Project& project) {
     add(project.instances);
     add(project.shots);
     add(project.playTests);
+    add(project.mortars);
     for (const Asset& asset : project.assets) {
         addLayers(asset.pattern, ids);
         for (const Level& level : asset.levels) addLayers(level.pattern, ids);

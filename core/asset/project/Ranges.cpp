@@ -108,6 +108,17 @@ constexpr std::array<NumberRange, kProjectNumbers> kRanges{{
     {"number of variants", "", 1.0, 1000.0, false, 12.0, "each is fractured and drawn"},
     between("unit", "m", 1e-6, 1e6, 1.0, "a mesh needs a size"),
     {"number of threads", "", 1.0, 1024.0, false, 1.0, "no processor has more"},
+    zeroOrAbove("bond strength", "", 1e6, 1.0, "0 holds nothing; what is a million times as strong holds any hit"),
+    between("impulse per area", "N·s/m²", 1e-9, kMaxBlow, 500.0, "at zero a bond would break at rest"),
+    between("radius of hits on bonds", "m", 1e-3, kMaxCoordinate, 0.3, "within it a hit must reach a bond"),
+    {"load that leaves damage", "", 0.0, 1.0, true, 0.5, "a fraction of what a bond holds; at 0 rest would wear it"},
+    zeroOrAbove("span", "m", kMaxCoordinate, 0.0, "0 is any distance"),
+    zeroOrAbove("collapse delay", "s", 1e5, 0.2, "nothing is played longer than a day"),
+    {"least island", "", 1.0, 4294967295.0, false, 1.0, "a 32-bit count; an island has at least one fragment"},
+    between("brush radius", "m", kMinExtent, kMaxExtent, 0.1, "a brush must touch something; no prism is larger"),
+    zeroOrAbove("height", "m", kMaxExtent, 0.0, "heights count from the lowest point; no prism is higher"),
+    zeroOrAbove("widest joint", "m", 1.0, 0.005, "faces that are farther apart do not lie against each other"),
+    zeroOrAbove("least area", "m²", kMaxExtent* kMaxExtent, 1e-4, "0 joins every face; no prism has a larger one"),
 }};
 
 std::string nameOf(ProjectNumber number, const char* name) { return name ? name : rangeOf(number).name; }

@@ -72,8 +72,19 @@ enum class ProjectNumber {
     Variants,
     MetresPerUnit,  // of a mesh file
     Threads,
+    BondStrength,        // a factor: of levels, instances, brushes, heights and pictures
+    BondImpulse,         // per area
+    BondLoadRadius,      // of the load of a hit
+    BondDamageFrom,      // a fraction of what a bond holds
+    BondSpan,            // sideways to an anchor
+    BondCollapseDelay,   //
+    BondMinimumIsland,   // fragments
+    BondBrushRadius,     //
+    BondStrengthHeight,  // above the lowest point of the outline
+    MortarTolerance,
+    MortarLeastArea,
 };
-inline constexpr int kProjectNumbers = 60;
+inline constexpr int kProjectNumbers = 71;
 
 /// The values that a number of a project can have. Files, command line, inspector and play read them here.
 struct NumberRange {

@@ -100,6 +100,16 @@ AssetExport exportAsset(const Project& project, const PackedAsset& packed, const
     return result;
 }
 
+/// Removes all that a pack does not contain of how an asset breaks as bonded.
+void removeBonds(Asset& asset) {
+    asset.breakAs = BreakAs::Whole;
+    asset.bonding = {};
+    for (Level& level : asset.levels) level.bondStrength = 1.0;
+    for (FragmentLevel& leaf : asset.fragmentLevels) {
+        if (leaf.level) leaf.level->bondStrength = 1.0;
+    }
+}
+
 }  // namespace
 
 std::map<AssetVariant, std::string> packFolders(const Project& project) {
@@ -123,6 +133,7 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Mes
     if (asset.insideMaterial != 0) single.materials.push_back(material.inside);
     single.assets = {asset};
     single.assets[0].cutAtImpact.reset();
+    removeBonds(single.assets[0]);
     single.assets[0].requirements.clear();
     single.assets[0].threshold = thresholdOf(asset, material.own);
     single.assets[0].contactTime.reset();

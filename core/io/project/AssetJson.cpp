@@ -1,6 +1,7 @@
 #include "core/io/project/AssetJson.h"
 
 #include "core/io/json/VectorJson.h"
+#include "core/io/project/BondingJson.h"
 #include "core/io/project/ColourJson.h"
 #include "core/io/project/PatternJson.h"
 #include "core/io/project/ShapingJson.h"
@@ -30,6 +31,7 @@ Prism readPrism(const JsonValue& value) {
 void writeMembers(JsonWriter& json, const Level& level) {
     json.number("minimumVolume", level.minimumVolume);
     if (level.threshold) json.number("threshold", *level.threshold);
+    writeBondStrength(json, level.bondStrength);
     writePattern(json, level.pattern);
 }
 
@@ -40,11 +42,12 @@ void writeLevel(JsonWriter& json, const Level& level) {
 }
 
 Level readLevel(const JsonValue& value) {
-    value.requireObject({"minimumVolume", "pattern"}, {"threshold"});
+    value.requireObject({"minimumVolume", "pattern"}, {"threshold", "bondStrength"});
     const JsonValue threshold = value["threshold"];
     return {.pattern = readPattern(value["pattern"]),
             .minimumVolume = value["minimumVolume"].number(),
-            .threshold = threshold.isPresent() ? std::optional(threshold.number()) : std::nullopt};
+            .threshold = threshold.isPresent() ? std::optional(threshold.number()) : std::nullopt,
+            .bondStrength = readBondStrength(value)};
 }
 
 void writeFragmentThreshold(JsonWriter& json, const FragmentThreshold& own) {
@@ -252,6 +255,7 @@ void writeAsset(JsonWriter& json, const Asset& asset, const ImageList& images) {
     if (!asset.fragmentThresholds.empty())
         json.list("fragmentThresholds", asset.fragmentThresholds, writeFragmentThreshold);
     json.list("edits", asset.edits, writeEdit);
+    writeBonding(json, asset);
     writeCutAtImpact(json, asset.cutAtImpact);
     json.list("intents", asset.requirements, writeRequirement);
     if (asset.surface) {
@@ -285,11 +289,12 @@ Asset readAsset(const JsonValue& value) {
     value.requireObject(
         {"id", "name", "material", "threshold", "contactTime", "insideUvScale", "insideMaterial", "prism", "pattern",
          "shaping", "levels", "leaves", "edits", "cutAtImpact", "intents", "surface"},
-        {"strengthRule", "fragmentThresholds", "texture"});
+        {"strengthRule", "fragmentThresholds", "breakAs", "bonding", "texture"});
     Asset asset = readAssetMembers4(value);
     asset.contactTime = value["contactTime"].optionalNumber();
     const JsonValue thresholds = value["fragmentThresholds"];
     if (thresholds.isPresent()) asset.fragmentThresholds = thresholds.list(readFragmentThreshold);
+    readBonding(value, asset);
     const JsonValue rule = value["strengthRule"];
     if (rule.isPresent()) {
         asset.strengthRule = static_cast<StrengthRule>(rule.oneOf(kStrengthRules));

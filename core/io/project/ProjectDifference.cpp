@@ -18,17 +18,18 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMaxShown = 4;  // elements of a list; longer ones are counted
 
 /// The keys of an asset whose changes recipeChanges() describes.
-constexpr std::array<std::string_view, 16> kInRecipe{"name",      "prism",       "material",      "insideMaterial",
-                                                     "threshold", "contactTime", "insideUvScale", "cutAtImpact",
-                                                     "pattern",   "levels",      "shaping",       "leaves",
-                                                     "edits",     "intents",     "surface",       "fragmentThresholds"};
+constexpr std::array<std::string_view, 18> kInRecipe{
+    "name",          "prism",       "material", "insideMaterial", "threshold", "contactTime",
+    "insideUvScale", "cutAtImpact", "pattern",  "levels",         "shaping",   "leaves",
+    "edits",         "intents",     "surface",  "breakAs",        "bonding",   "fragmentThresholds"};
 
 /// Keys that are no words for users, and the lists whose elements are called by another word.
-constexpr std::array<std::array<std::string_view, 2>, 12> kWords{{{"materials", "material"},
+constexpr std::array<std::array<std::string_view, 2>, 13> kWords{{{"materials", "material"},
                                                                   {"assets", "asset"},
                                                                   {"instances", "instance"},
                                                                   {"shots", "shot"},
                                                                   {"playTests", "test"},
+                                                                  {"mortars", "mortar"},
                                                                   {"expectations", "expectation"},
                                                                   {"mostPieces", "maximum fragments"},
                                                                   {"maxRecords", "events per step"},
@@ -36,7 +37,8 @@ constexpr std::array<std::array<std::string_view, 2>, 12> kWords{{{"materials", 
                                                                   {"thesisThreshold", "thesis threshold"},
                                                                   {"uvScale", "UV scale"},
                                                                   {"intents", "strength requirements"}}};
-constexpr std::array<std::string_view, 5> kReferences{"asset", "material", "insideMaterial", "instance", "shots"};
+constexpr std::array<std::string_view, 6> kReferences{"asset",    "material", "insideMaterial",
+                                                      "instance", "shots",    "instances"};
 
 /// A key in words: "fractureToughness" becomes "fracture toughness".
 std::string wordsOf(std::string_view key) {
@@ -60,6 +62,7 @@ Json jsonOf(Project project) {
     }
     Json json = Json::parse(projectText(project));
     json["events"] = {{"leastEnergy", project.events.leastEnergy}, {"maxRecords", project.events.maxRecords}};
+    if (project.mortars.empty()) json["mortars"] = Json::array();  // so that each one that is added is told
     return json;
 }
 

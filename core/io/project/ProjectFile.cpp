@@ -9,6 +9,7 @@
 #include "core/io/json/FormatVersion.h"
 #include "core/io/json/VectorJson.h"
 #include "core/io/project/AssetJson.h"
+#include "core/io/project/BondingJson.h"
 #include "core/io/project/SceneJson.h"
 #include "core/io/project/ShotJson.h"
 #include "core/io/project/TextureJson.h"
@@ -89,8 +90,10 @@ void readTextures(const JsonValue& root, std::vector<Asset>& assets) {
 
 /// Version 5 added strength and toughness of materials, and thresholds derived from them.
 Project readProjectVersion5(const JsonValue& root) {
-    Project project = readProjectSinceVersion2(root, {readMaterial, readAsset, readInstance}, {"events", "images"});
+    Project project =
+        readProjectSinceVersion2(root, {readMaterial, readAsset, readInstance}, {"events", "mortars", "images"});
     if (root["events"].isPresent()) project.events = readEventSettings(root["events"]);
+    if (root["mortars"].isPresent()) project.mortars = root["mortars"].list(readMortar);
     readTextures(root, project.assets);
     return project;
 }
@@ -164,6 +167,7 @@ std::string projectText(const Project& project) {
     if (project.events != EventSettings{}) writeEventSettings(json, project.events);
     json.list("shots", project.shots, writeShot);
     json.list("playTests", project.playTests, writePlayTest);
+    if (!project.mortars.empty()) json.list("mortars", project.mortars, writeMortar);
     if (!images.empty()) writeImages(json, images);
     json.close();
     return std::move(json).finished();

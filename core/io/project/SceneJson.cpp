@@ -1,6 +1,7 @@
 #include "core/io/project/SceneJson.h"
 
 #include "core/io/json/VectorJson.h"
+#include "core/io/project/BondingJson.h"
 
 #include <array>
 
@@ -37,6 +38,8 @@ void writeInstance(JsonWriter& json, const Instance& instance) {
     json.boolean("hidden", instance.isHidden);
     json.boolean("locked", instance.isLocked);
     if (instance.isUnbreakable) json.boolean("unbreakable", true);
+    if (instance.isAnchored) json.boolean("anchored", true);
+    writeBondStrength(json, instance.bondStrength);
     json.close();
 }
 
@@ -48,12 +51,14 @@ Instance readInstanceBeforeVersion3(const JsonValue& value) {
 Instance readInstance(const JsonValue& value) {
     value.requireObject(
         {"id", "name", "asset", "position", "orientation", "threshold", "fixed", "variant", "hidden", "locked"},
-        {"unbreakable"});
+        {"unbreakable", "anchored", "bondStrength"});
     Instance instance = readInstanceMembers1(value);
     instance.variant = value["variant"].index();
     instance.isHidden = value["hidden"].boolean();
     instance.isLocked = value["locked"].boolean();
     if (value["unbreakable"].isPresent()) instance.isUnbreakable = value["unbreakable"].boolean();
+    if (value["anchored"].isPresent()) instance.isAnchored = value["anchored"].boolean();
+    instance.bondStrength = readBondStrength(value);
     return instance;
 }
 

@@ -387,8 +387,10 @@ void ContactSheetWindow::lockSelected() {
 ContactSheetWindow::FragmentSettings ContactSheetWindow::askForSettings(const Asset& variant) {
     const Asset& own = *asset();
     const bool isSame = own.edits == variant.edits && own.fragmentLevels == variant.fragmentLevels &&
-                        own.fragmentThresholds == variant.fragmentThresholds;
-    const bool hasNone = own.edits.empty() && own.fragmentLevels.empty() && own.fragmentThresholds.empty();
+                        own.fragmentThresholds == variant.fragmentThresholds &&
+                        own.bonding.neverBreaks == variant.bonding.neverBreaks;
+    const bool hasNone = own.edits.empty() && own.fragmentLevels.empty() && own.fragmentThresholds.empty() &&
+                         own.bonding.neverBreaks.empty();
     if (isSame || hasNone) return FragmentSettings::OfVariant;
     Question question{.text = tr("Keep what was changed in single fragments of \"%1\"?").arg(nameText(own.name)),
                       .informativeText = fragmentChanges(own),
@@ -413,6 +415,7 @@ void ContactSheetWindow::apply() {
         changed.fragmentLevels = variant.fragmentLevels;
         changed.edits = variant.edits;
         changed.fragmentThresholds = variant.fragmentThresholds;
+        changed.bonding.neverBreaks = variant.bonding.neverBreaks;
     }
     const QScopedValueRollback applying(m_isApplying, true);  // the variants stay to be compared
     if (m_workspace.document().push(modify(tr("Apply Variant"), std::move(changed))))

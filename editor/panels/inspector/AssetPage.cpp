@@ -44,14 +44,15 @@ AssetPage::AssetPage(Document& document, const Selection& selection, const Bakes
           document, [this] { return selected(); }, pushOf<Asset>(document)) {
     m_asset = new Section("asset", tr("Asset"), this);
     auto* shape = new Section("shape", tr("Shape"), this);
+    m_bonds = new BondSection(document, selection, this);
     m_fragments = new FragmentSection(document, selection, bakes, this);
     m_shaping = new ShapingSection(document, selection, this);
     auto* pattern = new Section("pattern", tr("Pattern"), this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    for (Section* section :
-         {m_asset, static_cast<Section*>(m_fragments), shape, static_cast<Section*>(m_shaping), pattern})
+    for (Section* section : {m_asset, static_cast<Section*>(m_fragments), static_cast<Section*>(m_bonds), shape,
+                             static_cast<Section*>(m_shaping), pattern})
         layout->addWidget(section);
     layout->addStretch();
     m_form.setFault([this](const Asset& value) { return faultOf(value); });
@@ -61,6 +62,7 @@ AssetPage::AssetPage(Document& document, const Selection& selection, const Bakes
     m_pattern = new PatternEditor(document);
     pattern->addWide(m_pattern);
     connect(m_pattern, &PatternEditor::refused, this, &AssetPage::refused);
+    connect(m_bonds, &BondSection::refused, this, &AssetPage::refused);
     connect(m_fragments, &FragmentSection::refused, this, &AssetPage::refused);
     connect(m_shaping, &ShapingSection::refused, this, &AssetPage::refused);
 }
@@ -85,6 +87,7 @@ void AssetPage::buildAsset(Section& section) {
     m_material = section.addRow(tr("Material"), new QComboBox, tr("Material of the asset"));
     m_form.bind(m_material, tr("Set Material"), &Asset::material);
     buildThreshold(section);
+    buildBreakAs(section);
     auto* scale =
         section.addRow(tr("Inside UVs"), new NumberField, tr("Texture repeats per metre on fracture surfaces"));
     scale->setFormat(Units::perMetre());
@@ -153,6 +156,17 @@ void AssetPage::buildThreshold(Section& section) {
     m_derivation->setObjectName("derivation");
     m_derivation->setWordWrap(true);
     section.addWide(m_derivation);
+}
+
+void AssetPage::buildBreakAs(Section& section) {
+    auto* breakAs = section.addRow(tr("Break as"), new QComboBox,
+                                   tr("Set whether a hit breaks the asset into all of its fragments, or only bonds "
+                                      "between them"));
+    breakAs->addItem(tr("Whole"), static_cast<Id>(BreakAs::Whole));
+    breakAs->addItem(tr("Bonded"), static_cast<Id>(BreakAs::Bonded));
+    m_form.bind(
+        breakAs, tr("Set How It Breaks"), [](const Asset& asset) { return static_cast<Id>(asset.breakAs); },
+        [](Asset& asset, Id entered) { asset.breakAs = static_cast<BreakAs>(entered); });
 }
 
 /// Lists the sources of thresholds; the older one only for assets that have it.
@@ -252,6 +266,7 @@ QString AssetPage::summary(const Asset& asset) const {
 void AssetPage::setUnits(const Units& units) {
     m_units = units;
     for (NumberField* field : m_size) field->setFormat(units.lengths());
+    m_bonds->setUnits(units);
     m_outline->setUnits(units);
     m_shaping->setUnits(units);
     m_pattern->setUnits(units);
@@ -278,6 +293,7 @@ void AssetPage::refresh() {
     }
     m_outline->refresh(m_selection.asset());
     m_fragments->refresh();
+    m_bonds->refresh();
     m_shaping->refresh();
     m_pattern->refresh(m_selection.asset(), m_selection.enteredFragment());
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "editor/document/Selection.h"
+#include "editor/panels/inspector/BondSection.h"
 #include "editor/panels/inspector/FragmentSection.h"
 #include "editor/panels/inspector/OutlineEditor.h"
 #include "editor/panels/inspector/PatternEditor.h"
@@ -10,7 +11,7 @@
 
 namespace rubble {
 
-/// The inspector's page for the active asset: material and threshold, shape, fragments, pattern.
+/// The inspector's page for the active asset: material and threshold, bonds, shape, fragments, pattern.
 class AssetPage : public QWidget {
     Q_OBJECT
 public:
@@ -29,6 +30,7 @@ private:
     QString faultOf(const Asset& asset) const;
     void buildAsset(Section& section);
     void buildThreshold(Section& section);
+    void buildBreakAs(Section& section);
     void buildShape(Section& section);
     QWidget* createTexture();
     void showTexture(const Asset& asset);
@@ -51,6 +53,7 @@ private:
     QLabel* m_derivation = nullptr;  // formula of the derived threshold, or why there is none
     QLabel* m_summary = nullptr;
     std::array<NumberField*, 3> m_size{};
+    BondSection* m_bonds = nullptr;
     FragmentSection* m_fragments = nullptr;
     OutlineEditor* m_outline = nullptr;
     ShapingSection* m_shaping = nullptr;

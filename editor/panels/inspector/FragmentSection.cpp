@@ -1,11 +1,14 @@
 #include "editor/panels/inspector/FragmentSection.h"
 
+#include "core/asset/bake/FragmentSets.h"
 #include "core/asset/strength/FragmentThreshold.h"
 #include "core/asset/strength/Threshold.h"
 #include "core/play/scene/PlayAsset.h"
 #include "editor/commands/FragmentEdits.h"
 
 #include <QLabel>
+
+#include <algorithm>
 
 namespace rubble {
 
@@ -17,11 +20,33 @@ FragmentSection::FragmentSection(Document& document, const Selection& selection,
       m_form(
           document, [this] { return selected(); },
           [this](const std::vector<BreakingFragment>& fragments, const QString& text, quint64 mergeKey) {
-              push(fragments, text, mergeKey);
+              push(text, mergeKey, [&](Asset& asset) {
+                  for (const BreakingFragment& each : fragments) setFragmentThreshold(asset, each.path, each.threshold);
+              });
+          }),
+      m_bondedForm(
+          document, [this] { return selectedBonded(); },
+          [this](const std::vector<BondedFragment>& fragments, const QString& text, quint64 mergeKey) {
+              push(text, mergeKey, [&](Asset& asset) {
+                  for (const auto& [path, neverBreaks] : fragments) setNeverBreaks(asset, path, neverBreaks);
+              });
           }),
       m_isOwn(new QCheckBox(tr("Override Threshold"))),
       m_threshold(thresholdField()),
+      m_neverBreaks(new QCheckBox(tr("Never Breaks"))),
       m_note(new QLabel) {
+    buildThreshold();
+    m_note->setWordWrap(true);
+    addWide(m_note);
+    buildNeverBreaks();
+    m_form.setRefused([this](const QString& sentence) { emit refused(sentence); });
+    m_bondedForm.setRefused([this](const QString& sentence) { emit refused(sentence); });
+    connect(&selection, &Selection::seedsChanged, this, &FragmentSection::refresh);
+    connect(&bakes, &Bakes::changed, this, &FragmentSection::refresh);
+    refresh();
+}
+
+void FragmentSection::buildThreshold() {
     m_isOwn->setToolTip(tr("Override the threshold that follows from the fragment's volume or is set for its level"));
     m_isOwn->setObjectName("override-fragment-threshold");
     addWide(m_isOwn);
@@ -37,12 +62,13 @@ FragmentSection::FragmentSection(Document& document, const Selection& selection,
         m_threshold, tr("Set Threshold of Fragments"),
         [](const BreakingFragment& fragment) { return fragment.threshold.value_or(fragment.automatic); },
         [](BreakingFragment& fragment, double entered) { fragment.threshold = entered; });
-    m_note->setWordWrap(true);
-    addWide(m_note);
-    m_form.setRefused([this](const QString& sentence) { emit refused(sentence); });
-    connect(&selection, &Selection::seedsChanged, this, &FragmentSection::refresh);
-    connect(&bakes, &Bakes::changed, this, &FragmentSection::refresh);
-    refresh();
+}
+
+void FragmentSection::buildNeverBreaks() {
+    m_neverBreaks->setToolTip(tr("Keep the fragments from breaking, and the bonds between them"));
+    m_neverBreaks->setObjectName("never-breaks");
+    addWide(m_neverBreaks);
+    m_bondedForm.bind(m_neverBreaks, tr("Set Whether Fragments Never Break"), &BondedFragment::neverBreaks);
 }
 
 /// Only what breaks further has a threshold.
@@ -68,11 +94,22 @@ std::vector<BreakingFragment> FragmentSection::selected() const {
     return fragments;
 }
 
-void FragmentSection::push(const std::vector<BreakingFragment>& fragments, const QString& text, quint64 mergeKey) {
-    Asset changed = *findAsset(m_document.project(), m_selection.asset());
-    for (const BreakingFragment& fragment : fragments) {
-        setFragmentThreshold(changed, fragment.path, fragment.threshold);
+std::vector<BondedFragment> FragmentSection::selectedBonded() const {
+    std::vector<BondedFragment> fragments;
+    const Asset* asset = findAsset(m_document.project(), m_selection.asset());
+    const auto baked = m_bakes.find(m_selection.asset());
+    if (asset == nullptr || asset->breakAs != BreakAs::Bonded || !baked || !baked->bake) return fragments;
+    const Bake& bake = *baked->bake;
+    for (const std::uint32_t root : rootsOf(bake, fragmentsOf(m_selection.fragments(), bake))) {
+        const FragmentPath path = bake.fragmentPath(root);
+        fragments.push_back({path, std::ranges::binary_search(asset->bonding.neverBreaks, path)});
     }
+    return fragments;
+}
+
+void FragmentSection::push(const QString& text, quint64 mergeKey, const std::function<void(Asset&)>& change) {
+    Asset changed = *findAsset(m_document.project(), m_selection.asset());
+    change(changed);
     Edit edit{.text = text, .mergeKey = mergeKey};
     const Id id = changed.id;
     edit.replacements.push_back(Replacement<Asset>{id, std::move(changed)});
@@ -88,6 +125,8 @@ void FragmentSection::refresh() {
     setRowVisible(m_threshold, doBreak);
     m_note->setText(doBreak ? tr("%Ln selected fragment(s) break further.", nullptr, static_cast<int>(fragments.size()))
                             : tr("None of the selected fragments breaks further. Fracture them, or add a level."));
+    m_neverBreaks->setVisible(!selectedBonded().empty());
+    m_bondedForm.refresh();
     if (!doBreak) return;
     m_form.refresh();
     m_threshold->setEnabled(std::ranges::all_of(

@@ -5,6 +5,8 @@
 #include "editor/widgets/Form.h"
 #include "editor/widgets/Section.h"
 
+#include <functional>
+
 class QLabel;
 
 namespace rubble {
@@ -16,7 +18,14 @@ struct BreakingFragment {
     double automatic = 0.0;           // N·s, that of its level, or the one that follows from its volume
 };
 
-/// The thresholds of the selected fragments of the active asset. Hidden while none is selected.
+/// A selected fragment of an asset that breaks as bonded; none of its ancestors is selected.
+struct BondedFragment {
+    FragmentPath path;
+    bool neverBreaks = false;
+};
+
+/// The thresholds of the selected fragments of the active asset, and whether they never break. Hidden while none is
+/// selected.
 class FragmentSection : public Section {
     Q_OBJECT
 public:
@@ -29,14 +38,19 @@ signals:
 
 private:
     std::vector<BreakingFragment> selected() const;
-    void push(const std::vector<BreakingFragment>& fragments, const QString& text, quint64 mergeKey);
+    std::vector<BondedFragment> selectedBonded() const;
+    void buildThreshold();
+    void buildNeverBreaks();
+    void push(const QString& text, quint64 mergeKey, const std::function<void(Asset&)>& change);
 
     Document& m_document;
     const Selection& m_selection;
     const Bakes& m_bakes;
     Form<BreakingFragment> m_form;
+    Form<BondedFragment> m_bondedForm;
     QCheckBox* m_isOwn;
     SliderField* m_threshold;
+    QCheckBox* m_neverBreaks;
     QLabel* m_note;
 };
 

@@ -30,13 +30,13 @@ InstancePage::InstancePage(Document& document, Selection& selection, QWidget* pa
       m_selection(selection),
       m_form(
           document, [this] { return selected(); }, pushOf<Instance>(document)),
-      m_instance(new Section("instance", tr("Instance"), this)) {
+      m_instance(new Section("instance", tr("Instance"), this)),
+      m_strength(new Section("strength", tr("Strength"), this)) {
     auto* transform = new Section("transform", tr("Transform"), this);
-    auto* strength = new Section("strength", tr("Strength"), this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    for (Section* section : {m_instance, transform, strength}) layout->addWidget(section);
+    for (Section* section : {m_instance, transform, m_strength}) layout->addWidget(section);
     layout->addStretch();
     m_form.setRefused([this](const QString& sentence) { emit refused(sentence); });
     m_form.setFault([this](const Instance& instance) {
@@ -47,7 +47,8 @@ InstancePage::InstancePage(Document& document, Selection& selection, QWidget* pa
     });
     buildInstance(*m_instance);
     buildTransform(*transform);
-    buildStrength(*strength);
+    buildStrength(*m_strength);
+    buildBonds(*m_strength);
 }
 
 std::vector<Instance> InstancePage::selected() const {
@@ -132,12 +133,30 @@ void InstancePage::buildStrength(Section& section) {
                 tr("Make Unbreakable or Breakable"), &Instance::isUnbreakable);
 }
 
-void InstancePage::addCheckBox(Section& section, const QString& label, const QString& hint, const QString& step,
-                               bool Instance::*member) {
+/// What is only shown for instances of assets that break as bonded.
+void InstancePage::buildBonds(Section& section) {
+    m_anchored = addCheckBox(section, tr("Anchored Where It Touches"),
+                             tr("Hold fragments in place that touch the ground or a fixed instance at the start"),
+                             tr("Anchor or Release Instances"), &Instance::isAnchored);
+    m_bondStrength =
+        section.addRow(tr("Bond strength"),
+                       new SliderField(fieldRange(ProjectNumber::BondStrength), 0.1, 10.0, SliderScale::Logarithmic),
+                       tr("Multiply the strength of the bonds of the instance"));
+    m_form.bind(m_bondStrength, tr("Set Bond Strength"), &Instance::bondStrength);
+}
+
+QCheckBox* InstancePage::addCheckBox(Section& section, const QString& label, const QString& hint, const QString& step,
+                                     bool Instance::*member) {
     auto* box = new QCheckBox(label);
     box->setToolTip(hint);
     section.addWide(box);
     m_form.bind(box, step, member);
+    return box;
+}
+
+bool InstancePage::isBonded(const Instance& instance) const {
+    const Asset* asset = findAsset(m_document.project(), instance.asset);
+    return asset && asset->breakAs == BreakAs::Bonded;
 }
 
 Vec3 InstancePage::degreesOf(const Instance& instance) const {
@@ -167,6 +186,9 @@ void InstancePage::refresh() {
     m_instance->setRowVisible(m_name, isOne);
     m_editAsset->setEnabled(m_asset->currentIndex() >= 0);
     m_threshold->setEnabled(std::ranges::all_of(instances, [](const Instance& i) { return i.threshold.has_value(); }));
+    const bool areBonded = std::ranges::any_of(instances, [this](const Instance& i) { return isBonded(i); });
+    m_anchored->setVisible(areBonded);
+    m_strength->setRowVisible(m_bondStrength, areBonded);
 }
 
 }  // namespace rubble

@@ -26,8 +26,10 @@ private:
     void buildInstance(Section& section);
     void buildTransform(Section& section);
     void buildStrength(Section& section);
-    void addCheckBox(Section& section, const QString& label, const QString& hint, const QString& step,
-                     bool Instance::*member);
+    void buildBonds(Section& section);
+    QCheckBox* addCheckBox(Section& section, const QString& label, const QString& hint, const QString& step,
+                           bool Instance::*member);
+    bool isBonded(const Instance& instance) const;
     Vec3 degreesOf(const Instance& instance) const;
     void rotate(Instance& instance, int axis, double degrees);
 
@@ -40,6 +42,9 @@ private:
     QPushButton* m_editAsset = nullptr;
     std::array<NumberField*, 3> m_position{};
     SliderField* m_threshold = nullptr;
+    Section* m_strength;
+    QCheckBox* m_anchored = nullptr;
+    SliderField* m_bondStrength = nullptr;
     Quat m_typedOrientation{1.0, 0.0, 0.0,
                             0.0};  // the last typed angles and their orientation, since angles are not unique
     Vec3 m_typedDegrees{0.0, 0.0, 0.0};

@@ -1,13 +1,11 @@
 #include "editor/panels/inspector/OutlineEditor.h"
 
+#include "editor/panels/inspector/NumberDelegate.h"
 #include "editor/widgets/Buttons.h"
-#include "editor/widgets/NumberField.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QKeyEvent>
-#include <QStyledItemDelegate>
 #include <QTableView>
 #include <QToolButton>
 #include <QToolTip>
@@ -22,43 +20,6 @@ namespace {
 constexpr int kMaxVisibleRows = 8;
 constexpr int kRowPadding = 8;  // pixels
 
-/// Edits coordinates in number fields.
-class CoordinateDelegate : public QStyledItemDelegate {
-public:
-    CoordinateDelegate(const OutlineModel& model, QObject* parent) : QStyledItemDelegate(parent), m_model(model) {}
-
-    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override {
-        auto* field = new NumberField(parent);
-        field->setFormat(m_model.units().lengths());
-        return field;
-    }
-    void setEditorData(QWidget* editor, const QModelIndex& index) const override {
-        static_cast<NumberField*>(editor)->setValue(index.data(Qt::EditRole).toDouble());
-    }
-    void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override {
-        auto* field = static_cast<NumberField*>(editor);
-        if (field->commit()) model->setData(index, field->value(), Qt::EditRole);
-    }
-
-protected:
-    /// Keeps a field open whose text is refused.
-    bool eventFilter(QObject* watched, QEvent* event) override {
-        auto* field = qobject_cast<NumberField*>(watched);
-        if (field != nullptr && endsEditing(*event) && !field->commit()) return event->type() == QEvent::KeyPress;
-        return QStyledItemDelegate::eventFilter(watched, event);
-    }
-
-private:
-    static bool endsEditing(const QEvent& event) {
-        if (event.type() == QEvent::FocusOut) return true;
-        if (event.type() != QEvent::KeyPress) return false;
-        const int key = static_cast<const QKeyEvent&>(event).key();
-        return key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Tab || key == Qt::Key_Backtab;
-    }
-
-    const OutlineModel& m_model;
-};
-
 }  // namespace
 
 OutlineEditor::OutlineEditor(Document& document, QWidget* parent)
@@ -68,7 +29,8 @@ OutlineEditor::OutlineEditor(Document& document, QWidget* parent)
       m_rings(new QComboBox(this)),
       m_view(new QTableView(this)) {
     m_view->setModel(m_model);
-    m_view->setItemDelegate(new CoordinateDelegate(*m_model, m_view));
+    m_view->setItemDelegate(
+        new NumberDelegate([this](NumberField& field, int) { field.setFormat(m_model->units().lengths()); }, m_view));
     m_view->setAccessibleName(tr("Outline Points"));
     m_view->setToolTip(tr("Edit a coordinate to move a point"));
     m_view->setTabKeyNavigation(false);

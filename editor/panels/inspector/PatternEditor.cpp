@@ -34,6 +34,7 @@ PatternEditor::PatternEditor(Document& document, QWidget* parent)
       m_minimumVolume(new NumberField),
       m_hasThreshold(new QCheckBox(tr("Override Threshold"))),
       m_threshold(thresholdField()),
+      m_bondStrength(new SliderField(fieldRange(ProjectNumber::BondStrength), 0.1, 10.0, SliderScale::Logarithmic)),
       m_view(new QListView(this)),
       m_page(new LayerPage(document, this)) {
     buildView();
@@ -101,6 +102,16 @@ void PatternEditor::buildLevelSettings() {
         m_threshold, tr("Set Threshold of Level"),
         [this](const Asset& asset) { return levelThreshold(asset).value_or(thresholdOf(m_document.project(), asset)); },
         [this](Asset& asset, double entered) { setLevelThreshold(asset, m_pattern.index, entered); });
+    m_levelSettings->addRow(tr("Bond strength"), m_bondStrength,
+                            tr("Multiply the strength of the bonds between the fragments of this level"));
+    m_bondStrength->setAccessibleName(tr("Bond strength of level"));
+    m_form.bind(
+        m_bondStrength, tr("Set Bond Strength of Level"),
+        [this](const Asset& asset) {
+            const Level* level = levelAt(asset, m_pattern.index);
+            return level ? level->bondStrength : 1.0;
+        },
+        [this](Asset& asset, double entered) { setBondStrength(asset, m_pattern.index, entered); });
 }
 
 std::optional<double> PatternEditor::levelThreshold(const Asset& asset) const {
@@ -232,6 +243,7 @@ void PatternEditor::showPatternList() {
     if (!hasLevel) return;
     m_form.refresh();
     m_levelSettings->setRowVisible(m_threshold, levelThreshold(asset).has_value());
+    m_levelSettings->setRowVisible(m_bondStrength, asset.breakAs == BreakAs::Bonded);
 }
 
 void PatternEditor::refresh(Id asset, const FragmentPath& enteredFragment) {

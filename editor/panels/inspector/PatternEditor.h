@@ -52,6 +52,7 @@ private:
     NumberField* m_minimumVolume;
     QCheckBox* m_hasThreshold;
     SliderField* m_threshold;
+    SliderField* m_bondStrength;
     QListView* m_view;
     LayerPage* m_page;
 };

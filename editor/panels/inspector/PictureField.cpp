@@ -36,27 +36,42 @@ QPixmap thumbnailOf(const GreyImage& image) {
 }  // namespace
 
 PictureField::PictureField(QWidget* parent)
-    : QWidget(parent), m_thumbnail(new QLabel), m_text(new QLabel), m_open(new QPushButton(tr("Open Picture…"))) {
+    : QWidget(parent),
+      m_beside(new QVBoxLayout),
+      m_thumbnail(new QLabel),
+      m_text(new QLabel),
+      m_open(new QPushButton(tr("Open Picture…"))) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    auto* beside = new QVBoxLayout;
     m_thumbnail->setFrameShape(QFrame::StyledPanel);
     m_text->setWordWrap(true);
     m_open->setAutoDefault(false);
     m_open->setToolTip(tr("Load a picture into the project"));
     m_open->setStatusTip(m_open->toolTip());
     layout->addWidget(m_thumbnail);
-    layout->addLayout(beside, 1);
-    beside->addWidget(m_text);
-    beside->addWidget(m_open, 0, Qt::AlignLeft);
-    beside->addStretch();
+    layout->addLayout(m_beside, 1);
+    m_beside->addWidget(m_text);
+    m_beside->addWidget(m_open, 0, Qt::AlignLeft);
+    m_beside->addStretch();
     connect(m_open, &QPushButton::clicked, this, &PictureField::openDialog);
     setPicture(nullptr);
+}
+
+void PictureField::setClearable() {
+    m_clear = new QPushButton(tr("Clear"));
+    m_clear->setObjectName("clearPicture");
+    m_clear->setAutoDefault(false);
+    m_clear->setToolTip(tr("Remove the picture from the project"));
+    m_clear->setStatusTip(m_clear->toolTip());
+    m_beside->insertWidget(m_beside->indexOf(m_open) + 1, m_clear, 0, Qt::AlignLeft);
+    m_clear->setVisible(m_picture != nullptr);
+    connect(m_clear, &QPushButton::clicked, this, &PictureField::cleared);
 }
 
 void PictureField::setPicture(const Picture& picture) {
     m_picture = picture;
     m_thumbnail->setVisible(picture != nullptr);
+    if (m_clear) m_clear->setVisible(picture != nullptr);
     if (!picture) return m_text->setText(tr("No picture"));
     m_thumbnail->setPixmap(thumbnailOf(*picture));
     m_text->setText(tr("%1 × %2, %3 bits").arg(picture->width).arg(picture->height).arg(picture->bits));
@@ -73,7 +88,7 @@ void PictureField::load(const QString& path) {
 
 void PictureField::openDialog() {
     const QString filter = tr("Pictures") + QStringLiteral(" (*.png *.jpg *.jpeg *.bmp *.pgm)");
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open Density Picture"), {}, filter);
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open Picture"), {}, filter);
     if (!path.isEmpty()) load(path);
 }
 

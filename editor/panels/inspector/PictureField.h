@@ -8,6 +8,7 @@
 
 class QLabel;
 class QPushButton;
+class QVBoxLayout;
 
 namespace rubble {
 
@@ -20,11 +21,15 @@ public:
     explicit PictureField(QWidget* parent = nullptr);
     /// Null: no picture.
     void setPicture(const Picture& picture);
+    /// Adds a button that removes the picture, shown while there is one.
+    void setClearable();
     /// Loads a file in the background, shows its progress, and emits `picked`, or `refused`.
     void load(const QString& path);
 
 signals:
     void picked(rubble::PictureField::Picture picture);
+    /// The button that removes the picture was clicked.
+    void cleared();
     /// A file could not be loaded; the sentence says why.
     void refused(const QString& sentence);
     /// A picture that was loaded is smaller than its file.
@@ -34,9 +39,11 @@ private:
     void openDialog();
 
     Picture m_picture;
+    QVBoxLayout* m_beside;
     QLabel* m_thumbnail;
     QLabel* m_text;
     QPushButton* m_open;
+    QPushButton* m_clear = nullptr;
 };
 
 }  // namespace rubble

@@ -53,6 +53,11 @@ private slots:
         setLevelThreshold(asset, 3, 1.25);  // kept intact: no level
         QCOMPARE(asset.levels[0].threshold, std::optional(5.0));
         QCOMPARE(asset.fragmentLevels[0].level->threshold, std::optional(2.5));
+        setBondStrength(asset, 1, 3.0);
+        setBondStrength(asset, 2, 2.0);
+        setBondStrength(asset, 3, 1.5);  // kept intact: no level
+        QVERIFY(levelAt(asset, 1)->bondStrength == 3.0 && levelAt(asset, 2)->bondStrength == 2.0);
+        QVERIFY(levelAt(asset, 3) == nullptr);
         setLevelThreshold(asset, 1, std::nullopt);
         QVERIFY(!asset.levels[0].threshold);
     }

@@ -135,6 +135,18 @@ private slots:
         QVERIFY(!canRestoreFragments(wall(), {seed(3)}));
         QVERIFY(canRestoreFragments(wall(), {seed(0)}));
     }
+    void fragmentsThatNeverBreakAreKeptInOrderAndRestored() {
+        Asset asset = wall();
+        for (const char* path : {"3.1", "3.0", "3.1"}) setNeverBreaks(asset, path, true);
+        setNeverBreaks(asset, "3.2", false);
+        QCOMPARE(asset.bonding.neverBreaks, (std::vector<FragmentPath>{"3.0", "3.1"}));
+        m_document.push(modify("Never Break", asset));
+        QVERIFY(canRestoreFragments(wall(), {seed(1)}) && !canRestoreFragments(wall(), {seed(2)}));
+        m_document.push(restoreFragments(m_document.project(), kWall, {seed(1)}));
+        QCOMPARE(wall().bonding.neverBreaks, (std::vector<FragmentPath>{"3.0"}));
+        setNeverBreaks(asset, "3.0", false);
+        QCOMPARE(asset.bonding.neverBreaks, (std::vector<FragmentPath>{"3.1"}));
+    }
     void restoreRemovesThresholdsOfTheseSeeds() {
         Asset asset = wall();
         for (const char* path : {"3.1", "3.0", "3.1"}) setFragmentThreshold(asset, path, 2.5);
@@ -218,6 +230,7 @@ private slots:
         m_document.push(mergeFragments(m_document.project(), kWall, pieces({seed(2), seed(3)})));
         Asset asset = wall();
         setFragmentThreshold(asset, "3.1", 2.5);
+        setNeverBreaks(asset, "3.0", true);
         m_document.push(modify("Set Threshold", std::move(asset)));
         Addition copy = duplicateAsset(m_document.project(), kWall);
         const Id id = copy.id;
@@ -226,6 +239,7 @@ private slots:
         const std::string layer = std::to_string(copied.pattern.layers[0].id);
         QVERIFY(layer != "3");
         QCOMPARE(copied.fragmentThresholds, (std::vector<FragmentThreshold>{{layer + ".1", 2.5}}));
+        QCOMPARE(copied.bonding.neverBreaks, std::vector<FragmentPath>{layer + ".0"});
         QCOMPARE(copied.fragmentLevels[0].fragment, layer + ".1");
         QCOMPARE(std::get<FragmentMerge>(copied.edits[0]).into, layer + ".3");
         QCOMPARE(bake(copied)->fragmentCount(), bake(wall())->fragmentCount());

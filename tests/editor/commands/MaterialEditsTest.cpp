@@ -75,10 +75,11 @@ private slots:
         wall.edits = {FragmentMerge{.into = layer + ".1", .merged = {layer + ".2"}}};
         wall.fragmentLevels = {{.fragment = layer + ".3", .level = {}}};
         wall.fragmentThresholds = {{layer + ".4", 2.5}};
+        wall.bonding.neverBreaks = {layer + ".5"};
         const Project project =
             test::editedProject(before, applyPreset(before, wall.id, preset("stone"), {.appliesPattern = true}));
         QVERIFY(project.assets[0].edits.empty() && project.assets[0].fragmentLevels.empty());
-        QVERIFY(project.assets[0].fragmentThresholds.empty());
+        QVERIFY(project.assets[0].fragmentThresholds.empty() && project.assets[0].bonding.neverBreaks.empty());
         const Project kept = test::editedProject(before, applyPreset(before, wall.id, preset("stone"), {}));
         QVERIFY(!kept.assets[0].edits.empty() && !kept.assets[0].fragmentLevels.empty());
     }

@@ -25,6 +25,17 @@ private slots:
         QCOMPARE(overrides[0].position, Vec2(2.0, 1.0));
         QVERIFY(overrides[1].isDeleted && overrides[1].position == Vec2(0.0, 0.0));
     }
+    void scalesStrokesAndHeightsOfBonds() {
+        Asset asset = boxAsset(2, 3, PlacedSeeds{});
+        asset.prism.outline = {{{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {0.0, 1.0}}, {}};
+        asset.bonding.strokes = {{.radius = 0.2, .points = {{0.5, 0.25}, {2.0, 1.0}}}};
+        asset.bonding.heightStrengths = {{.height = 0.25}, {.height = 1.0, .factor = 2.0}};
+        const Bonding scaled = resized(asset, {4.0, 2.0, 0.75}).bonding;
+        QCOMPARE(scaled.strokes[0].points, (std::vector<Vec2>{{0.0, 0.0}, {3.0, 1.5}}));
+        QCOMPARE(scaled.strokes[0].radius, 0.2);
+        QCOMPARE(scaled.heightStrengths, (std::vector<HeightStrength>{{.height = 0.5}, {2.0, 2.0}}));
+        QCOMPARE(resized(asset, {2.0, 1.0, 3.0}).bonding, asset.bonding);
+    }
     void resizingStretchesOutlineSeedsAndUvs() {
         const Asset wall = fullProject().assets[0];
         const Vec3 size = sizeOf(wall);

@@ -49,7 +49,7 @@ Edit extremeEdit(const Project& project, Random& random) {
     Instance instance = project.instances[random.below(project.instances.size())];
     Shot shot = project.shots[random.below(project.shots.size())];
     SceneSettings scene = sceneSettings(project);
-    switch (random.below(20)) {
+    switch (random.below(24)) {
         case 0: return asset.threshold = number, changeOf(asset);
         case 1: return asset.contactTime = number, changeOf(asset);
         case 2: return asset.prism.depth = number, changeOf(asset);
@@ -71,6 +71,13 @@ Edit extremeEdit(const Project& project, Random& random) {
         case 18: {
             for (Vec2& corner : asset.prism.outline.outer) corner *= number;
             return changeOf(asset);
+        }
+        case 19: return asset.bonding.radius = number, changeOf(asset);
+        case 20: return asset.bonding.heightStrengths = {{.height = number}}, changeOf(asset);
+        case 21: return instance.bondStrength = number, changeOf(instance);
+        case 22: {
+            Mortar mortar = project.mortars[random.below(project.mortars.size())];
+            return mortar.tolerance = number, changeOf(mortar);
         }
         default: {
             PlayTest test = project.playTests[random.below(project.playTests.size())];

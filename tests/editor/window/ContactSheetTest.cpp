@@ -180,6 +180,7 @@ private slots:
         Asset changed = asset();
         changed.edits = {FragmentMerge{.into = "3.0", .merged = {"3.1"}}};
         changed.fragmentThresholds = {{"3.2", 4.0}};
+        changed.bonding.neverBreaks = {"3.4"};
         m_window->workspace().document().push(modify("Merge", changed));
         QTRY_VERIFY(sheet()->generator().isBusy());
         QTRY_VERIFY_WITH_TIMEOUT(!sheet()->generator().isBusy(), kPatience);
@@ -196,10 +197,12 @@ private slots:
                 }
             });
             sheet()->apply();
-            QVERIFY2(question.contains("1 merge or split") && question.contains("1 threshold of single fragments"),
+            QVERIFY2(question.contains("1 merge or split") && question.contains("1 threshold of single fragments") &&
+                         question.contains("1 fragment that never breaks"),
                      qPrintable(question));
             QCOMPARE(asset().edits == changed.edits, isKept);
             QCOMPARE(asset().fragmentThresholds == changed.fragmentThresholds, isKept);
+            QCOMPARE(asset().bonding.neverBreaks == changed.bonding.neverBreaks, isKept);
             QCOMPARE(asset() == start, answer == "Cancel");
             stack().setIndex(before);
             QVERIFY(asset() == start);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/asset/project/Project.h"
+#include "tests/support/asset/Bonds.h"
 #include "tests/support/fracture/PatternSamples.h"
 #include "tests/support/geometry/Outlines.h"
 
@@ -39,7 +40,10 @@ inline Asset layeredWall() {
         {.id = 5, .isOn = false, .parameters = BlueNoise{0.2, 12, ScatterDomain::BoundingBox}},
         {.id = 6, .randomSeed = 9007199254740993u, .parameters = PlacedSeeds{{{0, {0.1, 0.2}}, {5, {3.5, 3.5}}}}},
         {.id = 7, .parameters = LloydRelaxation{4}}};
-    wall.levels = {{.pattern = {{{.id = 8, .parameters = BlueNoise{}}}}, .minimumVolume = 1e-3, .threshold = 17.25},
+    wall.levels = {{.pattern = {{{.id = 8, .parameters = BlueNoise{}}}},
+                    .minimumVolume = 1e-3,
+                    .threshold = 17.25,
+                    .bondStrength = 0.75},
                    {}};
     wall.levels[1].pattern.layers = {
         {.id = 13, .parameters = UniformScatter{.count = {CountBy::Density, 8.0}}},
@@ -76,6 +80,8 @@ inline Asset fullWall() {
     wall.contactTime = 0.00125;
     wall.insideUvScale = 2.0;
     wall.cutAtImpact = {.fragments = 17, .falloffRadius = 0.45};
+    wall.breakAs = BreakAs::Bonded;
+    wall.bonding = everyBonding("4");
     wall.requirements = {
         {.outcome = RequirementOutcome::Breaks, .event = HitRequirement{.mass = 2.5, .speed = 1.0 / 3.0}},
         {.outcome = RequirementOutcome::Survives, .event = DropRequirement{.height = 1.75}},
@@ -137,6 +143,8 @@ inline Project fullProject() {
                           .threshold = 12.5,
                           .isFixed = true,
                           .isUnbreakable = true,
+                          .isAnchored = true,
+                          .bondStrength = 1.0 / 3.0,
                           .variant = 3,
                           .isHidden = true,
                           .isLocked = true}};
@@ -147,6 +155,13 @@ inline Project fullProject() {
     project.events = {.leastEnergy = 1.0 / 3.0, .maxRecords = 24};
     project.shots = everyShot();
     project.playTests = everyPlayTest();
+    project.mortars = {{.id = 23, .name = "all"},
+                       {.id = 24,
+                        .name = "joints",
+                        .instances = {20, 21},
+                        .tolerance = 1.0 / 512.0,
+                        .leastArea = 1.0 / 3.0,
+                        .impulsePerArea = 62.5}};
     return project;
 }
 

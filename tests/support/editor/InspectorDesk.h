@@ -8,6 +8,8 @@
 
 #include <QApplication>
 #include <QSignalSpy>
+#include <QSlider>
+#include <QStyle>
 #include <QTest>
 
 namespace rubble::test {
@@ -49,5 +51,16 @@ struct InspectorDesk {
         while (document.undoStack().canUndo()) document.undoStack().undo();
     }
 };
+
+/// Drags a slider's handle to its right end.
+inline void drag(QSlider& slider) {
+    constexpr int kHalfHandle = 6;
+    const int middle = slider.height() / 2;
+    const int from = kHalfHandle + QStyle::sliderPositionFromValue(slider.minimum(), slider.maximum(), slider.value(),
+                                                                   slider.width() - 2 * kHalfHandle);
+    QTest::mousePress(&slider, Qt::LeftButton, {}, {from, middle});
+    for (int x = from; x < slider.width(); x += 5) QTest::mouseMove(&slider, {x, middle});
+    QTest::mouseRelease(&slider, Qt::LeftButton, {}, {slider.width() - 2, middle});
+}
 
 }  // namespace rubble::test

@@ -55,6 +55,14 @@ private slots:
         change(asset);
         QVERIFY(bakeInputHash(asset) != before);
     }
+    void hashLeavesOutHowTheAssetBreaks() {
+        Asset asset = hashedBox();
+        const ContentHash before = bakeInputHash(asset);
+        asset.breakAs = BreakAs::Bonded;
+        asset.bonding = everyBonding("3");
+        asset.levels[0].bondStrength = 2.0;
+        QVERIFY(bakeInputHash(asset) == before);
+    }
     void hashCoversEveryParameterOfEveryKind() {
         for (const LayerParameters& sample : patternSamples()) {
             Asset asset = hashedBox();

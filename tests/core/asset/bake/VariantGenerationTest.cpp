@@ -188,6 +188,15 @@ private slots:
         }
         QVERIFY2(inherited > 10 && fresh > 10, qPrintable(QString("%1 %2").arg(inherited).arg(fresh)));
     }
+    void childrenHaveNoSettingsOfSingleFragments() {
+        const std::vector<Asset> parents{fullProject().assets[0]};
+        const std::vector<Asset> children = childrenFrom(parents, {.count = 4});
+        QVERIFY(!parents[0].bonding.neverBreaks.empty());
+        for (const Asset& child : std::span(children).subspan(parents.size())) {
+            QVERIFY(child.fragmentThresholds.empty() && child.bonding.neverBreaks.empty());
+            QVERIFY(child.bonding.strokes == parents[0].bonding.strokes);
+        }
+    }
     void allDescendantsAreValid() {
         std::vector<Asset> generation = variants(fullProject().assets[0], {.count = 4});
         for (std::uint64_t k = 0; k < 20; ++k) {

@@ -23,10 +23,11 @@ private slots:
         project.assets[0].pattern.layers = {{.id = 6}};
         project.assets[0].levels = {{.pattern = {{{.id = 7}}}}};
         project.shots = {{.id = 9}};
+        project.mortars = {{.id = 10}};
         QCOMPARE(lowestUnusedId(project), Id{2});
         QCOMPARE(lowestUnusedId(project, 2), Id{5});
         QCOMPARE(lowestUnusedId(project, 5), Id{8});
-        QCOMPARE(lowestUnusedId(project, 8), Id{10});
+        QCOMPARE(lowestUnusedId(project, 8), Id{11});
     }
     void greatestNextIdReusesIds() {
         Project project = emptyProject();

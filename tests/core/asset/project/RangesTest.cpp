@@ -61,6 +61,22 @@ private slots:
         QCOMPARE(defaultOf(ProjectNumber::InstanceVariant), static_cast<double>(Instance().variant));
         QCOMPARE(defaultOf(numberOf(SmallPieces().measure)), SmallPieces().limit);
     }
+    void defaultsOfBondsAreThoseOfTheProject() {
+        const Bonding bonding;
+        QCOMPARE(defaultOf(ProjectNumber::BondLoadRadius), bonding.radius);
+        QCOMPARE(defaultOf(ProjectNumber::BondDamageFrom), bonding.damageFrom);
+        QCOMPARE(defaultOf(ProjectNumber::BondSpan), bonding.span);
+        QCOMPARE(defaultOf(ProjectNumber::BondCollapseDelay), bonding.collapseDelay);
+        QCOMPARE(defaultOf(ProjectNumber::BondMinimumIsland), static_cast<double>(bonding.minimumIsland));
+        QCOMPARE(defaultOf(ProjectNumber::BondBrushRadius), BondStroke().radius);
+        QCOMPARE(defaultOf(ProjectNumber::BondStrengthHeight), HeightStrength().height);
+        for (const double factor : {Level().bondStrength, Instance().bondStrength, BondStroke().strength,
+                                    HeightStrength().factor, StrengthImage().brightest})
+            QCOMPARE(defaultOf(ProjectNumber::BondStrength), factor);
+        QCOMPARE(defaultOf(ProjectNumber::BondImpulse), Mortar().impulsePerArea);
+        QCOMPARE(defaultOf(ProjectNumber::MortarTolerance), Mortar().tolerance);
+        QCOMPARE(defaultOf(ProjectNumber::MortarLeastArea), Mortar().leastArea);
+    }
     void valuesOfExpectationsHaveTheirOwnRanges() {
         const auto rangeOfKind = [](ExpectationKind kind) { return rangeOf(numberOf(kind)); };
         QVERIFY(!rangeOfKind(ExpectationKind::StandsUntouched).contains(-1.0));

@@ -38,6 +38,12 @@ private slots:
         QVERIFY(variant.fragmentThresholds.empty());
         QCOMPARE(variant.levels[0].threshold, std::optional(17.25));
     }
+    void onlyPaintedFragmentsNeverBreakInVariants() {
+        const Asset asset = fullProject().assets[0], variant = variantOf(asset, 1);
+        QVERIFY(!asset.bonding.neverBreaks.empty() && variant.bonding.neverBreaks.empty());
+        QVERIFY(variant.bonding.strokes == asset.bonding.strokes);
+        QCOMPARE(variant.levels[0].bondStrength, 0.75);
+    }
     void usedVariantsAreAllAssetsAndThoseOfInstances() {
         Project project = fullProject();  // assets 3, 9 and 11; an instance of 3, and one of 9 in variant 3
         project.instances.push_back(project.instances[1]);

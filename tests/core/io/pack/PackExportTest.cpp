@@ -151,6 +151,10 @@ private slots:
         QVERIFY(!differs([](Project& p, Asset&) { p.debris.fade = 2.0; }));
         QVERIFY(!differs([](Project&, Asset& a) { a.cutAtImpact.emplace(); }));
         QVERIFY(!differs([](Project&, Asset& a) { a.requirements.resize(1); }));
+        QVERIFY(!differs([](Project&, Asset& a) {
+            a.breakAs = BreakAs::Bonded;
+            a.bonding.radius = 2.0;
+        }));
         for (const MeshOptions& options :
              {MeshOptions{.obj = false}, MeshOptions{.glb = false}, MeshOptions{.split = FileSplit::PerFragment},
               MeshOptions{.place = PartPlacement::Centred}, MeshOptions{.faces = FaceShape::Triangles}}) {

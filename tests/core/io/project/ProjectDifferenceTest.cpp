@@ -155,6 +155,21 @@ private slots:
         moved.instances.back().pose.position = {1.0, 2.0, 3.0};
         QCOMPARE(joined(settingChanges(after, moved)), "instance \"door\", position: [1, 2, 3], was [0, 0, 0]\n");
     }
+    void mortarsAreNamed() {
+        const Project before = fullProject();
+        Project after = before;
+        after.mortars[1].instances = {20};
+        after.mortars.erase(after.mortars.begin());
+        QCOMPARE(joined(settingChanges(before, after)),
+                 "mortar \"all\" removed: instance none, tolerance 0.005, least area 0.0001, impulse per area 500\n"
+                 "mortar \"joints\", instance: [left], was [left, right]\n");
+        Project none = after;
+        none.mortars.clear();
+        QCOMPARE(
+            joined(settingChanges(none, after)),
+            "mortar \"joints\" added: instance [left], tolerance 0.001953125, least area 0.3333333333333333, impulse "
+            "per area 62.5\n");
+    }
     void sameNameWithAnotherIdIsMatched() {
         const Project before = fullProject();
         Project after = before;

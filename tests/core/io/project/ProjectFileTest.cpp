@@ -1,7 +1,8 @@
 // Tests core/io/project/ProjectFile.cpp with the readers and writers of its parts: core/io/project/AssetJson.cpp,
 // core/io/project/ColourJson.cpp, core/io/project/GreyImageJson.cpp, core/io/project/PatternJson.cpp,
-// core/io/project/SceneJson.cpp, core/io/project/ShapingJson.cpp, core/io/project/ShotJson.cpp,
-// core/io/project/StrengthRequirementJson.cpp, core/io/json/FormatVersion.cpp and core/io/json/VectorJson.cpp.
+// core/io/project/SceneJson.cpp, core/io/project/ShapingJson.cpp,
+// core/io/project/ShotJson.cpp, core/io/project/StrengthRequirementJson.cpp, core/io/json/FormatVersion.cpp and
+// core/io/json/VectorJson.cpp.
 #include "core/asset/strength/Threshold.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
@@ -71,15 +72,20 @@ nlohmann::json fullJson() { return nlohmann::json::parse(projectText(fullProject
 bool isOptionalValue(const std::string& place, const nlohmann::json& value) {
     if (value.is_discarded()) {
         if (place == "shots[2].action.radius") return true;  // the hammer's
-        if (place == "events" || place.ends_with("].state")) return true;
-        return place.ends_with("].unbreakable") || place.ends_with("].youngsModulus") ||
-               place.ends_with("].strengthRule") || place.ends_with("].fragmentThresholds") ||
+        if (place == "events" || place == "mortars" || place.ends_with("].state")) return true;
+        if (place.ends_with("].breakAs") || place.ends_with("].bonding") || place.ends_with("bondStrength"))
+            return true;
+        return place.ends_with("].unbreakable") || place.ends_with("].anchored") ||
+               place.ends_with("].youngsModulus") || place.ends_with("].strengthRule") ||
+               place.ends_with("].fragmentThresholds") ||
                (place.find("].level") != std::string::npos && place.ends_with(".threshold"));
     }
     if (place.ends_with("].surface") || place.ends_with("].cutAtImpact")) return value.is_null();
     if (place.ends_with("].insideMaterial")) return value.is_null() || value == 1;
     if (place.starts_with("assets[0].leaves") && place.ends_with("].level")) return value.is_null();
     if (place.ends_with(".image") || place.ends_with(".opacity")) return value.is_null();
+    if (place.ends_with(".bonding.strengthImage")) return value.is_null();
+    if (place.ends_with(".bonding.impulsePerArea")) return value.is_null() || value.is_number();
     if (place == "debris.lifetime" || place == "debris.mostPieces") return value.is_null();
     const bool isStrength =
         place.ends_with("ensileStrength") || place.ends_with("fractureToughness") || place.ends_with("].contactTime");

@@ -88,6 +88,27 @@ private slots:
         QVERIFY(!after([](Project& now) { now.debris.lifetime = 3.0; }));
         QVERIFY(!after([](Project& now) { now.events.maxRecords = 3; }));
     }
+    void everyChangeOfBondsNeedsARestart() {
+        QVERIFY(!after([](Project& now) { now.assets[0].breakAs = BreakAs::Bonded; }));
+        QVERIFY(!after([](Project& now) { now.assets[0].levels.push_back({.bondStrength = 2.0}); }));
+        QVERIFY(!after([](Project& now) { now.instances[0].isAnchored = true; }));
+        QVERIFY(!after([](Project& now) { now.instances[0].bondStrength = 2.0; }));
+        QVERIFY(!after([](Project& now) { now.mortars.push_back({.id = now.nextId++, .name = "joints"}); }));
+        const auto afterBonds = [](const auto& change) {
+            return after([&](Project& now) { change(now.assets[0].bonding); });
+        };
+        QVERIFY(!afterBonds([](Bonding& bonding) { bonding.impulsePerArea = 7.0; }));
+        QVERIFY(!afterBonds([](Bonding& bonding) { bonding.radius = 0.1; }));
+        QVERIFY(!afterBonds([](Bonding& bonding) { bonding.falloff = HitFalloff::Smooth; }));
+        QVERIFY(!afterBonds([](Bonding& bonding) { bonding.damageFrom = 1.0; }));
+        QVERIFY(!afterBonds([](Bonding& bonding) { bonding.span = 1.0; }));
+        QVERIFY(!afterBonds([](Bonding& bonding) { bonding.collapseDelay = 1.0; }));
+        QVERIFY(!afterBonds([](Bonding& bonding) { bonding.minimumIsland = 2; }));
+        QVERIFY(!afterBonds([](Bonding& bonding) { bonding.strokes.push_back({.points = {{0.0, 0.0}}}); }));
+        QVERIFY(!afterBonds([](Bonding& bonding) { bonding.heightStrengths.push_back({.height = 1.0}); }));
+        QVERIFY(!afterBonds([](Bonding& bonding) { bonding.strengthImage.emplace(); }));
+        QVERIFY(!afterBonds([](Bonding& bonding) { bonding.neverBreaks = {"3.1"}; }));
+    }
     void clearingAnInstancesThresholdNeedsARestart() {
         Project played = test::floatingBlock();
         Project now = played;

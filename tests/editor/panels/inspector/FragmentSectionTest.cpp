@@ -36,6 +36,12 @@ struct FragmentDesk {
         for (const std::uint32_t k : fragments) set[k] = true;
         selection.setFragments(selectionOf(set, bake));
     }
+    void breakAs(BreakAs breakAs) {
+        Asset changed = asset();
+        changed.breakAs = breakAs;
+        stage.document.push({.text = "Break", .replacements = {Replacement<Asset>{changed.id, changed}}});
+    }
+    QCheckBox& neverBreaks() { return *section.findChild<QCheckBox*>("never-breaks"); }
     QCheckBox& box() { return *section.findChild<QCheckBox*>("override-fragment-threshold"); }
     SliderField& field() { return *section.findChild<SliderField*>(); }
     void enter(const QString& text) {
@@ -81,6 +87,46 @@ private slots:
         desk.stage.document.undoStack().undo();
         desk.stage.document.undoStack().undo();
         QVERIFY(desk.asset().fragmentThresholds.empty());
+    }
+    void neverBreaksIsForBondedAssetsOnly() {
+        FragmentDesk desk;
+        desk.select({0, 3});
+        QVERIFY(desk.neverBreaks().isHidden());
+        desk.breakAs(BreakAs::Bonded);
+        QVERIFY(!desk.neverBreaks().isHidden());
+        desk.select({});
+        QVERIFY(desk.section.isHidden());
+    }
+    void severalFragmentsNeverBreakAtOnce() {
+        FragmentDesk desk;
+        desk.breakAs(BreakAs::Bonded);
+        const auto press = [&] { desk.neverBreaks().click(); };
+        desk.select({1});
+        press();
+        QCOMPARE(desk.asset().bonding.neverBreaks, std::vector<FragmentPath>{"5.1"});
+        desk.select({0, 1});
+        QCOMPARE(desk.neverBreaks().checkState(), Qt::PartiallyChecked);
+        press();
+        QCOMPARE(desk.asset().bonding.neverBreaks, (std::vector<FragmentPath>{"5.0", "5.1"}));
+        QCOMPARE(desk.neverBreaks().checkState(), Qt::Checked);
+        press();
+        QVERIFY(desk.asset().bonding.neverBreaks.empty());
+        desk.stage.document.undoStack().undo();
+        desk.stage.document.undoStack().undo();
+        QCOMPARE(desk.asset().bonding.neverBreaks, std::vector<FragmentPath>{"5.1"});
+    }
+    void onlyTheRootsOfTheSelectionNeverBreak() {
+        FragmentDesk desk;
+        desk.breakAs(BreakAs::Bonded);
+        const Bake& bake = *desk.stage.bakes.find(desk.asset().id)->bake;
+        const FragmentSet first = withDescendants(bake, [&] {
+            FragmentSet set(bake.fragmentCount(), false);
+            set[0] = true;
+            return set;
+        }());
+        desk.selection.setFragments(selectionOf(first, bake));
+        desk.neverBreaks().click();
+        QCOMPARE(desk.asset().bonding.neverBreaks, std::vector<FragmentPath>{"5.0"});
     }
     void severalFragmentsAreSetAtOnce() {
         FragmentDesk desk;

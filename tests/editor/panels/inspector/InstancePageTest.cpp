@@ -52,6 +52,32 @@ private slots:
         desk.undoAll();
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
+    void bondsAreShownForInstancesOfBondedAssets() {
+        InspectorDesk desk;
+        const auto& instances = desk.document.project().instances;
+        desk.selection.setInstances(desk.document.project(), {21});  // of a box that breaks whole
+        const auto anchored = [&] {
+            for (QCheckBox* box : desk.inspector.page().findChildren<QCheckBox*>()) {
+                if (box->text() == "Anchored Where It Touches") return box;
+            }
+            qFatal("There is no check box for anchored instances.");
+        };
+        QVERIFY(!anchored()->isVisible() && !desk.control<NumberField>("Bond strength").isVisible());
+        desk.selection.setInstances(desk.document.project(), {20});  // of a bonded wall
+        QVERIFY(anchored()->isVisible());
+        anchored()->click();
+        desk.type("Bond strength", "2.5");
+        QVERIFY(instances[0].isAnchored && instances[0].bondStrength == 2.5);
+        desk.type("Bond strength", "-1");
+        QCOMPARE(instances[0].bondStrength, 2.5);
+        desk.selection.setInstances(desk.document.project(), {20, 21});
+        QVERIFY(desk.control<NumberField>("Bond strength").isMixed());
+        desk.type("Bond strength", "0.5");
+        QVERIFY(instances[0].bondStrength == 0.5 && instances[1].bondStrength == 0.5);
+        QCOMPARE(desk.document.undoStack().count(), 3);
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
     void rotationsStayAsTyped() {
         InspectorDesk desk;
         desk.selection.setInstances(desk.document.project(), {20});

@@ -86,6 +86,27 @@ private slots:
         desk.undoAll();
         QCOMPARE(desk.text(), projectText(fullProject()));
     }
+    void levelsOfBondedAssetsHaveABondStrength() {
+        InspectorDesk desk;
+        desk.selection.setAsset(9);
+        QTest::mouseClick(&desk.control<QToolButton>("Add Level"), Qt::LeftButton);
+        auto& strength = desk.control<SliderField>("Bond strength of level");
+        QVERIFY(!strength.isVisible());
+        Asset bonded = desk.asset();
+        bonded.breakAs = BreakAs::Bonded;
+        desk.document.push(modify("Break", std::move(bonded)));
+        QVERIFY(strength.isVisible());
+        strength.field().setFocus();
+        strength.field().selectAll();
+        QTest::keyClicks(&strength.field(), "3");
+        QTest::keyClick(&strength.field(), Qt::Key_Return);
+        QCOMPARE(desk.asset().levels[0].bondStrength, 3.0);
+        test::drag(strength.slider());
+        QCOMPARE(desk.asset().levels[0].bondStrength, 10.0);
+        QCOMPARE(desk.document.undoStack().count(), 4);
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
     void fragmentPatternsAreEditedLikeLevels() {
         InspectorDesk desk;
         desk.selection.setAsset(3);

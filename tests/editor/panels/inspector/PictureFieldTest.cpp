@@ -15,8 +15,9 @@ private slots:
     void picturesAreLoadedAndInvalidOnesRefused() {
         InspectorDesk desk;
         desk.selection.setAsset(9);
-        desk.inspector.page().findChild<PatternEditor*>()->addLayer(DensityImage{});
-        auto& picture = *desk.inspector.page().findChild<PictureField*>();
+        auto& editor = *desk.inspector.page().findChild<PatternEditor*>();
+        editor.addLayer(DensityImage{});
+        auto& picture = *editor.findChild<PictureField*>();
         QVERIFY(picture.isVisible());
         QTemporaryDir folder;
         QImage image(4, 2, QImage::Format_Grayscale8);
