@@ -23,8 +23,6 @@ constexpr Id kImpulseOfMaterial = 2;
 
 constexpr double kMinFactorSlider = 0.1, kMaxFactorSlider = 10.0;
 
-NumberFormat percents() { return {.unit = QStringLiteral("%"), .exponent = 2}; }
-
 SliderField* factorField() {
     return new SliderField(fieldRange(ProjectNumber::BondStrength), kMinFactorSlider, kMaxFactorSlider,
                            SliderScale::Logarithmic);
@@ -121,7 +119,7 @@ void BondSection::buildHits() {
     auto* damage =
         addRow(tr("Damage from"), new SliderField(fieldRange(ProjectNumber::BondDamageFrom, 0.05), 0.05, 1.0),
                tr("Set the part of what a bond holds from which on a load weakens it"));
-    damage->setFormat(percents());
+    damage->setFormat(Units::percents());
     bindNumber(damage, tr("Set Damage Limit"), &Bonding::damageFrom);
 }
 

@@ -53,6 +53,7 @@ constexpr UnitOfFamily kPerLength[] = {{"perm /m 1/m", 1, 0},
                                        {"percm /cm 1/cm", 1, -2},
                                        {"permm /mm 1/mm", 1, -3},
                                        {"perft /ft 1/ft", 3280839895013123, 15}};
+constexpr UnitOfFamily kFractions[] = {{"% percent", 1, 2}, {"‰", 1, 3}};
 
 std::span<const UnitOfFamily> unitsOf(UnitFamily family) {
     switch (family) {
@@ -73,6 +74,7 @@ std::span<const UnitOfFamily> unitsOf(UnitFamily family) {
         case UnitFamily::Toughness: return kToughnesses;
         case UnitFamily::Angle: return kAngles;
         case UnitFamily::PerLength: return kPerLength;
+        case UnitFamily::Fraction: return kFractions;
     }
     return {};
 }

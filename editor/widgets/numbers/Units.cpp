@@ -48,5 +48,6 @@ NumberFormat Units::megapascals() { return {QStringLiteral("MPa"), -6, UnitFamil
 NumberFormat Units::gigapascals() { return {QStringLiteral("GPa"), -9, UnitFamily::Pressure}; }
 NumberFormat Units::toughnesses() { return {QStringLiteral("MPa√m"), -6, UnitFamily::Toughness}; }
 NumberFormat Units::perMetre() { return {QStringLiteral("per m"), 0, UnitFamily::PerLength}; }
+NumberFormat Units::percents() { return {QStringLiteral("%"), 2, UnitFamily::Fraction}; }
 
 }  // namespace rubble

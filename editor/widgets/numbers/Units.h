@@ -25,7 +25,8 @@ enum class UnitFamily {
     Pressure,
     Toughness,
     Angle,
-    PerLength
+    PerLength,
+    Fraction
 };
 
 /// The format of a displayed number: a unit, and its size in the unit that is stored.
@@ -63,6 +64,7 @@ struct Units {
     static NumberFormat gigapascals();
     static NumberFormat toughnesses();
     static NumberFormat perMetre();
+    static NumberFormat percents();  // of fractions of one
     bool operator==(const Units&) const = default;
 };
 

@@ -5,7 +5,7 @@
 
 namespace rubble {
 
-/// boxProject() with a level and a second instance, "pier", that breaks as bonded, and two mortars.
+/// boxProject() with a level that breaks as bonded, a second instance, "pier", beside the first, and two mortars.
 inline Project bondedProject() {
     Project project = boxProject(UniformScatter{.count = 8});
     Asset& box = project.assets[0];
@@ -13,7 +13,8 @@ inline Project bondedProject() {
     box.breakAs = BreakAs::Bonded;
     box.bonding = everyBonding("3");
     project.instances[0].isAnchored = true;
-    project.instances.push_back({.id = 11, .name = "pier", .asset = 2, .bondStrength = 2.0});
+    project.instances.push_back(
+        {.id = 11, .name = "pier", .asset = 2, .pose = {.position = {1.0, 0.0, 0.0}}, .bondStrength = 2.0});
     project.mortars = {{.id = 30,
                         .name = "joints",
                         .instances = {10, 11},

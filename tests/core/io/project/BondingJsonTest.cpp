@@ -1,9 +1,10 @@
 #include "core/io/project/BondingJson.h"
 
 #include "core/io/project/ProjectFile.h"
+#include "core/io/system/AtomicFile.h"
 #include "tests/support/ErrorText.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/asset/Projects.h"
+#include "tests/support/asset/BondedProject.h"
 #include "tests/support/files/Schemas.h"
 #include "tests/support/files/WrongValues.h"
 
@@ -21,6 +22,12 @@ nlohmann::json bondedJson() { return nlohmann::json::parse(projectText(fullProje
 class BondingJsonTest : public QObject {
     Q_OBJECT
 private slots:
+    void fileOfABondedProjectKeepsItsBytes() {
+        const Result<std::string> text = readFile(RUBBLE_SOURCE_DIR "/tests/corpus/Project/bonded.rubble");
+        QVERIFY(text);
+        QCOMPARE(projectText(bondedProject()), *text);
+        QVERIFY(readProjectText(*text).value() == bondedProject());
+    }
     void bondsAreWrittenWhereTheyDifferFromTheDefaultOnly() {
         const nlohmann::json full = bondedJson();
         QVERIFY(full["assets"][0]["breakAs"] == "bonded" && full["assets"][0]["bonding"].is_object());

@@ -58,6 +58,9 @@ private slots:
         row(Units::angles(), "30 deg", 30.0);
         row(Units::perMetre(), "2 per cm", 200.0);
         row(Units::perMetre(), "2/cm", 200.0);
+        row(Units::percents(), "25 %", 0.25);
+        row(Units::percents(), "25", 0.25);
+        row(Units::percents(), "5‰", 0.005);
     }
     void typedUnitsAreConverted() {
         QFETCH(NumberFormat, format);
@@ -92,7 +95,7 @@ private slots:
         QVERIFY(!parseNumber(text, format, QLocale::c()));
     }
     void allNamesOfAFamilyAreKnown() {
-        for (int family = 1; family <= static_cast<int>(UnitFamily::PerLength); ++family) {
+        for (int family = 1; family <= static_cast<int>(UnitFamily::Fraction); ++family) {
             const QStringList names = unitNames(static_cast<UnitFamily>(family));
             QVERIFY(!names.isEmpty());
             for (const QString& name : names)
