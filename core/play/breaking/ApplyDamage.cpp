@@ -57,6 +57,13 @@ InstanceDamage damageOfBonds(const PlayScene& scene, const SessionState& state, 
     return damage;
 }
 
+/// Whether a damage has any in a range of bonds.
+bool hasDamage(const InstanceDamage& damage, std::uint32_t begin, std::uint32_t end) {
+    const auto partial = damage.partial.lower_bound(begin);
+    return (partial != damage.partial.end() && partial->first < end) ||
+           std::find(damage.broken.begin() + begin, damage.broken.begin() + end, true) != damage.broken.begin() + end;
+}
+
 /// Damages the bonds of an origin and splits its bodies, level by level.
 void applyToBonds(const SessionParts& parts, std::uint32_t index, const InstanceDamage& damage) {
     const BondLayout layout = bondLayout(parts.scene, parts.state.origins[index]);
@@ -66,7 +73,8 @@ void applyToBonds(const SessionParts& parts, std::uint32_t index, const Instance
             const bool isOne = body.origin == index && body.fragment == layout.structures[k]->parent;
             if (isOne && body.bondedFracture() != nullptr) bodies.push_back(body.number);
         }
-        if (!bodies.empty()) damageStructure(parts, bodies, layout.firstBond[k], damage);
+        if (!bodies.empty() && hasDamage(damage, layout.firstBond[k], layout.firstBond[k + 1]))
+            damageStructure(parts, bodies, layout.firstBond[k], damage);
     }
 }
 

@@ -3,7 +3,7 @@
 #include "core/asset/bake/FractureResult.h"
 #include "core/asset/strength/FragmentThreshold.h"
 #include "core/play/scene/BodyShape.h"
-#include "core/structure/strength/BondStrength.h"
+#include "core/structure/strength/BondCapacities.h"
 
 #include <set>
 

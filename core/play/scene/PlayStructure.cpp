@@ -3,7 +3,7 @@
 #include "core/base/Assert.h"
 #include "core/play/scene/GroundHull.h"
 #include "core/structure/bonds/MortarBonds.h"
-#include "core/structure/strength/BondStrength.h"
+#include "core/structure/strength/BondCapacities.h"
 
 #include <algorithm>
 #include <cmath>
