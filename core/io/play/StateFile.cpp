@@ -41,7 +41,7 @@ namespace {
 constexpr std::string_view kMagic = "RBLSTATE";
 
 /// The fields of bonded bodies.
-constexpr std::string_view kAddedNames[] = {"structures", "structure",   "bondedNodes",
+constexpr std::string_view kAddedNames[] = {"structures", "structure",    "bondedNodes",
                                             "isHeld",     "collapseStep", "partialDamage"};
 constexpr std::span<const std::string_view> kAddedInVersion2 = kAddedNames;
 

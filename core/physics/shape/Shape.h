@@ -41,8 +41,8 @@ struct CompoundPart {
     Vec3 centre{0.0, 0.0, 0.0};  // m: of its mass, in the compound's frame
 };
 
-/// A compound of other shapes: their hulls, in that order, at other offsets. O(hulls); copies no hull. `owner` keeps the
-/// parts' hulls alive. The mass properties are those given, in the compound's frame.
+/// A compound of other shapes: their hulls, in that order, at other offsets. O(hulls); copies no hull. `owner` keeps
+/// the parts' hulls alive. The mass properties are those given, in the compound's frame.
 ///
 /// Errors: BadInput for no part, or mass properties that are not positive and finite.
 Result<std::shared_ptr<const Shape>> compoundShape(std::span<const CompoundPart> parts, const MassProperties& mass,

@@ -178,8 +178,8 @@ void sortCollisions(NarrowPhaseScratch& scratch) {
     }
 }
 
-/// The first body's centre relative to the second's, in world space, where the second hull is at `offset` in the first's
-/// frame.
+/// The first body's centre relative to the second's, in world space, where the second hull is at `offset` in the
+/// first's frame.
 Vec3f sweptCentreOffset(const WorldState& state, const Contact& contact, Vec3f offset) {
     const Vec3f firstOffset = placedHullOf(state, state.proxies[contact.proxies[0]]).offset;
     const Vec3f secondOffset = placedHullOf(state, state.proxies[contact.proxies[1]]).offset;

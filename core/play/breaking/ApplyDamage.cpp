@@ -23,7 +23,8 @@ Error ofInstance(const PlayOrigin& origin, const std::string& message) {
     return {ErrorCode::BadInput, "Instance " + quotedName(origin.name) + ": " + message};
 }
 
-/// Damages the bonds of the structure that bodies are of, whose first bond is at `first` in the damage, and splits them.
+/// Damages the bonds of the structure that bodies are of, whose first bond is at `first` in the damage, and splits
+/// them.
 void damageStructure(const SessionParts& parts, std::span<const std::uint32_t> bodies, std::uint32_t first,
                      const InstanceDamage& damage) {
     StructureState& state = structureOf(parts, *findBody(parts.state, bodies.front()));

@@ -129,6 +129,21 @@ std::vector<std::uint32_t> firstHullsOf(const PlayStructure& structure, const Pl
     return first;
 }
 
+/// For each hull of a part, the hull of the body that it was; kNone: a new one.
+std::vector<std::uint32_t> hullsBefore(const PlayStructure& structure, const PartOfBody& part, std::size_t count,
+                                       std::span<const std::uint32_t> firstHulls) {
+    std::vector<std::uint32_t> before(count);
+    std::iota(before.begin(), before.end(), 0u);
+    if (part.nodes.size() == structure.nodeCount()) return before;  // the hulls of the whole, which it keeps
+    std::size_t hull = 0;
+    for (const std::uint32_t node : part.nodes) {
+        for (std::uint32_t k = 0; k < structure.solidOf(node).shape->hulls.size(); ++k) {
+            before[hull++] = firstHulls[node] == kNone ? kNone : firstHulls[node] + k;
+        }
+    }
+    return before;
+}
+
 Vec3 limited(Vec3 velocity) {
     const double speed = glm::length(velocity);
     return speed > kMaxSpeed ? velocity * (kMaxSpeed / speed) : velocity;
@@ -143,11 +158,7 @@ SplitPart splitPart(const SessionParts& parts, const PlayBody& before, const Pla
                    .kind = part.isHeld ? BodyKind::Static : BodyKind::Dynamic,
                    .material = bodyMaterial(parts, *after.asset, after.fragment, after.role),
                    .tag = after.number};
-    for (const std::uint32_t node : part.nodes) {
-        for (std::uint32_t k = 0; k < structure.solidOf(node).shape->hulls.size(); ++k) {
-            made.hulls.push_back(firstHulls[node] == kNone ? kNone : firstHulls[node] + k);
-        }
-    }
+    made.hulls = hullsBefore(structure, part, made.shape->hulls.size(), firstHulls);
     if (made.kind == BodyKind::Static) return made;
     const BodyState state = parts.world.state(before.body);
     const Vec3 centre = state.pose.position + state.pose.orientation * (made.offset + made.shape->mass.centre);

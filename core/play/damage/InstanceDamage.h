@@ -55,12 +55,12 @@ InstanceDamage intactDamage(const Asset& asset, const PlayAsset& ready);
 /// associative and idempotent, so that damages may arrive in any order and any number of times. Of two different cuts
 /// one prevails, the one with the larger number, then the larger point, with its fractures; a cut prevails over none.
 ///
-/// Errors: BadInput if they are of different bakes, with both hashes; of different kinds; or of different sizes with the
-/// same cut.
+/// Errors: BadInput if they are of different bakes, with both hashes; of different kinds; or of different sizes with
+/// the same cut.
 Result<InstanceDamage> mergedDamage(const InstanceDamage& one, const InstanceDamage& other);
 
-/// What is broken or more damaged in `now` than in `before`: merged with `before` it gives `now`, where `now` was merged from
-/// it.
+/// What is broken or more damaged in `now` than in `before`: merged with `before` it gives `now`, where `now` was
+/// merged from it.
 ///
 /// Errors: as above.
 Result<InstanceDamage> damageSince(const InstanceDamage& now, const InstanceDamage& before);

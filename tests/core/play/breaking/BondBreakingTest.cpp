@@ -73,7 +73,7 @@ private slots:
             momentum -= session.world().mass(body.body) * session.world().state(body.body).velocity.z;
         }
         double taken = 0.0;
-        for (const PlaySplit& split : session.events().splits) taken += split.impulse;
+        for (const PlaySplit& split : session.events().splits) taken += split.body.isHeld ? split.impulse : 0.0;
         // The rest may go to the wall by contacts, never the other way.
         QVERIFY2(momentum <= 150.0 * 20.0 - taken + 1.0, QByteArray::number(momentum));
         for (const EnergyEntry& entry : session.events().energy) QVERIFY(entry.isConserved());
@@ -100,7 +100,7 @@ private slots:
         test::addInput(session, ShotInput{"blow", Hammer{.at = {0.5, 1.5, 0.125}, .impulse = {0.0, 0.0, -300.0}}});
         for (int k = 0; k < 120; ++k) session.step();
         QVERIFY(brokenBonds(session) > 3);
-        QVERIFY(test::wallOf(session).nodes.size() > 280 && test::wallOf(session).nodes.size() < 296);
+        QVERIFY(test::wallOf(session).nodes.size() > 250 && test::wallOf(session).nodes.size() < 296);
     }
     void explosionBreaksTheBondsAroundIt() {
         Session session = test::sessionOf(test::bondedWall());

@@ -116,12 +116,13 @@ private slots:
         project.instances[0].pose.position.y = 10.0;
         Session session = test::sessionOf(project);
         QVERIFY(test::wallOf(session).isHeld);
-        Throw thrown = test::ballAtWall({0.0, 0.0}, 500.0, 20.0);
+        Throw thrown = test::ballAtWall({0.0, 0.0}, 80.0, 20.0);
         thrown.from.y = thrown.to.y = 10.3;
         test::addInput(session, ShotInput{"ball", thrown});
         for (int k = 0; k < 120; ++k) session.step();
         QVERIFY(test::wallOf(session).isHeld);
-        QVERIFY(test::wallOf(session).nodes.size() > 20 && test::wallOf(session).nodes.size() < 40);
+        QVERIFY2(test::wallOf(session).nodes.size() > 20 && session.bodies().size() > 3,
+                 QByteArray::number(test::wallOf(session).nodes.size()));
     }
     void fragmentsBreakFurtherByTheirLevel() {
         Project project = test::bondedWall(12);
