@@ -40,9 +40,9 @@ struct StruckBody {
         return ownerOfNode[joined.first] == owner && (joined.second == kNone || ownerOfNode[joined.second] == owner);
     }
     /// The distance of a bond's centroid from the nearest point, m.
-    double distanceOf(std::uint32_t bond) const {
+    double distanceOf(Vec3 centroid) const {
         double least = kInfinite;
-        for (const Vec3& point : points) least = std::min(least, glm::distance(point, graph.bonds[bond].centroid));
+        for (const Vec3& point : points) least = std::min(least, glm::distance(point, centroid));
         return least;
     }
     /// The least distance of an unbroken bond, m.
@@ -67,12 +67,14 @@ std::vector<LoadedBond> loadedBonds(const StruckBody& body, std::span<const doub
     Box3 box;
     for (const Vec3& point : body.points) box.include(point);
     const Vec3 farthest{(rule.radius + least) * kMargin};
-    body.graph.centroids.visitOverlapping({box.min - farthest, box.max + farthest}, [&](std::uint32_t bond) {
-        if (!body.holds(bond)) return;
-        const double fraction = loadFraction(rule, body.distanceOf(bond) - least);
-        const double utilization = utilizationOf(impulse * fraction, capacities[bond]);
-        if (utilization >= rule.damageFrom) loaded.push_back({bond, fraction, utilization});
-    });
+    body.graph.centroids.visitOverlapping(
+        {box.min - farthest, box.max + farthest}, [&](std::uint32_t bond, const Box3& centroid) {
+            // The tree has centroids in order of visits; those beyond the radius need not be read from the bonds.
+            const double fraction = loadFraction(rule, body.distanceOf(centroid.min) - least);
+            if (fraction <= 0.0) return;
+            const double utilization = utilizationOf(impulse * fraction, capacities[bond]);
+            if (utilization >= rule.damageFrom && body.holds(bond)) loaded.push_back({bond, fraction, utilization});
+        });
     std::ranges::sort(loaded, [](const LoadedBond& a, const LoadedBond& b) {
         return a.utilization != b.utilization ? a.utilization > b.utilization : a.bond < b.bond;
     });
