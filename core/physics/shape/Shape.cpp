@@ -1,5 +1,7 @@
 #include "core/physics/shape/Shape.h"
 
+#include "core/base/Assert.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -87,6 +89,20 @@ Result<std::shared_ptr<const Shape>> compoundShape(std::span<const CompoundPart>
     setBounds(**shape);
     (*shape)->owner = std::move(owner);
     return std::shared_ptr<const Shape>(std::move(*shape));
+}
+
+std::shared_ptr<const Shape> remainingShape(const Shape& shape, std::span<const std::uint32_t> hulls) {
+    RUBBLE_ASSERT(!hulls.empty());
+    auto remaining = std::make_shared<Shape>();
+    remaining->hulls.resize(hulls.size());
+    for (std::size_t k = 0; k < hulls.size(); ++k) remaining->hulls[k] = shape.hulls[hulls[k]];
+    remaining->owner = shape.owner;
+    remaining->mass = shape.mass;
+    remaining->inverseInertia = shape.inverseInertia;
+    remaining->boundingRadius = shape.boundingRadius;
+    remaining->extents = shape.extents;
+    remaining->minWidth = shape.minWidth;
+    return remaining;
 }
 
 }  // namespace rubble

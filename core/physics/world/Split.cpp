@@ -129,13 +129,18 @@ std::vector<MovingContact> takeContacts(WorldState& state, const SplittingBody& 
             }
         }
     }
-    std::vector<MovingContact> taken;
+    std::vector<std::uint32_t> numbers;
     visitContacts(state, splitting.number, [&](std::uint32_t number, std::uint32_t) {
         const Contact& contact = state.contacts[number];
-        const std::uint32_t side = contact.bodies[0] == splitting.number ? 0 : 1;
-        if (isLost.empty() || isLost[contact.proxies[side]]) taken.push_back({number, side, false, {}});
+        const std::size_t side = contact.bodies[0] == splitting.number ? 0 : 1;
+        if (isLost.empty() || isLost[contact.proxies[side]]) numbers.push_back(number);
     });
-    std::ranges::sort(taken, {}, &MovingContact::contact);
+    std::ranges::sort(numbers);
+    std::vector<MovingContact> taken(numbers.size());  // large ones, which are not moved around
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        taken[k].contact = numbers[k];
+        taken[k].side = state.contacts[numbers[k]].bodies[0] == splitting.number ? 0 : 1;
+    }
     for (MovingContact& moving : taken) {
         Contact& contact = state.contacts[moving.contact];
         if (contact.stored != kNone) wakeBodies(state, moving.contact);
