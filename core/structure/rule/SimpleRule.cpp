@@ -42,9 +42,9 @@ struct StruckBody {
         return ownerOfNode[joined.first] == owner && (joined.second == kNone || ownerOfNode[joined.second] == owner);
     }
     /// The distance of a bond's centroid from the nearest point, m.
-    double distanceOf(std::uint32_t bond) const {
+    double distanceOf(Vec3 centroid) const {
         double least = kInfinite;
-        for (const Vec3& point : points) least = std::min(least, glm::distance(point, graph.bonds[bond].centroid));
+        for (const Vec3& point : points) least = std::min(least, glm::distance(point, centroid));
         return least;
     }
     /// The nodes that are hit, ascending.
@@ -85,17 +85,19 @@ std::vector<LoadedBond> loadedBonds(const StruckBody& body, std::span<const doub
     for (const std::uint32_t node : struck) {
         for (const BondLink& link : body.graph.linksOf(node)) {
             const bool isSecond = link.node < node && std::ranges::binary_search(struck, link.node);
-            if (body.holds(link.bond) && !isSecond) add(link.bond, body.distanceOf(link.bond), 1.0);
+            if (body.holds(link.bond) && !isSecond)
+                add(link.bond, body.distanceOf(body.graph.bonds[link.bond].centroid), 1.0);
         }
     }
     Box3 box;
     for (const Vec3& point : body.points) box.include(point);
     const Vec3 farthest{rule.radius * kMargin};
-    body.graph.centroids.visitOverlapping({box.min - farthest, box.max + farthest}, [&](std::uint32_t bond) {
-        if (!body.holds(bond) || isStruck(bond)) return;
-        const double distance = body.distanceOf(bond);
-        add(bond, distance, loadFraction(rule, distance));
-    });
+    body.graph.centroids.visitOverlapping(
+        {box.min - farthest, box.max + farthest}, [&](std::uint32_t bond, const Box3& centroid) {
+            // The tree has centroids in order of visits; those beyond the radius need not be read from the bonds.
+            const double distance = body.distanceOf(centroid.min), fraction = loadFraction(rule, distance);
+            if (fraction > 0.0 && body.holds(bond) && !isStruck(bond)) add(bond, distance, fraction);
+        });
     std::ranges::sort(loaded, [](const LoadedBond& a, const LoadedBond& b) {
         return std::tuple(-a.utilization, a.distance, a.bond) < std::tuple(-b.utilization, b.distance, b.bond);
     });
