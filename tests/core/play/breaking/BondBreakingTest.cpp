@@ -38,7 +38,7 @@ private slots:
         QCOMPARE(wall.role, PlayRole::Instance);
         QVERIFY(wall.isHeld);
         QVERIFY(session.world().kind(wall.body) == BodyKind::Static);
-        QVERIFY2(wall.nodes.size() > 240 && wall.nodes.size() < 296, QByteArray::number(wall.nodes.size()));
+        QVERIFY2(wall.nodes.size() > 240 && wall.nodes.size() < 300, QByteArray::number(wall.nodes.size()));
         QVERIFY(session.world().state(wall.body).pose.position == Vec3(0.0, 1.5, 0.0));  // to the bit
         QVERIFY(session.world().state(ballOf(session)->body).centre.z < -0.3);
         std::size_t fragments = wall.nodes.size();
@@ -73,7 +73,9 @@ private slots:
             momentum -= session.world().mass(body.body) * session.world().state(body.body).velocity.z;
         }
         double taken = 0.0;
-        for (const PlaySplit& split : session.events().splits) taken += split.body.isHeld ? split.impulse : 0.0;
+        const std::uint32_t ball = ballOf(session)->number;
+        for (const PlaySplit& split : session.events().splits)
+            taken += split.impactorNumber == ball ? split.impulse : 0.0;
         // The rest may go to the wall by contacts, never the other way.
         QVERIFY2(momentum <= 150.0 * 20.0 - taken + 1.0, QByteArray::number(momentum));
         for (const EnergyEntry& entry : session.events().energy) QVERIFY(entry.isConserved());
@@ -100,7 +102,8 @@ private slots:
         test::addInput(session, ShotInput{"blow", Hammer{.at = {0.5, 1.5, 0.125}, .impulse = {0.0, 0.0, -300.0}}});
         for (int k = 0; k < 120; ++k) session.step();
         QVERIFY(brokenBonds(session) > 3);
-        QVERIFY(test::wallOf(session).nodes.size() > 250 && test::wallOf(session).nodes.size() < 296);
+        const std::size_t left = test::wallOf(session).nodes.size();
+        QVERIFY2(left > 250 && left < 300, QByteArray::number(left));
     }
     void explosionBreaksTheBondsAroundIt() {
         Session session = test::sessionOf(test::bondedWall());
