@@ -124,7 +124,7 @@ std::vector<std::uint32_t> firstHullsOf(const PlayStructure& structure, const Pl
     std::uint32_t next = 0;
     for (const std::uint32_t node : body.nodes) {
         first[node] = next;
-        next += static_cast<std::uint32_t>(structure.solidOf(node).shape->hulls.size());
+        next += hullCount(*structure.asset, structure.fragmentOf(node));
     }
     return first;
 }
@@ -137,7 +137,7 @@ std::vector<std::uint32_t> hullsBefore(const PlayStructure& structure, const Par
     if (part.nodes.size() == structure.nodeCount()) return before;  // the hulls of the whole, which it keeps
     std::size_t hull = 0;
     for (const std::uint32_t node : part.nodes) {
-        for (std::uint32_t k = 0; k < structure.solidOf(node).shape->hulls.size(); ++k) {
+        for (std::uint32_t k = 0; k < hullCount(*structure.asset, structure.fragmentOf(node)); ++k) {
             before[hull++] = firstHulls[node] == kNone ? kNone : firstHulls[node] + k;
         }
     }
