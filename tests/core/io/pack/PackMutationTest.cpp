@@ -240,7 +240,7 @@ private slots:
         QVERIFY2(fault && QString::fromStdString(*fault).contains(sentence), fault.value_or("none").c_str());
     }
     void packsOfEarlierVersionsPass() {
-        for (const char* name : {"halves.json", "mortar.json"}) {
+        for (const char* name : {"halves.json", "mortar.json", "bonded.json"}) {
             const std::string text = *readFile(std::string(RUBBLE_SOURCE_DIR "/tests/corpus/Pack/") + name);
             const std::optional<std::string> fault = faultOf(text);
             QVERIFY2(!fault, fault.value_or("").c_str());
