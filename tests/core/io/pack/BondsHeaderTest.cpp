@@ -24,10 +24,10 @@ namespace {
 using Damages = std::vector<rubble_pack::Damage>;
 using Indices = std::vector<std::uint32_t>;
 
-/// A ring of `count` fragments, of which the lower ones are anchored.
-Asset ringOf(std::uint32_t count, const Bonding& bonding) {
+/// A ring in fragments, of which the lower ones are anchored.
+Asset ringOf(const LayerParameters& fragments, const Bonding& bonding) {
     Asset asset = bondedRing();
-    asset.pattern.layers[0].parameters = UniformScatter{.count = count};
+    asset.pattern.layers[0].parameters = fragments;
     asset.bonding = bonding;
     asset.bonding.strokes.push_back({.brush = BondBrush::Anchor, .radius = 0.1, .points = {{0.5, 0.0}, {2.5, 0.0}}});
     return asset;
@@ -41,6 +41,17 @@ Bonding randomBonding(Random& random) {
             .span = random.below(3) == 0 ? 0.0 : random.between(0.5, 4.0),
             .heightStrengths = {{.height = 0.0, .factor = 2.0}, {.height = 3.0, .factor = 0.0}},
             .neverBreaks = {"4.1", "4.2"}};
+}
+
+/// Every fourth is of squares of 0.5 m with bonds of the same strength that the distance does not count for: many of
+/// the same utilization, many of these at the same distance from a hit at a multiple of 0.25 m.
+Asset randomRing(Random& random, int round) {
+    Bonding bonding = randomBonding(random);
+    if (round % 4 != 0)
+        return ringOf(UniformScatter{.count = 10 + static_cast<std::uint32_t>(random.below(60))}, bonding);
+    bonding.falloff = HitFalloff::Constant;
+    bonding.heightStrengths.clear();
+    return ringOf(JitteredGrid{.columns = 8, .rows = 8, .jitter = 0.0}, bonding);
 }
 
 rubble_pack::Pack headerPack(const std::string& json) {
@@ -134,7 +145,7 @@ class BondsHeaderTest : public QObject {
 
 private slots:
     void structuresAreThoseOfPlay() {
-        const BothStructures both{ringOf(40, everyBonding("4"))};
+        const BothStructures both{ringOf(UniformScatter{.count = 40}, everyBonding("4"))};
         QCOMPARE(both.pack.bonding->anchored.size() > 3, true);
         QCOMPARE(both.theirs.bonds.size(), std::size_t{both.ours->graph.bondCount()});
         QCOMPARE(both.theirs.fragments.size(), std::size_t{both.ours->nodeCount()});
@@ -155,7 +166,7 @@ private slots:
         Random random(kSeed);
         std::size_t broken = 0, damaged = 0, islands = 0, unsupported = 0;
         for (int round = 0; round < 80; ++round) {
-            BothStructures both{ringOf(10 + static_cast<std::uint32_t>(random.below(60)), randomBonding(random))};
+            BothStructures both{randomRing(random, round)};
             Damages ours(both.theirs.bonds.size()), theirs = ours;
             for (int hit = 0; hit < 10; ++hit) {
                 std::vector<std::uint32_t> owners(both.ours->nodeCount());
@@ -169,7 +180,10 @@ private slots:
                 std::vector<Vec3> points;
                 rubble_pack::Hit theirHit{{}, random.between(0.0, 100.0) * random.between(0.0, 0.5)};
                 for (std::uint64_t k = random.below(4); k < 4; ++k) {
-                    points.emplace_back(random.between(0.0, 4.0), random.between(0.0, 4.0), 0.25);
+                    const Vec2 at = round % 4 == 0 ? Vec2(0.25 * static_cast<double>(random.below(17)),
+                                                          0.25 * static_cast<double>(random.below(17)))
+                                                   : Vec2(random.between(0.0, 4.0), random.between(0.0, 4.0));
+                    points.emplace_back(at, 0.25);
                     theirHit.points.push_back(asHeader(points.back()));
                 }
                 const HitOutcome our = applyHit(both.ours->graph, both.ours->capacities, both.ours->rule,
@@ -194,6 +208,18 @@ private slots:
         }
         qInfo("broken %zu, damaged %zu, islands %zu, unsupported %zu", broken, damaged, islands, unsupported);
         QVERIFY(broken > 500 && damaged > 200 && islands > 1000 && unsupported > 500);
+    }
+    void ofFragmentsAtTheSameDistanceTheFirstIsHit() {
+        BothStructures both{ringOf(UniformScatter{.count = 20}, {.impulsePerArea = 100.0, .radius = 0.01})};
+        const BondGraph graph = bondGraph(std::vector<Vec3>(both.ours->nodeCount()), both.ours->graph.bonds);
+        both.theirs.centres.assign(both.theirs.fragments.size(), {});
+        const Vec3 point{1.0, 2.0, 0.0};
+        const std::vector<std::uint32_t> owners(both.ours->nodeCount());
+        Damages ours(both.theirs.bonds.size()), theirs = ours;
+        applyHit(graph, both.ours->capacities, both.ours->rule, {{&point, 1}, 1e6}, owners, 0, ours);
+        rubble_pack::applyHit(both.theirs, *both.pack.bonding, {{asHeader(point)}, 1e6}, both.theirs.fragments, theirs);
+        QVERIFY(std::ranges::count(ours, kBroken) > 0);
+        QCOMPARE(theirs, ours);
     }
     /// Of all lengths at which XXH3 goes on in another way.
     void damagesOfOneAreReadByTheOther() {
@@ -237,7 +263,7 @@ private slots:
         QVERIFY(asInstanceDamage(pack.bonding->bake, damages) == ours);
     }
     void anchorsCanBeAdded() {
-        BothStructures both{ringOf(20, {})};
+        BothStructures both{ringOf(UniformScatter{.count = 20}, {})};
         const std::uint32_t last = both.theirs.fragments.back();
         Damages damage(both.theirs.bonds.size());
         for (std::size_t bond = 0; bond < damage.size(); ++bond) damage[bond] = kBroken;
@@ -248,7 +274,7 @@ private slots:
         QVERIFY(rubble_pack::unsupported(both.theirs, damage, {last}, 1.0, {0.0, 1.0, 0.0}).empty());
     }
     void fragmentsBreakOff() {
-        const BothStructures both{ringOf(20, {})};
+        const BothStructures both{ringOf(UniformScatter{.count = 20}, {})};
         const Indices off{0, 3, 4, 11};
         Damages damage(both.theirs.bonds.size(), 100);
         damage[2] = kBroken;

@@ -143,9 +143,17 @@ private slots:
     void everyWrongTypeIsReportedWithItsPath() {
         const Asset halves = boxAsset(3, 4, PlacedSeeds{{{0, {0.25, 0.25}}, {1, {0.75, 0.75}}}});
         const auto isLink = [](const std::string& place, const nlohmann::json& value) {
-            return value.is_null() && (place.ends_with(".parent") || place.starts_with("meshes["));
+            if (value.is_discarded()) return place == "bonding";
+            return value.is_null() &&
+                   (place.ends_with(".parent") || place.starts_with("meshes[") || place.ends_with(".capacity"));
         };
-        for (const test::JsonMutation& mutation : test::mutationsOf(nlohmann::json::parse(packOf(halves)), isLink)) {
+        Asset bonded = halves;
+        bonded.breakAs = BreakAs::Bonded;
+        bonded.bonding.strokes = {{.points = {{0.1, 0.1}}}};
+        std::vector<test::JsonMutation> mutations = test::mutationsOf(nlohmann::json::parse(packOf(halves)), isLink);
+        for (test::JsonMutation& mutation : test::mutationsOf(nlohmann::json::parse(packOf(bonded)), isLink))
+            mutations.push_back(std::move(mutation));
+        for (const test::JsonMutation& mutation : mutations) {
             if (mutation.name.ends_with("one more key")) continue;  // unknown keys are ignored
             if (mutation.place == "checksum" || mutation.name == " without checksum") continue;  // as this one
             const std::string fault = headerFault(mutation.document.dump());
