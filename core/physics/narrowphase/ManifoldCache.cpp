@@ -3,11 +3,11 @@
 namespace rubble {
 
 std::vector<CachedManifold> cachedManifolds(const Shape& first, const Shape& second, Vec3 offset) {
-    const auto collide = [](const Hull& a, const Hull& b, Vec3f centre) {
-        return collideHulls(a, b, {{}, centre}, kSpeculativeDistance, {});
+    const Vec3f centre = toFloat(offset);
+    const auto collide = [](const PlacedHull& a, const PlacedHull& b, Vec3f between) {
+        return collideHulls(*a.hull, *b.hull, {{}, between + b.offset - a.offset}, kSpeculativeDistance, {});
     };
     std::vector<CachedManifold> manifolds;
-    const Vec3f centre = toFloat(offset);
     for (std::uint32_t a = 0; a < first.hulls.size(); ++a) {
         for (std::uint32_t b = 0; b < second.hulls.size(); ++b) {
             const HullCollision forward = collide(first.hulls[a], second.hulls[b], centre);

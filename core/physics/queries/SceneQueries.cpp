@@ -67,8 +67,9 @@ std::optional<CastHit> castRay(const WorldState& state, Vec3 from, Vec3 to) {
                            const Proxy& proxy = state.proxies[number];
                            const BodyPose& pose = state.poses[proxy.body];
                            const Mat3f rotation = pose.rotation.matrix();
+                           const PlacedHull& placed = placedHullOf(state, proxy);
                            const HullRayHit hit =
-                               castRay(hullOf(state, proxy), rotation.transposedTimes(start - pose.centre),
+                               castRay(*placed.hull, rotation.transposedTimes(start - pose.centre) - placed.offset,
                                        rotation.transposedTimes(displacement));
                            if (!isBefore(hit.fraction, state.idOf(proxy.body), best)) return;
                            best = {state.idOf(proxy.body), from + (to - from) * static_cast<double>(hit.fraction),
@@ -88,7 +89,7 @@ Result<std::optional<CastHit>> castHull(const WorldState& state, const Polytope&
     const Mat3f rotation = query->pose.rotation.matrix();
     const Vec3f displacementWorld = toFloat(displacement),
                 displacementLocal = rotation.transposedTimes(displacementWorld);
-    const Box box = tightBox(query->hull, query->pose);
+    const Box box = tightBox({&query->hull}, query->pose);
     const Vec3f half = (box.high - box.low) * 0.5f;
     CastHit best{.fraction = kNoHit};
     state.tree.visitIf(
@@ -98,8 +99,9 @@ Result<std::optional<CastHit>> castHull(const WorldState& state, const Polytope&
         },
         [&](std::uint32_t number, const Box&) {
             const Proxy& proxy = state.proxies[number];
-            const HullCastHit cast = castHull(query->hull, hullOf(state, proxy),
-                                              relativePose(query->pose, state.poses[proxy.body]), displacementLocal);
+            const PlacedHull& placed = placedHullOf(state, proxy);
+            const RelativePose relative = relativePose(query->pose, {}, state.poses[proxy.body], placed.offset);
+            const HullCastHit cast = castHull(query->hull, *placed.hull, relative, displacementLocal);
             if (!isBefore(cast.fraction, state.idOf(proxy.body), best)) return;
             const auto fraction = static_cast<double>(cast.fraction);
             best = {state.idOf(proxy.body), pose.position + displacement * fraction + toDouble(rotation * cast.point),
@@ -112,10 +114,11 @@ Result<std::vector<BodyId>> overlappingBodies(const WorldState& state, const Pol
     const Result<QueryHull> query = makeQueryHull(polytope, pose);
     if (!query) return query.error();
     std::vector<BodyId> found;
-    state.tree.visitOverlapping(tightBox(query->hull, query->pose), [&](std::uint32_t number, const Box&) {
+    state.tree.visitOverlapping(tightBox({&query->hull}, query->pose), [&](std::uint32_t number, const Box&) {
         const Proxy& proxy = state.proxies[number];
-        const RelativePose relative = relativePose(query->pose, state.poses[proxy.body]);
-        if (separatingAxis(query->hull, hullOf(state, proxy), relative, 0.0f, {}).separation <= 0.0f)
+        const PlacedHull& placed = placedHullOf(state, proxy);
+        const RelativePose relative = relativePose(query->pose, {}, state.poses[proxy.body], placed.offset);
+        if (separatingAxis(query->hull, *placed.hull, relative, 0.0f, {}).separation <= 0.0f)
             found.push_back(state.idOf(proxy.body));
     });
     std::sort(found.begin(), found.end());

@@ -100,8 +100,8 @@ private:
         const Vec3 centre = toDouble(state.poses[body].centre) - viewpoint;
         if (glm::length(centre) > radius + static_cast<double>(shape.boundingRadius)) return;
         const Mat3 rotation = glm::mat3_cast(glm::normalize(toDouble(state.poses[body].rotation)));
-        for (const Hull& hull : shape.hulls) {
-            ShadowVolume volume = shadowVolumeOf(hull, rotation, centre);
+        for (const PlacedHull& hull : shape.hulls) {
+            ShadowVolume volume = shadowVolumeOf(*hull.hull, rotation, centre + rotation * toDouble(hull.offset));
             if (volume.faces.empty()) continue;
             m_tree.insert(boxOf(volume), static_cast<std::uint32_t>(m_hulls.size()));
             m_hulls.push_back({body, std::move(volume)});

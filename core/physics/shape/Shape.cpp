@@ -15,18 +15,29 @@ bool isPositive(const MassProperties& mass) {
            glm::determinant(mass.inertia) > 0.0;
 }
 
-double surfaceAreaOf(const Polytope& polytope) {
-    double area = 0.0;
-    for (const std::vector<std::uint32_t>& face : polytope.faces) {
-        Vec3 twice(0.0);
-        for (std::size_t k = 2; k < face.size(); ++k) {
-            const Vec3& corner = polytope.vertices[face[0]];
-            twice += glm::cross(polytope.vertices[face[k - 1]] - corner, polytope.vertices[face[k]] - corner);
-        }
-        area += glm::length(twice) / 2.0;
+/// A shape without hulls.
+///
+/// Errors: BadInput for mass properties that are not positive and finite.
+Result<std::shared_ptr<Shape>> emptyShape(const MassProperties& mass) {
+    if (!isPositive(mass)) {
+        return Error{ErrorCode::BadInput, "The volume and inertia of a body must be positive and finite."};
     }
-    return area;
+    auto shape = std::make_shared<Shape>();
+    shape->mass = mass;
+    shape->inverseInertia = glm::inverse(mass.inertia);
+    shape->minWidth = std::numeric_limits<float>::infinity();
+    return shape;
 }
+
+void addHull(Shape& shape, const PlacedHull& placed) {
+    const Hull& hull = *placed.hull;
+    shape.boundingRadius = std::max(shape.boundingRadius, length(placed.offset) + hull.boundingRadius);
+    shape.extents = componentMax(shape.extents, componentAbs(placed.offset + hull.middle) + hull.extents);
+    shape.minWidth = std::min(shape.minWidth, hull.minWidth);
+    shape.hulls.push_back(placed);
+}
+
+Error noHulls() { return {ErrorCode::BadInput, "A body needs at least one hull."}; }
 
 }  // namespace
 
@@ -37,24 +48,32 @@ Result<std::shared_ptr<const Shape>> makeShape(std::span<const Polytope> polytop
 }
 
 Result<std::shared_ptr<const Shape>> makeShape(std::span<const Polytope> polytopes, const MassProperties& mass) {
-    if (polytopes.empty()) return Error{ErrorCode::BadInput, "A body needs at least one hull."};
-    if (!isPositive(mass)) {
-        return Error{ErrorCode::BadInput, "The volume and inertia of a body must be positive and finite."};
-    }
-    auto shape = std::make_shared<Shape>();
-    shape->mass = mass;
-    shape->inverseInertia = glm::inverse(mass.inertia);
-    shape->minWidth = std::numeric_limits<float>::infinity();
+    if (polytopes.empty()) return noHulls();
+    Result<std::shared_ptr<Shape>> shape = emptyShape(mass);
+    if (!shape) return shape.error();
+    auto hulls = std::make_shared<std::vector<Hull>>();
+    hulls->reserve(polytopes.size());
     for (const Polytope& polytope : polytopes) {
         Result<Hull> hull = makeHull(polytope, mass.centre);
         if (!hull) return hull.error();
-        shape->surfaceArea += surfaceAreaOf(polytope);
-        shape->boundingRadius = std::max(shape->boundingRadius, hull->boundingRadius);
-        shape->extents = componentMax(shape->extents, componentAbs(hull->middle) + hull->extents);
-        shape->minWidth = std::min(shape->minWidth, hull->minWidth);
-        shape->hulls.push_back(std::move(*hull));
+        hulls->push_back(std::move(*hull));
     }
-    return std::shared_ptr<const Shape>(std::move(shape));
+    for (const Hull& hull : *hulls) addHull(**shape, {&hull});
+    (*shape)->owner = std::move(hulls);
+    return std::shared_ptr<const Shape>(std::move(*shape));
+}
+
+Result<std::shared_ptr<const Shape>> compoundShape(std::span<const CompoundPart> parts, const MassProperties& mass,
+                                                   std::shared_ptr<const void> owner) {
+    if (parts.empty()) return noHulls();
+    Result<std::shared_ptr<Shape>> shape = emptyShape(mass);
+    if (!shape) return shape.error();
+    for (const CompoundPart& part : parts) {
+        const Vec3f offset = toFloat(part.centre - mass.centre);
+        for (const PlacedHull& hull : part.shape->hulls) addHull(**shape, {hull.hull, hull.offset + offset});
+    }
+    (*shape)->owner = std::move(owner);
+    return std::shared_ptr<const Shape>(std::move(*shape));
 }
 
 }  // namespace rubble

@@ -10,16 +10,22 @@
 
 namespace rubble {
 
+/// A hull of a shape. It is shared: the shapes of a compound and of its parts have the same hulls at other offsets.
+struct PlacedHull {
+    const Hull* hull = nullptr;      // never null in a shape
+    Vec3f offset{0.0f, 0.0f, 0.0f};  // m: of the hull's origin from the shape's centre of mass
+};
+
 /// The collision shape and mass properties of a body: one or more convex hulls relative to their common centre of mass.
 /// Shared by all bodies of this shape.
 struct Shape {
-    std::vector<Hull> hulls;
-    MassProperties mass;          // at density 1 kg/m³, in the frame of the given polytopes
-    Mat3 inverseInertia{1.0};     // 1/(kg·m²), at that density
-    double surfaceArea = 0.0;     // m²: total surface area of all hulls
-    float boundingRadius = 0.0f;  // m: distance from the centre of mass to the farthest vertex
-    Vec3f extents{0.0f};          // m: the largest distance of a vertex from the centre of mass along each axis
-    float minWidth = 0.0f;        // m: the least width of any hull; a body moving farther in a step may tunnel
+    std::vector<PlacedHull> hulls;
+    std::shared_ptr<const void> owner;  // of the hulls
+    MassProperties mass;                // at density 1 kg/m³, in the frame of the given polytopes
+    Mat3 inverseInertia{1.0};           // 1/(kg·m²), at that density
+    float boundingRadius = 0.0f;        // m: distance from the centre of mass to the farthest vertex, at least
+    Vec3f extents{0.0f};                // m: the largest distance of a vertex from the centre of mass along each axis
+    float minWidth = 0.0f;              // m: the least width of any hull; a body moving farther in a step may tunnel
 };
 
 /// The shape of convex polytopes in one frame. Mass properties are those of the polytopes, or those given, such as
@@ -28,5 +34,18 @@ struct Shape {
 /// Errors: those of makeHull(); BadInput for no polytope, or mass properties that are not positive and finite.
 Result<std::shared_ptr<const Shape>> makeShape(std::span<const Polytope> polytopes);
 Result<std::shared_ptr<const Shape>> makeShape(std::span<const Polytope> polytopes, const MassProperties& mass);
+
+/// A shape that is a part of a compound, with parallel axes.
+struct CompoundPart {
+    const Shape* shape = nullptr;
+    Vec3 centre{0.0, 0.0, 0.0};  // m: of its mass, in the compound's frame
+};
+
+/// A compound of other shapes: their hulls, in that order, at other offsets. O(hulls); copies no hull. `owner` keeps the
+/// parts' hulls alive. The mass properties are those given, in the compound's frame.
+///
+/// Errors: BadInput for no part, or mass properties that are not positive and finite.
+Result<std::shared_ptr<const Shape>> compoundShape(std::span<const CompoundPart> parts, const MassProperties& mass,
+                                                   std::shared_ptr<const void> owner);
 
 }  // namespace rubble

@@ -8,27 +8,6 @@
 namespace rubble {
 namespace {
 
-void link(WorldState& state, std::uint32_t contact, std::uint32_t side) {
-    Contact& record = state.contacts[contact];
-    Body& body = state.bodies[record.bodies[side]];
-    record.previous[side] = kNone;
-    record.next[side] = body.firstContact;
-    const std::uint32_t key = 2 * contact + side;
-    if (body.firstContact != kNone) state.contacts[body.firstContact / 2].previous[body.firstContact % 2] = key;
-    body.firstContact = key;
-}
-
-void unlink(WorldState& state, std::uint32_t contact, std::uint32_t side) {
-    const Contact& record = state.contacts[contact];
-    const std::uint32_t next = record.next[side], previous = record.previous[side];
-    if (next != kNone) state.contacts[next / 2].previous[next % 2] = previous;
-    if (previous != kNone) {
-        state.contacts[previous / 2].next[previous % 2] = next;
-    } else {
-        state.bodies[record.bodies[side]].firstContact = next;
-    }
-}
-
 std::uint32_t nextFreeContact(const WorldState& state) {
     return state.freeContacts.empty() ? static_cast<std::uint32_t>(state.contacts.size()) : state.freeContacts.back();
 }
@@ -66,8 +45,8 @@ std::uint32_t addContact(WorldState& state, std::uint32_t firstProxy, std::uint3
     Contact& record = allocateContact(state);
     record.proxies = {firstProxy, secondProxy};
     record.bodies = {state.proxies[firstProxy].body, state.proxies[secondProxy].body};
-    link(state, contact, 0);
-    link(state, contact, 1);
+    linkContact(state, contact, 0);
+    linkContact(state, contact, 1);
     addSeparated(state, contact);
     return contact;
 }
@@ -76,8 +55,8 @@ void removeContact(WorldState& state, std::uint32_t contact) {
     RUBBLE_ASSERT(state.contacts[contact].stored == kNone);  // its bodies must be woken first
     if (state.contacts[contact].slot.isSet()) endTouching(state, contact);
     removeSeparated(state, contact);
-    unlink(state, contact, 0);
-    unlink(state, contact, 1);
+    unlinkContact(state, contact, 0);
+    unlinkContact(state, contact, 1);
     Contact& record = state.contacts[contact];
     state.pairs.erase(record.proxies[0], record.proxies[1]);
     record.proxies = {kNone, kNone};
@@ -127,31 +106,67 @@ void removeSeparated(WorldState& state, std::uint32_t contact) {
     state.contacts[last.contact].separatedIndex = index;
 }
 
-void storeContact(WorldState& state, std::uint32_t contact) {
+void linkContact(WorldState& state, std::uint32_t contact, std::uint32_t side) {
     Contact& record = state.contacts[contact];
-    RUBBLE_ASSERT(record.slot.isSet() && record.stored == kNone);
+    Body& body = state.bodies[record.bodies[side]];
+    record.previous[side] = kNone;
+    record.next[side] = body.firstContact;
+    const std::uint32_t key = 2 * contact + side;
+    if (body.firstContact != kNone) state.contacts[body.firstContact / 2].previous[body.firstContact % 2] = key;
+    body.firstContact = key;
+}
+
+void unlinkContact(WorldState& state, std::uint32_t contact, std::uint32_t side) {
+    const Contact& record = state.contacts[contact];
+    const std::uint32_t next = record.next[side], previous = record.previous[side];
+    if (next != kNone) state.contacts[next / 2].previous[next % 2] = previous;
+    if (previous != kNone) {
+        state.contacts[previous / 2].next[previous % 2] = next;
+    } else {
+        state.bodies[record.bodies[side]].firstContact = next;
+    }
+}
+
+StoredContact takeLane(WorldState& state, std::uint32_t contact) {
+    Contact& record = state.contacts[contact];
+    RUBBLE_ASSERT(record.slot.isSet());
+    const int lane = ContactColours::laneOf(record.slot);
+    const StoredContact taken{storedLane(state.colours.block(record.slot), lane),
+                              storedLane(state.colours.reference(record.slot), lane)};
+    freeSlot(state, record);
+    return taken;
+}
+
+void returnLane(WorldState& state, std::uint32_t contact, const StoredContact& stored) {
+    Contact& record = state.contacts[contact];
+    // The point count is one of the stored words.
+    assignSlot(state, contact, stored.block[offsetof(ContactBlock, pointCount) / sizeof(IndexRow)]);
+    ContactBlock& block = state.colours.block(record.slot);
+    const int lane = ContactColours::laneOf(record.slot);
+    const auto index = static_cast<std::size_t>(lane);
+    const float againstFixed = block.againstFixed[index];
+    putLane(block, lane, stored.block);
+    putLane(state.colours.reference(record.slot), lane, stored.reference);
+    block.first[index] = record.bodies[0];
+    block.second[index] = record.bodies[1];
+    block.againstFixed[index] = againstFixed;
+}
+
+void storeContact(WorldState& state, std::uint32_t contact) {
+    RUBBLE_ASSERT(state.contacts[contact].stored == kNone);
     if (state.freeStored.empty()) {
         state.freeStored.push_back(static_cast<std::uint32_t>(state.stored.size()));
         state.stored.emplace_back();
     }
-    record.stored = state.freeStored.back();
+    const std::uint32_t stored = state.contacts[contact].stored = state.freeStored.back();
     state.freeStored.pop_back();
-    const int lane = ContactColours::laneOf(record.slot);
-    state.stored[record.stored] = {storedLane(state.colours.block(record.slot), lane),
-                                   storedLane(state.colours.reference(record.slot), lane)};
-    freeSlot(state, record);
+    state.stored[stored] = takeLane(state, contact);
 }
 
 void restoreContact(WorldState& state, std::uint32_t contact) {
     Contact& record = state.contacts[contact];
     RUBBLE_ASSERT(record.stored != kNone);
-    // The point count is one of the stored words.
-    const std::uint32_t points =
-        state.stored[record.stored].block[offsetof(ContactBlock, pointCount) / sizeof(IndexRow)];
-    assignSlot(state, contact, points);
-    const int lane = ContactColours::laneOf(record.slot);
-    putLane(state.colours.block(record.slot), lane, state.stored[record.stored].block);
-    putLane(state.colours.reference(record.slot), lane, state.stored[record.stored].reference);
+    returnLane(state, contact, state.stored[record.stored]);
     state.freeStored.push_back(std::exchange(record.stored, kNone));
 }
 

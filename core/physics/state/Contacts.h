@@ -23,6 +23,13 @@ void removeSeparated(WorldState& state, std::uint32_t contact);
 void storeContact(WorldState& state, std::uint32_t contact);
 void restoreContact(WorldState& state, std::uint32_t contact);
 
+/// Links a contact to the contacts of the body on a side (0 or 1), or unlinks it.
+void linkContact(WorldState& state, std::uint32_t contact, std::uint32_t side);
+void unlinkContact(WorldState& state, std::uint32_t contact, std::uint32_t side);
+/// Takes the lane of a contact out of the colours, and returns it for the contact's present bodies. No events.
+StoredContact takeLane(WorldState& state, std::uint32_t contact);
+void returnLane(WorldState& state, std::uint32_t contact, const StoredContact& lane);
+
 /// Calls visit(contact, other body) for each contact of a body. `visit` may remove the contact.
 template <class Visit>
 void visitContacts(const WorldState& state, std::uint32_t body, const Visit& visit) {

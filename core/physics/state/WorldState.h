@@ -135,9 +135,10 @@ struct WorldState {
     BodyId idOf(std::uint32_t body) const { return {body, bodies[body].generation}; }
 };
 
-inline const Hull& hullOf(const WorldState& state, const Proxy& proxy) {
+inline const PlacedHull& placedHullOf(const WorldState& state, const Proxy& proxy) {
     return state.bodies[proxy.body].shape->hulls[proxy.hull];
 }
+inline const Hull& hullOf(const WorldState& state, const Proxy& proxy) { return *placedHullOf(state, proxy).hull; }
 
 struct Snapshot {
     WorldState state;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace rubble {
 namespace {
@@ -195,41 +196,50 @@ float boxMargin(float boundingRadius) {
     return std::min(kMaxMargin, kFractionOfRadius * boundingRadius);
 }
 
-Box tightBox(const Hull& hull, const BodyPose& pose) {
+Box tightBox(const PlacedHull& placed, const BodyPose& pose) {
+    const Hull& hull = *placed.hull;
     const Mat3f rotation = pose.rotation.matrix();
-    const Vec3f middle = pose.centre + rotation * hull.middle;
+    const Vec3f middle = pose.centre + rotation * (placed.offset + hull.middle);
     const Vec3f half = componentAbs(rotation.x) * hull.extents.x + componentAbs(rotation.y) * hull.extents.y +
                        componentAbs(rotation.z) * hull.extents.z;
     return {middle - half, middle + half};
 }
 
 Box tightBox(const WorldState& state, const Proxy& proxy) {
-    return tightBox(hullOf(state, proxy), state.poses[proxy.body]);
+    return tightBox(placedHullOf(state, proxy), state.poses[proxy.body]);
 }
 
 void addProxies(WorldState& state, std::uint32_t body) {
     const auto hulls = static_cast<std::uint32_t>(state.bodies[body].shape->hulls.size());
-    for (std::uint32_t hull = hulls; hull-- > 0;) {
+    for (std::uint32_t hull = hulls; hull-- > 0;) linkProxy(state, body, hull, kNone);
+    state.rebox.push_back(body);
+}
+
+void linkProxy(WorldState& state, std::uint32_t body, std::uint32_t hull, std::uint32_t number) {
+    const bool isNew = number == kNone;
+    if (isNew) {
         if (state.freeProxies.empty()) {
             state.freeProxies.push_back(static_cast<std::uint32_t>(state.proxies.size()));
             state.proxies.emplace_back();
         }
-        const std::uint32_t number = state.freeProxies.back();
+        number = state.freeProxies.back();
         state.freeProxies.pop_back();
-        Proxy& proxy = state.proxies[number];
-        proxy = {body, hull, kNone, state.bodies[body].firstProxy};
-        proxy.leaf = state.tree.insert(tightBox(state, proxy), number);
-        state.bodies[body].firstProxy = number;
     }
-    state.rebox.push_back(body);
+    Proxy& proxy = state.proxies[number];
+    proxy = {body, hull, proxy.leaf, std::exchange(state.bodies[body].firstProxy, number)};
+    if (isNew) proxy.leaf = state.tree.insert(tightBox(state, proxy), number);
+}
+
+void removeProxy(WorldState& state, std::uint32_t proxy) {
+    state.tree.remove(state.proxies[proxy].leaf);
+    state.proxies[proxy] = {};
+    state.freeProxies.push_back(proxy);
 }
 
 void removeProxies(WorldState& state, std::uint32_t body) {
     for (std::uint32_t proxy = state.bodies[body].firstProxy; proxy != kNone;) {
         const std::uint32_t next = state.proxies[proxy].next;
-        state.tree.remove(state.proxies[proxy].leaf);
-        state.proxies[proxy] = {};
-        state.freeProxies.push_back(proxy);
+        removeProxy(state, proxy);
         proxy = next;
     }
     state.bodies[body].firstProxy = kNone;

@@ -19,7 +19,7 @@ struct PairScratch {
 };
 
 /// The bounding box of a hull, or of a proxy's hull, without margin.
-Box tightBox(const Hull& hull, const BodyPose& pose);
+Box tightBox(const PlacedHull& hull, const BodyPose& pose);
 Box tightBox(const WorldState& state, const Proxy& proxy);
 
 /// The margin of the fat box of a body with this bounding radius, m.
@@ -28,6 +28,10 @@ float boxMargin(float boundingRadius);
 /// Adds a body's hulls to the tree, or removes them.
 void addProxies(WorldState& state, std::uint32_t body);
 void removeProxies(WorldState& state, std::uint32_t body);
+/// Makes a proxy, which must not be in the list of a body, the first of a body, for one of its hulls; kNone: a new one.
+void linkProxy(WorldState& state, std::uint32_t body, std::uint32_t hull, std::uint32_t proxy);
+/// Removes a proxy that is in the list of no body and has no contacts.
+void removeProxy(WorldState& state, std::uint32_t proxy);
 
 /// The bodies that findPairs() considers.
 enum class PairBodies {

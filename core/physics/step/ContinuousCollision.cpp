@@ -40,7 +40,8 @@ void clampDisplacement(WorldState& state, std::uint32_t body) {
         const Contact& contact = state.contacts[number];
         const Proxy& proxy = state.proxies[contact.proxies[contact.bodies[0] == other ? 0 : 1]];
         const RelativeDisplacement displacement = displacementPast(state, body, other);
-        const HullRayHit hit = castRay(hullOf(state, proxy), displacement.from, displacement.displacement);
+        const PlacedHull& placed = placedHullOf(state, proxy);
+        const HullRayHit hit = castRay(*placed.hull, displacement.from - placed.offset, displacement.displacement);
         if (hit.fraction > 1.0f) return;
         const float distance = kDistanceFraction * state.bodies[body].shape->minWidth;
         const float fraction = std::max(0.0f, hit.fraction + distance / dot(hit.normal, displacement.displacement));

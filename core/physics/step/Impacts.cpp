@@ -143,12 +143,16 @@ Vec3f centroidOf(const Manifold& manifold) {
 std::optional<TouchingPoint> sweptTouch(const WorldState& state, std::uint32_t number, float dt) {
     constexpr float kSlack = 1.25f;  // of the displacement: rotation and gravity may bring them together, too
     const Contact& contact = state.contacts[number];
-    const Hull& first = hullOf(state, state.proxies[contact.proxies[0]]);
-    const Hull& second = hullOf(state, state.proxies[contact.proxies[1]]);
-    const BodyPose& firstPose = state.poses[contact.bodies[0]];
-    RelativePose pose = relativePose(firstPose, state.poses[contact.bodies[1]]);
+    const PlacedHull& firstPlaced = placedHullOf(state, state.proxies[contact.proxies[0]]);
+    const PlacedHull& secondPlaced = placedHullOf(state, state.proxies[contact.proxies[1]]);
+    const Hull &first = *firstPlaced.hull, &second = *secondPlaced.hull;
+    const BodyPose &firstPose = state.poses[contact.bodies[0]], &secondPose = state.poses[contact.bodies[1]];
+    RelativePose pose = relativePose(firstPose, firstPlaced.offset, secondPose, secondPlaced.offset);
     const Mat3f rotation = firstPose.rotation.matrix();
-    const Vec3f velocity = state.motions[contact.bodies[1]].velocity - state.motions[contact.bodies[0]].velocity;
+    const Vec3f armFirst = rotation * firstPlaced.offset;
+    const Vec3f armSecond = secondPose.rotation.matrix() * secondPlaced.offset;
+    const Vec3f velocity =
+        velocityAt(state, contact.bodies[1], armSecond) - velocityAt(state, contact.bodies[0], armFirst);
     const Vec3f displacement = rotation.transposedTimes(velocity * (kSlack * dt));
     const TimeOfImpact impact = timeOfImpact(first, second, pose, displacement);
     if (impact.axis.kind == AxisKind::None) return std::nullopt;
@@ -156,7 +160,8 @@ std::optional<TouchingPoint> sweptTouch(const WorldState& state, std::uint32_t n
     const Manifold manifold = touchingManifold(impact.axis, first, second, pose, kImpactDepth);
     if (manifold.count == 0) return std::nullopt;
     const Vec3f position = centroidOf(manifold);
-    return TouchingPoint{rotation * position, rotation * (position - pose.offset), rotation * manifold.normal};
+    return TouchingPoint{rotation * position + armFirst, rotation * (position - pose.offset) + armSecond,
+                         rotation * manifold.normal};
 }
 
 /// Where the bodies of a contact touch, from a position between them now. A swept manifold is that of the time of

@@ -53,6 +53,11 @@ Vec3f tangentOf(Vec3f normal) {
     return normalized(cross(normal, other));
 }
 
+/// The velocity of a hull's origin.
+Vec3f velocityOf(const BodyMotion& motion, const BodyPose& pose, const PlacedHull& placed) {
+    return motion.velocity + cross(motion.angularVelocity, pose.rotation.matrix() * placed.offset);
+}
+
 /// Writes one lane.
 void put(Vec3f v, Vec3Row& rows, std::size_t lane) {
     rows.x[lane] = v.x;
@@ -90,9 +95,10 @@ float softDepth(const WorldState& state, const Contact& contact) {
     return std::max(kMinDepth, kWidthFraction * width);
 }
 
-/// Writes the points; those with a feature of the last manifold keep their impulses (warm starting).
+/// Writes the points; those with a feature of the last manifold keep their impulses (warm starting). `offset` is that
+/// of the manifold's frame in the first body, whose rotation is given.
 void putPoints(Contact& contact, ContactBlock& block, ReferenceBlock& reference, std::size_t lane,
-               const Manifold& manifold, const Mat3f& rotation) {
+               const Manifold& manifold, const Mat3f& rotation, Vec3f offset) {
     const auto before = static_cast<std::size_t>(block.pointCount[lane]);
     std::array<float, kMaxManifoldPoints> impulses{};
     std::array<std::uint32_t, kMaxManifoldPoints> features{};
@@ -104,7 +110,7 @@ void putPoints(Contact& contact, ContactBlock& block, ReferenceBlock& reference,
     }
     for (std::size_t i = 0; i < kMaxManifoldPoints; ++i) {
         const bool isThere = i < static_cast<std::size_t>(manifold.count);
-        put(isThere ? rotation * manifold.points[i].position : Vec3f(0.0f), block.points[i].position, lane);
+        put(isThere ? rotation * (manifold.points[i].position + offset) : Vec3f(0.0f), block.points[i].position, lane);
         block.points[i].impulse[lane] = impulses[i];
         reference.separation[i][lane] = isThere ? manifold.points[i].separation : 0.0f;
     }
@@ -172,6 +178,15 @@ void sortCollisions(NarrowPhaseScratch& scratch) {
     }
 }
 
+/// The first body's centre relative to the second's, in world space, where the second hull is at `offset` in the first's
+/// frame.
+Vec3f sweptCentreOffset(const WorldState& state, const Contact& contact, Vec3f offset) {
+    const Vec3f firstOffset = placedHullOf(state, state.proxies[contact.proxies[0]]).offset;
+    const Vec3f secondOffset = placedHullOf(state, state.proxies[contact.proxies[1]]).offset;
+    return state.poses[contact.bodies[0]].rotation.matrix() * (offset + firstOffset) * -1.0f +
+           state.poses[contact.bodies[1]].rotation.matrix() * secondOffset;
+}
+
 }  // namespace
 
 void storeManifold(WorldState& state, std::uint32_t number, const HullCollision& collision) {
@@ -181,12 +196,13 @@ void storeManifold(WorldState& state, std::uint32_t number, const HullCollision&
     const auto lane = static_cast<std::size_t>(ContactColours::laneOf(contact.slot));
     const BodyPose &first = state.poses[contact.bodies[0]], &second = state.poses[contact.bodies[1]];
     const Mat3f rotation = first.rotation.matrix();
+    const Vec3f offset = placedHullOf(state, state.proxies[contact.proxies[0]]).offset;
     rotateFriction(block, lane, rotation * collision.manifold.normal);
-    putPoints(contact, block, reference, lane, collision.manifold, rotation);
+    putPoints(contact, block, reference, lane, collision.manifold, rotation, offset);
     put(first.rotation, reference.firstRotation, lane);
     put(second.rotation, reference.secondRotation, lane);
-    put(collision.isSwept ? rotation * collision.offset * -1.0f : first.centre - second.centre, reference.centreOffset,
-        lane);
+    put(collision.isSwept ? sweptCentreOffset(state, contact, collision.offset) : first.centre - second.centre,
+        reference.centreOffset, lane);
     reference.isSwept[lane] = collision.isSwept ? 1.0f : 0.0f;
     reference.slack[lane] = collision.isSwept ? -1.0f : kMaxSlack;
     const Body &a = state.bodies[contact.bodies[0]], &b = state.bodies[contact.bodies[1]];
@@ -204,18 +220,20 @@ void storeGap(WorldState& state, std::uint32_t number, const HullCollision& coll
     contact.axis = collision.axis;
 }
 
-RelativePose relativePose(const BodyPose& first, const BodyPose& second) {
-    const Mat3f rotation = first.rotation.matrix();
-    return {rotation.transposed() * second.rotation.matrix(), rotation.transposedTimes(second.centre - first.centre)};
+RelativePose relativePose(const BodyPose& first, Vec3f firstOffset, const BodyPose& second, Vec3f secondOffset) {
+    const Mat3f rotation = first.rotation.matrix(), secondRotation = second.rotation.matrix();
+    return {rotation.transposed() * secondRotation,
+            rotation.transposedTimes(second.centre - first.centre + secondRotation * secondOffset) - firstOffset};
 }
 
 HullCollision collideContact(const WorldState& state, const Contact& contact, float dt) {
-    const Hull& first = hullOf(state, state.proxies[contact.proxies[0]]);
-    const Hull& second = hullOf(state, state.proxies[contact.proxies[1]]);
+    const PlacedHull& firstPlaced = placedHullOf(state, state.proxies[contact.proxies[0]]);
+    const PlacedHull& secondPlaced = placedHullOf(state, state.proxies[contact.proxies[1]]);
+    const Hull &first = *firstPlaced.hull, &second = *secondPlaced.hull;
     const BodyPose &firstPose = state.poses[contact.bodies[0]], &secondPose = state.poses[contact.bodies[1]];
-    const RelativePose pose = relativePose(firstPose, secondPose);
+    const RelativePose pose = relativePose(firstPose, firstPlaced.offset, secondPose, secondPlaced.offset);
     const BodyMotion &a = state.motions[contact.bodies[0]], &b = state.motions[contact.bodies[1]];
-    const Vec3f displacement = (b.velocity - a.velocity) * dt;
+    const Vec3f displacement = (velocityOf(b, secondPose, secondPlaced) - velocityOf(a, firstPose, firstPlaced)) * dt;
     const float far = length(displacement), minWidth = std::min(first.minWidth, second.minWidth);
     const bool isFast = far > kSweptFraction * minWidth;
     const float swing =

@@ -7,8 +7,8 @@
 
 namespace rubble {
 
-/// The pose of the second body in the first's frame.
-RelativePose relativePose(const BodyPose& first, const BodyPose& second);
+/// The pose of a hull of the second body in the frame of one of the first; the offsets are those of PlacedHull.
+RelativePose relativePose(const BodyPose& first, Vec3f firstOffset, const BodyPose& second, Vec3f secondOffset);
 
 /// Collides the hulls of a contact at their poses, or, if they move fast relative to their width and are apart, at
 /// their time of impact within the next dt seconds.

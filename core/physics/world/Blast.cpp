@@ -12,10 +12,10 @@ constexpr double kTouchDistance = 1e-3;  // m: the accuracy of hulls, see makeHu
 constexpr double kStandOff = 0.1;        // m: of a blast from the body it was in
 
 /// A hull in world space.
-struct PlacedHull {
+struct WorldHull {
     const Hull* hull;
     Mat3 rotation;
-    Vec3 centre;
+    Vec3 centre;  // of the hull's origin
 
     Vec3 toLocal(Vec3 point) const { return glm::transpose(rotation) * (point - centre); }
     double height(std::size_t face, Vec3 local) const {
@@ -32,16 +32,16 @@ struct PlacedHull {
 };
 
 /// The hulls that contain a point or are within kTouchDistance of it.
-std::vector<PlacedHull> hullsAt(const WorldState& state, Vec3 point) {
-    std::vector<PlacedHull> found;
+std::vector<WorldHull> hullsAt(const WorldState& state, Vec3 point) {
+    std::vector<WorldHull> found;
     for (std::uint32_t body = 1; body < state.bodies.size(); ++body) {
         const Shape* shape = state.bodies[body].shape.get();
         if (shape == nullptr) continue;
         const Vec3 centre = toDouble(state.poses[body].centre);
         if (glm::distance(centre, point) > static_cast<double>(shape->boundingRadius) + kTouchDistance) continue;
         const Mat3 rotation = glm::mat3_cast(glm::normalize(toDouble(state.poses[body].rotation)));
-        for (const Hull& hull : shape->hulls) {
-            const PlacedHull placed{&hull, rotation, centre};
+        for (const PlacedHull& hull : shape->hulls) {
+            const WorldHull placed{hull.hull, rotation, centre + rotation * toDouble(hull.offset)};
             if (placed.contains(point)) found.push_back(placed);
         }
     }
@@ -54,9 +54,9 @@ struct StandOff {
     Vec3 place;
 };
 
-std::vector<StandOff> standOffs(const std::vector<PlacedHull>& hulls, Vec3 point) {
+std::vector<StandOff> standOffs(const std::vector<WorldHull>& hulls, Vec3 point) {
     std::vector<StandOff> places;
-    for (const PlacedHull& placed : hulls) {
+    for (const WorldHull& placed : hulls) {
         const Vec3 local = placed.toLocal(point);
         for (std::size_t face = 0; face < placed.hull->planes.size(); ++face) {
             const double depth = -placed.height(face, local);

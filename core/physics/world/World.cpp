@@ -16,6 +16,7 @@
 #include "core/physics/step/SharedLoad.h"
 #include "core/physics/step/Solver.h"
 #include "core/physics/world/Bodies.h"
+#include "core/physics/world/Split.h"
 #include "core/physics/world/ThreadingHeuristic.h"
 
 #include <algorithm>
@@ -95,6 +96,18 @@ Result<BodyId> World::addBody(const BodyDefinition& definition) {
 void World::removeBody(BodyId body) {
     RUBBLE_ASSERT(contains(body));
     rubble::removeBody(*m_state, body.index);
+}
+
+Result<std::vector<BodyId>> World::split(BodyId body, std::span<const SplitPart> parts) {
+    RUBBLE_ASSERT(contains(body));
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        if (const auto fault = verifyPart(parts[k])) {
+            return Error{ErrorCode::BadInput, "Part " + std::to_string(k) + ": " + *fault};
+        }
+    }
+    std::vector<BodyId> ids;
+    for (const std::uint32_t index : splitBody(*m_state, body.index, parts)) ids.push_back(m_state->idOf(index));
+    return ids;
 }
 
 bool World::contains(BodyId body) const {

@@ -149,8 +149,9 @@ Throw hitThrow(const Project& project, const PlayAsset& asset, const HitRequirem
 
 double supportAlong(const Shape& shape, Vec3 direction) {
     double support = -1e308;
-    for (const Hull& hull : shape.hulls) {
-        const Vec3 corner = toDouble(hull.corner(hull.farthest(toFloat(direction))));
+    for (const PlacedHull& placed : shape.hulls) {
+        const Hull& hull = *placed.hull;
+        const Vec3 corner = toDouble(placed.offset + hull.corner(hull.farthest(toFloat(direction))));
         support = std::max(support, glm::dot(corner + shape.mass.centre, direction));
     }
     return support;

@@ -158,7 +158,7 @@ double flightSpeed(const PlayAsset& asset, double depth) {
 /// An off-centre hammer blow on the front, which makes the asset fly and rotate about all axes. `momentum` in N·s.
 Hammer offCentreBlow(const PlayAsset& asset, double momentum) {
     const Shape& shape = *asset.whole.shape;
-    const Hull& hull = shape.hulls[0];
+    const Hull& hull = *shape.hulls[0].hull;
     const Vec3f front(0.0f, 0.0f, 1.0f);
     const auto face = hull.face(hull.faceAlong(front));
     Vec3 middle(0.0);

@@ -2,7 +2,7 @@
 
 #include "core/asset/project/HammerPatch.h"
 #include "core/base/MessageText.h"
-#include "core/physics/queries/HullDistance.h"
+#include "core/play/breaking/BondBreaking.h"
 #include "core/play/breaking/Swap.h"
 #include "core/play/state/InputDiagnostics.h"
 #include "core/play/state/SessionBodies.h"
@@ -32,30 +32,21 @@ struct StruckFragment {
     BodyId body;
 };
 
-/// The distance of a point from a body's surface, m.
-double distanceTo(const World& world, BodyId body, Vec3 point) {
-    const BodyState state = world.state(body);
-    const Vec3 local = glm::conjugate(state.pose.orientation) * (point - state.centre);
-    double least = std::numeric_limits<double>::infinity();
-    for (const Hull& hull : world.shape(body).hulls) least = std::min(least, rubble::distanceTo(hull, local));
-    return least;
-}
-
-/// The fragments of the last break, nearest first.
-std::vector<StruckFragment> fragmentsByDistance(const SessionParts& parts, Vec3 point) {
+/// The free bodies from a number on, nearest first.
+std::vector<StruckFragment> fragmentsByDistance(const SessionParts& parts, Vec3 point, std::uint32_t firstNumber) {
     std::vector<StruckFragment> fragments;
-    const PlayBreak& broken = parts.state.events.breaks.back();
-    const auto first = std::ranges::lower_bound(parts.state.bodies, broken.firstFragment, {}, &PlayBody::number);
+    const auto first = std::ranges::lower_bound(parts.state.bodies, firstNumber, {}, &PlayBody::number);
     for (auto body = first; body != parts.state.bodies.end(); ++body) {
-        fragments.push_back({distanceTo(parts.world, body->body, point), body->number, body->body});
+        if (parts.world.kind(body->body) != BodyKind::Dynamic) continue;
+        fragments.push_back({distanceToBody(parts.world, body->body, point), body->number, body->body});
     }
     std::ranges::sort(fragments, {}, [](const auto& one) { return std::tuple(one.distance, one.number); });
     return fragments;
 }
 
-/// Gives what the head has left to the fragments of the last break.
-void giveToFragments(const SessionParts& parts, Blow& blow) {
-    const std::vector<StruckFragment> fragments = fragmentsByDistance(parts, blow.point);
+/// Gives what the head has left to the bodies that came free, from a number on.
+void giveToFragments(const SessionParts& parts, Blow& blow, std::uint32_t firstNumber) {
+    const std::vector<StruckFragment> fragments = fragmentsByDistance(parts, blow.point, firstNumber);
     double mass = 0.0, momentum = 0.0, before = 0.0;  // of those taken; the momentum along the blow
     std::size_t taken = 0;
     const auto canTake = [&] { return mass > 0.0 ? blow.head.impulseOn(mass, momentum / mass) : 0.0; };
@@ -101,14 +92,38 @@ void strikeAndBreak(const SessionParts& parts, Blow& blow, const PlayBody& body,
     broken.event.normal = blow.direction;
     giveTo(parts, blow, body.number, broken.mass, threshold);
     applyBreaks(parts, {broken});
-    giveToFragments(parts, blow);
+    giveToFragments(parts, blow, parts.state.events.breaks.back().firstFragment);
 }
 
-void strike(const SessionParts& parts, Blow& blow, const PlayBody& body, const std::string& name) {
+/// Gives a free body at most `most` N·s.
+void strike(const SessionParts& parts, Blow& blow, const PlayBody& body, const std::string& name, double most) {
     MovingMass whole = movingMass(parts.world, body.body);
-    const double given = giveTo(parts, blow, body.number, whole, blow.head.impulse);
+    const double given = giveTo(parts, blow, body.number, whole, most);
     reportRefused(parts, nullptr, "Saved throw " + quotedName(name),
                   parts.world.applyImpulse(body.body, given * blow.direction, blow.point));
+}
+
+/// Strikes a body with bonds: first these take what they hold, then what comes free takes the rest.
+void strikeBonds(const SessionParts& parts, Blow& blow, std::uint32_t number, const std::string& name) {
+    const std::uint32_t firstFreed = parts.state.nextNumber;
+    BrokenBonds broken;
+    if (parts.state.hasDestruction) {
+        broken = damageBonds(parts, *findBody(parts.state, number), {&blow.point, 1}, blow.head.impulse);
+        broken.normal = blow.direction;
+    }
+    const double taken = broken.impulse;
+    const bool isHeld = parts.world.kind(findBody(parts.state, number)->body) != BodyKind::Dynamic;
+    if (isHeld) {
+        blow.head.give(taken, std::numeric_limits<double>::infinity(), 0.0);
+    } else {
+        strike(parts, blow, *findBody(parts.state, number), name, taken);
+    }
+    if (!broken.bonds.empty()) splitBodies(parts, {std::move(broken)});
+    if (parts.state.nextNumber > firstFreed) {
+        giveToFragments(parts, blow, firstFreed);
+    } else if (!isHeld) {
+        strike(parts, blow, *findBody(parts.state, number), name, blow.head.impulse);
+    }
 }
 
 }  // namespace
@@ -140,11 +155,12 @@ void applyBlow(const SessionParts& parts, const std::string& name, const Hammer&
     Blow blow{direction, hit->point, patchRadius(hammer), HammerHead::ofImpulse(size)};
     const PlayBody body = *findBody(parts.state, static_cast<std::uint32_t>(parts.world.tag(hit->body)));
     const double threshold = thresholdOf(parts.state, parts.scene, body);
+    if (body.bondedFracture() != nullptr) return strikeBonds(parts, blow, body.number, name);
     if (body.fracture() != nullptr) parts.state.events.impacts.push_back({body.number, size, threshold, hit->point});
     if (parts.state.hasDestruction && size >= threshold) {
         strikeAndBreak(parts, blow, body, threshold);
     } else if (parts.world.kind(body.body) == BodyKind::Dynamic) {
-        strike(parts, blow, body, name);
+        strike(parts, blow, body, name, blow.head.impulse);
     } else {
         return;
     }

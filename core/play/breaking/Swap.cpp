@@ -201,8 +201,7 @@ void applyBreaks(const SessionParts& parts, std::vector<PendingBreak> breaks) {
     for (PendingBreak& broken : breaks) addFragments(parts, broken, watch);
 }
 
-bool breakHitBodies(const SessionParts& parts) {
-    const std::vector<Impact> impacts = parts.world.impacts();
+bool breakHitBodies(const SessionParts& parts, std::span<const Impact> impacts) {
     std::vector<PendingBreak> breaks;
     for (const auto& [body, damage] : damageToBreakableBodies(parts, impacts)) {
         const double threshold = thresholdOf(parts.state, parts.scene, body);

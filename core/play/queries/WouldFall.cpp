@@ -109,9 +109,10 @@ double dropOf(const Session& session, std::uint32_t place, Vec3 down, const std:
     const BodyId body = session.bodies()[place].body;
     const BodyState state = world.state(body);
     double lowest = 0.0;  // of its corners, along `down` from its centre
-    for (const Hull& hull : world.shape(body).hulls) {
-        for (int k = 0; k < hull.cornerCount; ++k) {
-            lowest = std::max(lowest, glm::dot(state.pose.orientation * toDouble(hull.corner(k)), down));
+    for (const PlacedHull& placed : world.shape(body).hulls) {
+        for (int k = 0; k < placed.hull->cornerCount; ++k) {
+            const Vec3 corner = toDouble(placed.offset + placed.hull->corner(k));
+            lowest = std::max(lowest, glm::dot(state.pose.orientation * corner, down));
         }
     }
     const Vec3 end = state.centre + kFarthest * down;

@@ -3,6 +3,7 @@
 #include "core/asset/bake/FractureResult.h"
 #include "core/asset/strength/FragmentThreshold.h"
 #include "core/play/scene/BodyShape.h"
+#include "core/structure/strength/BondStrength.h"
 
 #include <set>
 
@@ -62,6 +63,16 @@ Status appendSolids(const Asset& asset, const BakedFracture& baked, const TaskCo
     return success();
 }
 
+/// Marks the fragments of a bonded asset that never break.
+void markNeverBreaking(const Asset& asset, PlayAsset& ready) {
+    for (std::uint32_t k = 0; k < ready.bake->fractures.size(); ++k) {
+        const std::vector<bool> marks = neverBreaking(asset, *ready.bake, k);
+        for (std::uint32_t node = 0; node < marks.size(); ++node) {
+            ready.fragments[ready.bake->fractures[k].first + node].neverBreaks = marks[node];
+        }
+    }
+}
+
 /// Reports thresholds of fragments that do not exist, or do not break.
 void reportLostThresholds(const Asset& asset, PlayAsset& ready) {
     if (asset.fragmentThresholds.empty()) return;
@@ -108,6 +119,7 @@ Result<std::shared_ptr<const PlayAsset>> playAsset(const Asset& asset, std::shar
     Result<PlayAsset> whole = wholePlayAsset(asset, std::move(bake));
     if (!whole) return whole.error();
     const auto ready = std::make_shared<PlayAsset>(std::move(*whole));
+    ready->isBonded = asset.breakAs == BreakAs::Bonded;
     for (const BakedFracture& baked : ready->bake->fractures) {
         if (const Status appended = appendSolids(asset, baked, task, *ready); !appended) {
             return appended.error().code == ErrorCode::Cancelled ? appended.error() : ofAsset(asset, appended.error());
@@ -116,8 +128,9 @@ Result<std::shared_ptr<const PlayAsset>> playAsset(const Asset& asset, std::shar
         PlaySolid& broken = baked.parent == kNone ? ready->whole : ready->fragments[baked.parent];
         broken.fracture = static_cast<std::uint32_t>(ready->fractures.size());
         ready->fractures.push_back(playFracture(baked));
-        if (when == FindContacts::InAdvance) findContacts(*ready, ready->fractures.back());
+        if (when == FindContacts::InAdvance && !ready->isBonded) findContacts(*ready, ready->fractures.back());
     }
+    if (ready->isBonded) markNeverBreaking(asset, *ready);
     reportLostThresholds(asset, *ready);
     return std::shared_ptr<const PlayAsset>(ready);
 }

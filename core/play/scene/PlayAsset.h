@@ -19,6 +19,7 @@ struct PlaySolid {
     double thresholdScale = 1.0;         // its threshold relative to the whole's, unless it has one
     std::optional<double> threshold;     // N·s, that is set for it
     std::uint32_t fracture = kNone;      // index in PlayAsset::fractures; kNone: it does not break
+    bool neverBreaks = false;            // though it has a fracture
 };
 
 /// Two neighbouring fragments and, if precomputed, their contact manifolds.
@@ -42,6 +43,7 @@ struct PlayAsset {
     PlaySolid whole;
     std::vector<PlaySolid> fragments;  // one per fragment of the bake
     std::vector<PlayFracture> fractures;
+    bool isBonded = false;                // its solids break along bonds instead of as a whole
     std::vector<Diagnostic> diagnostics;  // SimplifiedShape; LostPiece of thresholds
 
     /// A fragment; kNone: the whole.

@@ -5,9 +5,29 @@
 namespace rubble {
 
 std::string nameOf(const PlayBody& body, const PlayOrigin& origin) {
-    if (body.fragment == kNone) return origin.name;
-    const std::string id = body.asset->bake->fragmentId(body.fragment);
-    return origin.name + id.substr(id.find('/'));
+    std::string name = origin.name;
+    if (body.fragment != kNone) {
+        const std::string id = body.asset->bake->fragmentId(body.fragment);
+        name += id.substr(id.find('/'));
+    }
+    if (body.role == PlayRole::Debris && body.nodes.size() > 1) {
+        name += " (" + std::to_string(body.nodes.size()) + " fragments)";
+    }
+    return name;
+}
+
+bool isPartial(const PlayBody& body) {
+    return !body.nodes.empty() && body.nodes.size() < body.asset->fractureOf(body.fragment)->count;
+}
+
+std::vector<std::uint32_t> fragmentsOf(const PlayBody& body) {
+    std::vector<std::uint32_t> fragments = body.nodes;
+    for (std::uint32_t& fragment : fragments) fragment += body.asset->fractureOf(body.fragment)->first;
+    return fragments;
+}
+
+Vec3 frameOf(const PlayBody& body) {
+    return body.asset == nullptr || isPartial(body) ? Vec3(0.0) : body.asset->solid(body.fragment).offset;
 }
 
 DiagnosticPlace placeOf(const PlayBody& body) {
@@ -23,6 +43,14 @@ DiagnosticPlace placeOf(const PlayBody& body) {
 std::vector<Polytope> hullsOf(const PlayBody& body) {
     if (body.asset == nullptr) return {*body.hull};
     const Bake& bake = *body.asset->bake;
+    if (isPartial(body)) {
+        std::vector<Polytope> hulls;
+        for (const std::uint32_t fragment : fragmentsOf(body)) {
+            const Fragment solid = bake.fragment(fragment).solid;
+            for (Polytope& hull : solid.hulls()) hulls.push_back(translated(std::move(hull), solid.offset()));
+        }
+        return hulls;
+    }
     if (body.fragment != kNone) return bake.fragment(body.fragment).solid.hulls();
     return wholeHullsInPrism(bake);
 }

@@ -27,11 +27,26 @@ struct PlayBody {
     std::uint64_t born = 0;                  // steps done before it was created
     bool isUnbreakable = false;              // its instance never breaks
     std::optional<Vec3> restCentre;          // m: where it was placed, or came to rest last
+    std::uint32_t structure = kNone;         // bonded: index in SessionState::structures; kNone: no bond is damaged yet
+    std::vector<std::uint32_t> nodes;        // of the structure, ascending: what it consists of; empty: one solid
+    bool isHeld = false;                     // bonded: by anchors
+    std::uint64_t collapseStep = kNever;     // bonded: in which it loses what has no support
 
     /// Whether it is removed by the rules of Debris: fragments are, also those of a thrown asset; what is whole is not.
     bool isDebris() const { return role == PlayRole::Debris; }
-    /// The fragments that replace it; null if it does not break.
-    const PlayFracture* fracture() const { return asset && !isUnbreakable ? asset->fractureOf(fragment) : nullptr; }
+    /// The fragments that replace it; null if it does not break, or breaks along bonds.
+    const PlayFracture* fracture() const {
+        return canBreak() && !asset->isBonded ? asset->fractureOf(fragment) : nullptr;
+    }
+    /// The fragments between which its bonds are; null if it has none.
+    const PlayFracture* bondedFracture() const {
+        return canBreak() && asset->isBonded ? asset->fractureOf(fragment) : nullptr;
+    }
+
+    static constexpr std::uint64_t kNever = ~std::uint64_t{0};
+
+private:
+    bool canBreak() const { return asset != nullptr && !isUnbreakable && !asset->solid(fragment).neverBreaks; }
 };
 
 /// The unbroken solid that bodies come from: an instance or a projectile.
@@ -43,8 +58,17 @@ struct PlayOrigin {
     std::optional<Throw> thrown;  // of a plain projectile
 };
 
-/// The name of a body: "front 1.1", or with the fragment's path: "front 1.1/5.17".
+/// The name of a body: "front 1.1", or with the fragment's path: "front 1.1/5.17"; of several bonded fragments with
+/// their number: "front 1.1 (12 fragments)".
 std::string nameOf(const PlayBody& body, const PlayOrigin& origin);
+
+/// Whether a body is some of the fragments of its solid, and not all.
+bool isPartial(const PlayBody& body);
+/// The fragments of a bonded body, ascending; none if it is one solid.
+std::vector<std::uint32_t> fragmentsOf(const PlayBody& body);
+/// Where the frame of a body's shape is in its asset's, m; the axes are the same. That of some of the fragments of a
+/// solid is the asset's.
+Vec3 frameOf(const PlayBody& body);
 
 /// The asset and fragment that a body is; neither for the ground and plain projectiles.
 DiagnosticPlace placeOf(const PlayBody& body);

@@ -42,7 +42,45 @@ Status checkAssets(const PlayScene& scene) {
     return success();
 }
 
+/// Prepares the structures of bonded assets and instances.
+void addStructures(PlayScene& scene) {
+    const Project& project = scene.project;
+    for (const auto& [variant, ready] : scene.assets) {
+        if (!ready->isBonded) continue;
+        const Asset asset = variantOf(*findAsset(project, variant.asset), variant.variant);
+        for (const BakedFracture& baked : ready->bake->fractures) {
+            if (ready->fractureOf(baked.parent) == nullptr) continue;
+            scene.assetStructures[variant][baked.parent] =
+                playStructure(asset, *findMaterial(project, asset.material), ready, baked.parent);
+        }
+    }
+    const std::vector<FixedSolid> surroundings = fixedSolids(project, scene.assets);
+    for (const Instance& instance : project.instances) {
+        const auto structures = scene.assetStructures.find(variantOf(instance));
+        if (instance.isUnbreakable || structures == scene.assetStructures.end()) continue;
+        const auto whole = structures->second.find(kNone);
+        if (whole == structures->second.end()) continue;
+        const Asset asset = variantOf(*findAsset(project, instance.asset), instance.variant);
+        scene.structures[instance.id] =
+            instanceStructure(*whole->second, asset, *findMaterial(project, asset.material), instance, surroundings);
+    }
+}
+
 }  // namespace
+
+std::shared_ptr<const PlayStructure> structureIn(const PlayScene& scene, const PlayOrigin& origin,
+                                                 std::uint32_t fragment) {
+    if (const auto own = scene.structures.find(origin.instance); fragment == kNone && own != scene.structures.end()) {
+        return own->second;
+    }
+    const auto structures = scene.assetStructures.find({origin.asset, origin.variant});
+    if (structures == scene.assetStructures.end()) return nullptr;
+    const auto found = structures->second.find(fragment);
+    if (found == structures->second.end()) return nullptr;
+    const Instance* placed = findInstance(scene.project, origin.instance);
+    if (placed == nullptr || placed->bondStrength == 1.0) return found->second;
+    return strengthened(*found->second, placed->bondStrength);
+}
 
 Result<std::shared_ptr<const PlayScene>> playScene(const Project& project, const AssetBakes& bakes,
                                                    const TaskContext& task) {
@@ -53,7 +91,8 @@ Result<std::shared_ptr<const PlayScene>> playScene(const Project& project, const
     for (const AssetVariant& variant : usedVariants(project)) {
         const auto baked = bakes.find(variant);
         if (baked == bakes.end()) continue;
-        const Asset asset = variantOf(*findAsset(project, variant.asset), variant.variant);
+        Asset asset = variantOf(*findAsset(project, variant.asset), variant.variant);
+        if (project.damage.isThesis) asset.breakAs = BreakAs::Whole;
         Result<std::shared_ptr<const PlayAsset>> ready = playAsset(asset, baked->second, task);
         if (!ready) return ready.error();
         for (Diagnostic one : (*ready)->diagnostics) {
@@ -63,6 +102,7 @@ Result<std::shared_ptr<const PlayScene>> playScene(const Project& project, const
         scene->assets[variant] = std::move(*ready);
     }
     if (const Status checked = checkAssets(*scene); !checked) return checked.error();
+    addStructures(*scene);
     return std::shared_ptr<const PlayScene>(std::move(scene));
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "core/asset/bake/AssetBakes.h"
-#include "core/play/scene/PlayAsset.h"
+#include "core/play/scene/PlayBody.h"
+#include "core/play/scene/PlayStructure.h"
 
 namespace rubble {
 
@@ -9,8 +10,15 @@ namespace rubble {
 struct PlayScene {
     Project project;
     std::map<AssetVariant, std::shared_ptr<const PlayAsset>> assets;
+    std::map<Id, std::shared_ptr<const PlayStructure>> structures;  // of the wholes of bonded instances that break
+    /// Of all solids that are fractured, of bonded assets: by the fragment that is; kNone: the whole. Without anchors.
+    std::map<AssetVariant, std::map<std::uint32_t, std::shared_ptr<const PlayStructure>>> assetStructures;
     std::vector<Diagnostic> diagnostics;  // of all assets, each message with the asset's name
 };
+
+/// The structure of the whole (kNone) or a fragment of an origin; null if it has no bonds.
+std::shared_ptr<const PlayStructure> structureIn(const PlayScene& scene, const PlayOrigin& origin,
+                                                 std::uint32_t fragment);
 
 /// Prepares a project with its bakes. Assets without a bake must not be used by instances and shots.
 ///

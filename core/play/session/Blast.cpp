@@ -1,5 +1,6 @@
 #include "core/play/session/Blast.h"
 
+#include "core/play/breaking/BondBreaking.h"
 #include "core/play/breaking/Swap.h"
 #include "core/play/state/SessionBodies.h"
 
@@ -27,6 +28,7 @@ std::optional<PendingBreak> breakBy(const SessionParts& parts, const BlastImpuls
 
 Status applyBlast(const SessionParts& parts, const Explosion& explosion) {
     const Vec3 origin = parts.world.blastOrigin(explosion.at);
+    if (parts.state.hasDestruction) blastBonds(parts, origin, explosion);
     const auto blast = [&] { return parts.world.blast(origin, explosion.radius, explosion.impulse); };
     std::vector<BlastImpulse> pushes = blast();
     std::vector<PendingBreak> breaks;

@@ -2,6 +2,7 @@
 
 #include "core/base/MessageText.h"
 #include "core/physics/state/VerifyState.h"
+#include "core/play/scene/PlayBodyShape.h"
 #include "core/play/scene/Projectile.h"
 #include "core/play/session/VerifySession.h"
 #include "core/play/state/SessionBodies.h"
@@ -47,14 +48,15 @@ RestingWorld restingWorld(const SessionState& state, const WorldState& world) {
 }
 
 BodyKind kindOf(const PlayScene& scene, const SessionState& state, const PlayBody& body) {
-    if (body.role == PlayRole::Ground) return BodyKind::Static;
+    if (body.role == PlayRole::Ground || body.isHeld) return BodyKind::Static;
     if (body.role != PlayRole::Instance) return BodyKind::Dynamic;
     const Id id = state.origins[body.origin].instance;
-    return findInstance(scene.project, id)->isFixed ? BodyKind::Static : BodyKind::Dynamic;
+    const bool isFixed = findInstance(scene.project, id)->isFixed && !scene.structures.contains(id);
+    return isFixed ? BodyKind::Static : BodyKind::Dynamic;
 }
 
 std::shared_ptr<const Shape> shapeOf(const SessionState& state, const PlayBody& body) {
-    if (body.asset) return body.asset->solid(body.fragment).shape;
+    if (body.asset) return shapeOf(body);
     if (body.role == PlayRole::Ground) return *makeShape({body.hull.get(), 1});
     return projectileBody(*state.origins[body.origin].thrown, nullptr, nullptr)->shape;
 }
@@ -156,6 +158,10 @@ SavedSession savedSession(const Session& session, StateKind kind) {
     for (PlayBody& body : saved.state.bodies) {
         body.asset.reset();
         body.hull.reset();
+    }
+    for (StructureState& structure : saved.state.structures) {
+        structure.structure.reset();
+        structure.bodyOfNode.clear();
     }
     if (kind == StateKind::Whole) {
         saved.hash = session.hash();

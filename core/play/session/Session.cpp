@@ -4,7 +4,9 @@
 #include "core/base/Assert.h"
 #include "core/base/Stopwatch.h"
 #include "core/play/breaking/ApplyDamage.h"
+#include "core/play/breaking/BondBreaking.h"
 #include "core/play/breaking/DebrisRemoval.h"
+#include "core/play/breaking/Splitting.h"
 #include "core/play/breaking/Swap.h"
 #include "core/play/events/EventTelling.h"
 #include "core/play/session/SessionInputs.h"
@@ -21,6 +23,23 @@ WorldSettings worldSettings(const PlayScene& scene, const SessionSettings& setti
             .sleeping = settings.sleeping,
             .threads = settings.threads,
             .lanes = settings.lanes};
+}
+
+/// Breaks what is hit hard enough in the coming step. A body that broke bonds and goes on meets what they held in the
+/// same step; what came of a swap breaks in the next one at the earliest.
+void breakBodies(const SessionParts& parts) {
+    constexpr int kMaxPasses = 8;  // of a hit through bonds, within a step
+    const std::vector<Impact> impacts = parts.world.impacts();
+    bool isChanged = collapseUnsupported(parts);
+    // Bonds first: what breaks whole is gone after its swap, and could not take the impulse of bonds.
+    bool hasFreed = breakHitBonds(parts, impacts);
+    isChanged |= breakHitBodies(parts, impacts);
+    for (int pass = 1; hasFreed && pass < kMaxPasses; ++pass) {
+        parts.world.collide(parts.settings.dt);
+        isChanged = false;
+        hasFreed = breakHitBonds(parts, parts.world.impacts());
+    }
+    if (isChanged || hasFreed) parts.world.collide(parts.settings.dt);
 }
 
 }  // namespace
@@ -78,9 +97,8 @@ void Session::step() {
     applyInputs(parts);
     m_world.collide(m_settings.dt);
     Stopwatch watch;
-    const bool isBroken = breakHitBodies(parts);
+    breakBodies(parts);
     m_swapMilliseconds = watch.lap();
-    if (isBroken) m_world.collide(m_settings.dt);
     if (m_settings.checksEnergy) {
         RUBBLE_ASSERT(std::ranges::all_of(m_state->events.energy, &EnergyEntry::isConserved));
     }

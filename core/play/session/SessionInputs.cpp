@@ -6,6 +6,7 @@
 #include "core/base/Assert.h"
 #include "core/base/MessageText.h"
 #include "core/play/breaking/Blow.h"
+#include "core/play/breaking/BondBreaking.h"
 #include "core/play/breaking/Swap.h"
 #include "core/play/scene/Projectile.h"
 #include "core/play/session/Blast.h"
@@ -208,7 +209,11 @@ void applyInputs(const SessionParts& parts) {
     breaks.reserve(inputs.size());
     for (TimedInput& timed : inputs) {
         if (const auto* input = std::get_if<BreakInput>(&timed.input)) {
-            addBreak(parts, *input, breaks);
+            if (PlayBody* body = findBody(parts.state, input->body); body != nullptr && body->bondedFracture()) {
+                breakAllBonds(parts, *body);
+            } else {
+                addBreak(parts, *input, breaks);
+            }
         } else {
             applyBreaks(parts, std::exchange(breaks, {}));
             applyInput(parts, timed.input);

@@ -15,6 +15,8 @@ enum class EnergyChange : std::uint8_t {
     BreakImpulse,  // between a body that breaks and its impactor
     Swap,          // of a body for its fragments
     Cut,           // of a body for fragments cut at the point of impact
+    Bonds,         // between a body whose bonds break and its impactor
+    Split,         // of a body into the islands of its bonds
 };
 
 /// The mechanical energy of the bodies that something changed, before and after, J. Computed in double precision, in

@@ -36,6 +36,20 @@ struct PlayImpact {
     Vec3 point{0.0, 0.0, 0.0};
 };
 
+/// A body whose bonds broke in a step.
+struct PlaySplit {
+    std::uint64_t step = 0;                // the first is 1
+    PlayBody body;                         // as it was before
+    std::uint32_t impactorNumber = kNone;  // kNone without one
+    double impulse = 0.0;                  // N·s, that the bonds took
+    double approachSpeed = 0.0;            // m/s, of the impactor
+    Vec3 point{0.0, 0.0, 0.0};
+    Vec3 normal{0.0, 0.0, 0.0};        // from the impactor into the body
+    std::uint32_t bonds = 0;           // that broke
+    double area = 0.0;                 // m²: of the faces that they open, of both sides
+    std::vector<std::uint32_t> freed;  // numbers of the bodies that came off, ascending
+};
+
 /// A body that was removed in a step.
 struct PlayRemoval {
     PlayBody body;  // as it was before
@@ -49,6 +63,7 @@ struct PlayRemoval {
 struct PlayEvents {
     std::vector<TimedInput> inputs;  // applied before it
     std::vector<PlayBreak> breaks;
+    std::vector<PlaySplit> splits;
     std::vector<PlayImpact> impacts;      // on breakable bodies, by body
     std::vector<PlayBody> born;           // fragments and projectiles
     std::vector<PlayRemoval> removed;     // debris that was removed, and bodies that left the world, by number

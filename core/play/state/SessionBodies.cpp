@@ -3,6 +3,8 @@
 #include "core/asset/strength/Threshold.h"
 #include "core/base/Assert.h"
 #include "core/base/MessageText.h"
+#include "core/physics/queries/HullDistance.h"
+#include "core/play/scene/GroundHull.h"
 
 #include <algorithm>
 #include <limits>
@@ -10,16 +12,8 @@
 namespace rubble {
 namespace {
 
-constexpr double kGroundExtent = 200.0;  // m to each side; farther out single precision cannot resolve 0.1 mm
-constexpr double kGroundDepth = 10.0;    // m
-constexpr double kFallDepth = 100.0;     // m below everything placed: bodies below it are removed
-constexpr double kThesisMass = 100.0;    // kg per fragment: listing 8 of the thesis
-
-Polytope groundBox() {
-    const std::vector<Vec2> ring{
-        {-kGroundExtent, -kGroundDepth}, {kGroundExtent, -kGroundDepth}, {kGroundExtent, 0.0}, {-kGroundExtent, 0.0}};
-    return extruded(ring, -kGroundExtent, kGroundExtent);
-}
+constexpr double kFallDepth = 100.0;   // m below everything placed: bodies below it are removed
+constexpr double kThesisMass = 100.0;  // kg per fragment: listing 8 of the thesis
 
 Status placeGround(const SessionParts& parts) {
     const Ground& ground = parts.scene.project.ground;
@@ -46,23 +40,28 @@ Status placeInstance(const SessionParts& parts, const Instance& instance) {
     state.origins.push_back({instance.name, instance.id, instance.asset, instance.variant});
     if (instance.threshold) state.instanceThresholds[instance.id] = *instance.threshold;
     state.lowest = std::min(state.lowest, instance.pose.position.y - kFallDepth);
-    const Result<std::uint32_t> added = addBody(
-        parts,
-        {.shape = asset->whole.shape,
-         .kind = instance.isFixed ? BodyKind::Static : BodyKind::Dynamic,
-         .pose = {instance.pose.position, glm::normalize(instance.pose.orientation)},
-         .density = material.density,
-         .friction = material.friction,
-         .restitution = material.restitution},
-        {.role = PlayRole::Instance, .origin = origin, .asset = asset, .isUnbreakable = instance.isUnbreakable});
+    const auto structure = parts.scene.structures.find(instance.id);
+    const bool isBonded = structure != parts.scene.structures.end();
+    const bool isHeld = isBonded && structure->second->isHeld();
+    const Result<std::uint32_t> added =
+        addBody(parts,
+                {.shape = asset->whole.shape,
+                 .kind = isHeld || (instance.isFixed && !isBonded) ? BodyKind::Static : BodyKind::Dynamic,
+                 .pose = {instance.pose.position, glm::normalize(instance.pose.orientation)},
+                 .density = material.density,
+                 .friction = material.friction,
+                 .restitution = material.restitution},
+                {.role = PlayRole::Instance,
+                 .origin = origin,
+                 .asset = asset,
+                 .isUnbreakable = instance.isUnbreakable,
+                 .isHeld = isHeld});
     if (!added)
         return Error{added.error().code, "Instance " + quotedName(instance.name) + ": " + added.error().message};
     return success();
 }
 
 }  // namespace
-
-std::shared_ptr<const Polytope> groundHull() { return std::make_shared<const Polytope>(groundBox()); }
 
 const Material& materialOf(const SessionState& state, const PlayScene& scene, Id asset) {
     const Id material = findAsset(scene.project, asset)->material;
@@ -91,6 +90,16 @@ double thresholdOf(const SessionState& state, const PlayScene& scene, const Play
 PlayBody* findBody(SessionState& state, std::uint32_t number) {
     const auto found = std::ranges::lower_bound(state.bodies, number, {}, &PlayBody::number);
     return found != state.bodies.end() && found->number == number ? &*found : nullptr;
+}
+
+double distanceToBody(const World& world, BodyId body, Vec3 point) {
+    const BodyState state = world.state(body);
+    const Vec3 local = glm::conjugate(state.pose.orientation) * (point - state.centre);
+    double least = std::numeric_limits<double>::infinity();
+    for (const PlacedHull& placed : world.shape(body).hulls) {
+        least = std::min(least, distanceTo(*placed.hull, local - toDouble(placed.offset)));
+    }
+    return least;
 }
 
 Result<std::uint32_t> addBody(const SessionParts& parts, BodyDefinition definition, PlayBody body) {

@@ -4,8 +4,6 @@
 
 namespace rubble {
 
-/// The box that is the ground, its top at height 0.
-std::shared_ptr<const Polytope> groundHull();
 const Material& materialOf(const SessionState& state, const PlayScene& scene, Id asset);
 /// The physical material of a body of an asset. With the thesis preset every fragment weighs 100 kg.
 BodyMaterial bodyMaterial(const SessionParts& parts, const PlayAsset& asset, std::uint32_t fragment, PlayRole role);
@@ -13,6 +11,9 @@ BodyMaterial bodyMaterial(const SessionParts& parts, const PlayAsset& asset, std
 double thresholdOf(const SessionState& state, const PlayScene& scene, const PlayBody& body);
 /// The body with a number; null if it is gone.
 PlayBody* findBody(SessionState& state, std::uint32_t number);
+
+/// The distance of a point from a body, m; 0 inside.
+double distanceToBody(const World& world, BodyId body, Vec3 point);
 
 /// Adds a body to world and list, with the next number.
 ///

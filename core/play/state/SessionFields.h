@@ -154,7 +154,8 @@ void visitFields(Self& self, Visit& visit) {
 
 template <FieldsOf<PlayBody> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
-    [[maybe_unused]] auto& [number, body, role, origin, asset, fragment, hull, born, isUnbreakable, restCentre] = self;
+    [[maybe_unused]] auto& [number, body, role, origin, asset, fragment, hull, born, isUnbreakable, restCentre,
+                            structure, nodes, isHeld, collapseStep] = self;
     visit("number", number);
     visit("body", body);
     visit("role", role);
@@ -163,6 +164,18 @@ void visitFields(Self& self, Visit& visit) {
     visit("born", born);
     visit("isUnbreakable", isUnbreakable);
     visit("restCentre", restCentre);
+    visit("structure", structure);
+    visit("nodes", nodes);
+    visit("isHeld", isHeld);
+    visit("collapseStep", collapseStep);
+}
+
+template <FieldsOf<StructureState> Self, class Visit>
+void visitFields(Self& self, Visit& visit) {
+    [[maybe_unused]] auto& [origin, parent, damage, bodyOfNode, structure] = self;
+    visit("origin", origin);
+    visit("parent", parent);
+    visit("damage", damage);
 }
 
 template <FieldsOf<PlayOrigin> Self, class Visit>
@@ -185,7 +198,7 @@ void visitFields(Self& self, Visit& visit) {
 
 template <FieldsOf<SessionState> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
-    [[maybe_unused]] auto& [step, hasDestruction, bodies, nextNumber, origins, damage, pending, materials,
+    [[maybe_unused]] auto& [step, hasDestruction, bodies, nextNumber, origins, damage, structures, pending, materials,
                             assetThresholds, instanceThresholds, lowest, events, toldImpacts] = self;
     visit("step", step);
     visit("hasDestruction", hasDestruction);
@@ -193,6 +206,7 @@ void visitFields(Self& self, Visit& visit) {
     visit("nextNumber", nextNumber);
     visit("origins", origins);
     visit("damage", damage);
+    visit("structures", structures);
     visit("pending", pending);
     visit("materials", materials);
     visit("assetThresholds", assetThresholds);

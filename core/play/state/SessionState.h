@@ -4,6 +4,7 @@
 #include "core/play/damage/InstanceDamage.h"
 #include "core/play/scene/PlayScene.h"
 #include "core/play/state/PlayEvents.h"
+#include "core/play/state/StructureState.h"
 
 #include <map>
 
@@ -34,6 +35,7 @@ struct SessionState {
     std::uint32_t nextNumber = 0;
     std::vector<PlayOrigin> origins;
     std::map<std::uint32_t, InstanceDamage> damage;  // by origin, of those that broke
+    std::vector<StructureState> structures;          // of solids whose bonds were damaged, in order of that
     std::vector<TimedInput> pending;                 // ascending step; equal steps in the order they were added
     std::vector<Material> materials;                 // with their current values; ascending id
     std::map<Id, double> assetThresholds;

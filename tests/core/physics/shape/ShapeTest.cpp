@@ -35,7 +35,6 @@ private slots:
         QVERIFY(std::abs(shape->mass.inertia[0][0] - 2.0 / 12.0 * 2.0) < 1e-12);  // m (1² + 1²) / 12
         QVERIFY(std::abs(shape->mass.inertia[1][1] - 2.0 / 12.0 * 5.0) < 1e-12);  // m (2² + 1²) / 12
         QVERIFY(std::abs(shape->inverseInertia[1][1] - 1.2) < 1e-9);
-        QVERIFY(std::abs(shape->surfaceArea - 12.0) < 1e-12);  // of both cubes, where they touch included
         QVERIFY(std::abs(shape->boundingRadius - std::sqrt(1.5f)) < 1e-6f);
         QVERIFY(length(shape->extents - Vec3f(1.0f, 0.5f, 0.5f)) < 1e-6f);
         QCOMPARE(shape->minWidth, 1.0f);
@@ -45,6 +44,25 @@ private slots:
         mass.centre = {0.5, 0.0, 0.0};
         const std::shared_ptr<const Shape> shape = *makeShape(std::vector{boxOf(Vec3(2.0))}, mass);
         QVERIFY(length(shape->extents - Vec3f(1.5f, 1.0f, 1.0f)) < 1e-6f);
+    }
+    void compoundSharesTheHullsOfItsParts() {
+        const std::shared_ptr<const Shape> cube = *makeShape(std::vector{boxOf(Vec3(1.0))});
+        const std::vector<CompoundPart> parts{{cube.get(), {-0.5, 0.0, 0.0}}, {cube.get(), {0.5, 0.0, 0.0}}};
+        const std::shared_ptr<const Shape> exact = *makeShape(twoCubes());
+        const auto shape = compoundShape(parts, exact->mass, cube);
+        QVERIFY(shape.hasValue());
+        QCOMPARE((*shape)->hulls.size(), std::size_t{2});
+        QVERIFY((*shape)->hulls[0].hull == cube->hulls[0].hull && (*shape)->hulls[1].hull == cube->hulls[0].hull);
+        QVERIFY(length((*shape)->hulls[1].offset - Vec3f(0.5f, 0.0f, 0.0f)) < 1e-6f);
+        QVERIFY(length((*shape)->extents - exact->extents) < 1e-6f);
+        QVERIFY((*shape)->boundingRadius >= exact->boundingRadius);
+        QCOMPARE((*shape)->minWidth, 1.0f);
+        QVERIFY((*shape)->inverseInertia == exact->inverseInertia);
+    }
+    void compoundWithoutPartsIsRefused() {
+        const auto shape = compoundShape({}, massOf(boxOf(Vec3(1.0))), nullptr);
+        QVERIFY(!shape);
+        QCOMPARE(shape.error().message, "A body needs at least one hull.");
     }
     void shapesWithoutHullsAreRefused() {
         const auto shape = makeShape(std::vector<Polytope>{}, massOf(boxOf(Vec3(1.0))));

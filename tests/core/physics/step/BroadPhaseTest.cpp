@@ -34,9 +34,12 @@ private slots:
         BodyPose pose;
         pose.centre = Vec3f(10.0f, 20.0f, 30.0f);
         pose.rotation = {0.0f, 0.0f, std::sqrt(0.5f), std::sqrt(0.5f)};
-        const Box box = tightBox(hullOf(boxOf({2.0, 4.0, 6.0})), pose);
+        const Hull hull = hullOf(boxOf({2.0, 4.0, 6.0}));
+        const Box box = tightBox({&hull}, pose);
         QVERIFY(isNear(box.low, Vec3f(8.0f, 19.0f, 27.0f)));
         QVERIFY(isNear(box.high, Vec3f(12.0f, 21.0f, 33.0f)));
+        const Box beside = tightBox({&hull, Vec3f(1.0f, 0.0f, 0.0f)}, pose);
+        QVERIFY(isNear(beside.low, Vec3f(8.0f, 20.0f, 27.0f)));
     }
     void pairsAreThoseOfFatBoxes() {
         // The margin of each of two cubes is at least 20 mm, and less than a metre.

@@ -55,9 +55,11 @@ private slots:
         first.centre = Vec3f(1.0f, 0.0f, 0.0f);
         first.rotation = second.rotation = {0.0f, 0.0f, std::sqrt(0.5f), std::sqrt(0.5f)};  // x to y
         second.centre = Vec3f(1.0f, 2.0f, 0.0f);
-        const RelativePose pose = relativePose(first, second);
+        const RelativePose pose = relativePose(first, {}, second, {});
         QVERIFY(length(pose.offset - Vec3f(2.0f, 0.0f, 0.0f)) < 1e-6f);
         QVERIFY(length(pose.rotation.x - Vec3f(1.0f, 0.0f, 0.0f)) < 1e-6f);
+        const RelativePose ofHulls = relativePose(first, Vec3f(0.0f, 0.0f, 1.0f), second, Vec3f(3.0f, 0.0f, 0.0f));
+        QVERIFY(length(ofHulls.offset - Vec3f(5.0f, 0.0f, -1.0f)) < 1e-6f);
     }
     void storedManifoldHasTheMaterialOfThePair() {
         PlateOnCube pair;

@@ -60,7 +60,7 @@ private slots:
         const Polytope flat = extruded(ring, -0.25, 0.25);
         const Result<BodyShape> shape = bodyShape({&flat, 1}, massOf(flat));
         QVERIFY(shape.hasValue());
-        QVERIFY(shape->simplified.has_value() || shape->shape->hulls[0].minWidth > 0.0f);
+        QVERIFY(shape->simplified.has_value() || shape->shape->hulls[0].hull->minWidth > 0.0f);
     }
     void noHullsAreRejected() { QVERIFY(!bodyShape({}, {})); }
     void thresholdScaleIsTheTwoThirdsPower() {

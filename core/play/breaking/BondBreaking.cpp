@@ -1,0 +1,175 @@
+#include "core/play/breaking/BondBreaking.h"
+
+#include "core/play/breaking/MovingMass.h"
+#include "core/play/breaking/Splitting.h"
+#include "core/play/state/SessionBodies.h"
+#include "core/structure/rule/SimpleRule.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace rubble {
+namespace {
+
+/// What one body does to another in a step, at all their hulls together.
+struct BondStrike {
+    std::uint32_t body = 0;      // number of the one that is hit
+    std::uint32_t impactor = 0;  // number of the other
+    Impact impact;               // the strongest
+    std::vector<Vec3> points;    // m, in the world: of all
+};
+
+/// The hits on bodies with bonds, by body, then impactor.
+std::vector<BondStrike> strikesOf(const SessionParts& parts, std::span<const Impact> impacts) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, BondStrike> strikes;
+    for (const Impact& impact : impacts) {
+        for (const bool isFirst : {true, false}) {
+            const BodyId hit = isFirst ? impact.first : impact.second;
+            const auto number = static_cast<std::uint32_t>(parts.world.tag(hit));
+            const PlayBody* const body = findBody(parts.state, number);
+            if (body->bondedFracture() == nullptr) continue;
+            const auto other = static_cast<std::uint32_t>(parts.world.tag(isFirst ? impact.second : impact.first));
+            BondStrike& strike =
+                strikes.try_emplace({number, other}, BondStrike{number, other, impact, {}}).first->second;
+            if (impact.impulse() > strike.impact.impulse()) strike.impact = impact;
+            strike.points.push_back(impact.point);
+        }
+    }
+    std::vector<BondStrike> all;
+    for (auto& [bodies, strike] : strikes) all.push_back(std::move(strike));
+    return all;
+}
+
+/// The least impulse that changes a body's bonds.
+double leastImpulseOf(const SessionParts& parts, const PlayBody& body) {
+    if (body.structure != kNone) return parts.state.structures[body.structure].structure->leastImpulse;
+    return structureIn(parts.scene, parts.state.origins[body.origin], body.fragment)->leastImpulse;
+}
+
+/// Points in the world, in the frame of a body's structure.
+std::vector<Vec3> inStructure(const SessionParts& parts, const PlayBody& body, std::span<const Vec3> points) {
+    const Pose pose = parts.world.state(body.body).pose;
+    const Vec3 frame = frameOf(body);
+    std::vector<Vec3> local;
+    for (const Vec3& point : points)
+        local.push_back(glm::conjugate(pose.orientation) * (point - pose.position) + frame);
+    return local;
+}
+
+/// The impulse that the bonds of a body took, between it and its impactor: at most the one that stops them.
+void applyBondImpulse(const SessionParts& parts, const PlayBody& body, const BondStrike& strike, Vec3 normal,
+                      double taken) {
+    const PlayBody& impactor = *findBody(parts.state, strike.impactor);
+    MovingMass hit = movingMass(parts.world, body.body), hitting = movingMass(parts.world, impactor.body);
+    EnergyEntry entry{.change = EnergyChange::Bonds, .body = body.number};
+    entry.before = hit.kineticEnergy() + hitting.kineticEnergy();
+    const Vec3 point = strike.impact.point;
+    const double stopping = stoppingImpulse(hitting, hit, point, normal, strike.impact.restitution);
+    const Vec3 impulse = std::min(taken, stopping) * normal;
+    for (const auto& [id, mass, given] : {std::tuple(impactor.body, &hitting, -impulse), {body.body, &hit, impulse}}) {
+        if (mass->inverseMass > 0.0 && !parts.world.applyImpulse(id, given, point)) return;
+    }
+    entry.after =
+        movingMass(parts.world, body.body).kineticEnergy() + movingMass(parts.world, impactor.body).kineticEnergy();
+    parts.state.events.energy.push_back(entry);
+}
+
+/// Adds what another hit in the same step did to a body; the stronger one is told.
+void add(BrokenBonds one, BrokenBonds& all) {
+    const double impulse = all.impulse + one.impulse;
+    one.bonds.insert(one.bonds.end(), all.bonds.begin(), all.bonds.end());
+    std::ranges::sort(one.bonds);
+    if (one.impulse <= all.impulse) {
+        std::swap(one.bonds, all.bonds);
+    } else {
+        all = std::move(one);
+    }
+    all.impulse = impulse;
+}
+
+/// The unbroken bonds of a body, ascending.
+std::vector<std::uint32_t> bondsOf(const StructureState& state, const PlayBody& body) {
+    std::vector<std::uint32_t> bonds;
+    for (const std::uint32_t node : body.nodes) {
+        for (const BondLink& link : state.structure->graph.linksOf(node)) {
+            if (state.damage[link.bond] != kBroken) bonds.push_back(link.bond);
+        }
+    }
+    std::ranges::sort(bonds);
+    bonds.erase(std::unique(bonds.begin(), bonds.end()), bonds.end());
+    return bonds;
+}
+
+/// Breaks and damages bonds of a body, each by its own load, and splits the body.
+void breakByLoads(const SessionParts& parts, const PlayBody& body, std::span<const BondLoad> loads, Vec3 point) {
+    StructureState& state = parts.state.structures[body.structure];
+    HitOutcome outcome = applyLoads(state.structure->capacities, state.structure->rule, loads, state.damage);
+    if (outcome.broken.empty()) return;
+    splitBodies(parts, {{.body = body.number, .point = point, .bonds = std::move(outcome.broken)}});
+}
+
+}  // namespace
+
+bool breakHitBonds(const SessionParts& parts, std::span<const Impact> impacts) {
+    std::map<std::uint32_t, BrokenBonds> broken;  // by body
+    for (const BondStrike& strike : strikesOf(parts, impacts)) {
+        PlayBody& body = *findBody(parts.state, strike.body);
+        const double impulse = strike.impact.impulse(), least = leastImpulseOf(parts, body);
+        parts.state.events.impacts.push_back({body.number, impulse, least, strike.impact.point});
+        if (!parts.state.hasDestruction || impulse < least) continue;
+        BrokenBonds damaged = damageBonds(parts, body, strike.points, impulse);
+        if (damaged.impulse <= 0.0) continue;
+        damaged.normal = strike.impact.first == body.body ? -strike.impact.normal : strike.impact.normal;
+        damaged.point = strike.impact.point;
+        damaged.impactor = strike.impactor;
+        damaged.speed = strike.impact.approachSpeed;
+        damaged.restitution = strike.impact.restitution;
+        applyBondImpulse(parts, body, strike, damaged.normal, damaged.impulse);
+        if (!damaged.bonds.empty()) add(std::move(damaged), broken[body.number]);
+    }
+    std::vector<BrokenBonds> bodies;
+    for (auto& [number, one] : broken) bodies.push_back(std::move(one));
+    return splitBodies(parts, std::move(bodies));
+}
+
+BrokenBonds damageBonds(const SessionParts& parts, PlayBody& body, std::span<const Vec3> points, double impulse) {
+    StructureState& state = structureOf(parts, body);
+    const PlayStructure& structure = *state.structure;
+    const std::vector<Vec3> local = inStructure(parts, body, points);
+    HitOutcome outcome = applyHit(structure.graph, structure.capacities, structure.rule, {local, impulse},
+                                  state.bodyOfNode, body.number, state.damage);
+    return {.body = body.number, .impulse = outcome.taken, .point = points.front(), .bonds = std::move(outcome.broken)};
+}
+
+void breakAllBonds(const SessionParts& parts, PlayBody& body) {
+    const StructureState& state = structureOf(parts, body);
+    std::vector<BondLoad> loads;
+    for (const std::uint32_t bond : bondsOf(state, body)) {
+        loads.push_back({bond, 2.0 * state.structure->capacities[bond]});
+    }
+    breakByLoads(parts, body, loads, parts.world.state(body.body).centre);
+}
+
+void blastBonds(const SessionParts& parts, Vec3 origin, const Explosion& explosion) {
+    std::vector<std::uint32_t> bonded;
+    for (const PlayBody& body : parts.state.bodies) {
+        const Box3 box = parts.world.box(body.body);
+        const double distance = glm::distance(origin, glm::clamp(origin, box.min, box.max));
+        if (body.bondedFracture() != nullptr && distance < explosion.radius) bonded.push_back(body.number);
+    }
+    for (const std::uint32_t number : bonded) {
+        PlayBody& body = *findBody(parts.state, number);
+        const StructureState& state = structureOf(parts, body);
+        const Vec3 local = inStructure(parts, body, {&origin, 1}).front();
+        std::vector<BondLoad> loads;
+        for (const std::uint32_t index : bondsOf(state, body)) {
+            const Bond& bond = state.structure->graph.bonds[index];
+            const double fraction = 1.0 - glm::distance(local, bond.centroid) / explosion.radius;
+            if (fraction > 0.0) loads.push_back({index, explosion.impulse * fraction * bond.area});
+        }
+        breakByLoads(parts, body, loads, origin);
+    }
+}
+
+}  // namespace rubble

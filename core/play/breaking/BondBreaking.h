@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/physics/state/StepResults.h"
+#include "core/play/breaking/Splitting.h"
+
+#include <span>
+
+namespace rubble {
+
+/// Breaks the bonds of bodies that are hit in a step whose collisions are known, by the simple rule, and splits them.
+/// What the bonds took is an impulse between the body and its impactor. True if any body came free.
+bool breakHitBonds(const SessionParts& parts, std::span<const Impact> impacts);
+
+/// Breaks all bonds of a body that can break.
+void breakAllBonds(const SessionParts& parts, PlayBody& body);
+
+/// Damages and breaks bonds of a body by an impulse, N·s, at points in the world. The body stays as it is: the result is
+/// for splitBodies(), if bonds broke.
+BrokenBonds damageBonds(const SessionParts& parts, PlayBody& body, std::span<const Vec3> points, double impulse);
+
+/// Damages and breaks the bonds within a blast by its impulse per area there, and splits their bodies.
+void blastBonds(const SessionParts& parts, Vec3 origin, const Explosion& explosion);
+
+}  // namespace rubble

@@ -1,0 +1,337 @@
+#include "core/play/breaking/Splitting.h"
+
+#include "core/base/Assert.h"
+#include "core/physics/world/Split.h"
+#include "core/play/breaking/MovingMass.h"
+#include "core/play/scene/PlayBodyShape.h"
+#include "core/play/state/SessionBodies.h"
+#include "core/structure/graph/Islands.h"
+#include "core/structure/graph/Support.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace rubble {
+namespace {
+
+/// A set of nodes that is one body after a split.
+struct PartOfBody {
+    std::vector<std::uint32_t> nodes;  // ascending
+    bool isHeld = false;
+    double volume = 0.0;  // m³
+};
+
+std::vector<std::uint32_t> allNodes(const PlayStructure& structure) {
+    std::vector<std::uint32_t> nodes(structure.nodeCount());
+    std::iota(nodes.begin(), nodes.end(), 0u);
+    return nodes;
+}
+
+/// Breaks the unbroken bonds of nodes that `isBreaking(link)` accepts.
+template <class IsBreaking>
+void breakBonds(StructureState& state, std::span<const std::uint32_t> nodes, const IsBreaking& isBreaking,
+                std::vector<std::uint32_t>& broken) {
+    for (const std::uint32_t node : nodes) {
+        for (const BondLink& link : state.structure->graph.linksOf(node)) {
+            if (state.damage[link.bond] == kBroken || !isBreaking(link)) continue;
+            state.damage[link.bond] = kBroken;
+            broken.push_back(link.bond);
+        }
+    }
+}
+
+/// Upwards in the frame of a body's structure; nothing without gravity.
+std::optional<Vec3> upwardsIn(const SessionParts& parts, const PlayBody& body) {
+    const Vec3 gravity = parts.world.gravity();
+    if (gravity == Vec3(0.0)) return std::nullopt;
+    return glm::conjugate(parts.world.state(body.body).pose.orientation) * -glm::normalize(gravity);
+}
+
+/// The nodes of a held body that have no support.
+std::vector<std::uint32_t> unsupportedOf(const SessionParts& parts, const PlayBody& body, const StructureState& state,
+                                         std::span<const std::uint32_t> nodes) {
+    const PlayStructure& structure = *state.structure;
+    const std::optional<Vec3> up = upwardsIn(parts, body);
+    if (!body.isHeld || structure.span <= 0.0 || structure.holdsHeaviest || !up) return {};
+    return unsupportedNodes(structure.graph, state.damage, nodes, structure.span, *up);
+}
+
+/// Breaks the bonds between what has support and what has none.
+void breakUnsupported(StructureState& state, std::span<const std::uint32_t> unsupported,
+                      std::vector<std::uint32_t>& broken) {
+    const auto hasSupport = [&](const BondLink& link) { return !std::ranges::binary_search(unsupported, link.node); };
+    breakBonds(state, unsupported, hasSupport, broken);
+}
+
+double volumeOf(const PlayStructure& structure, std::span<const std::uint32_t> nodes) {
+    double volume = 0.0;
+    for (const std::uint32_t node : nodes) volume += structure.solidOf(node).shape->mass.volume;
+    return volume;
+}
+
+/// The islands of a body, the heaviest first, then by lowest node.
+std::vector<PartOfBody> islandsOfBody(const StructureState& state, std::span<const std::uint32_t> nodes) {
+    const Islands islands = islandsOf(state.structure->graph, state.damage, nodes);
+    std::vector<PartOfBody> made;
+    for (std::uint32_t k = 0; k < islands.count(); ++k) {
+        const Island island = islands[k];
+        made.push_back(
+            {{island.nodes.begin(), island.nodes.end()}, island.isAnchored, volumeOf(*state.structure, island.nodes)});
+    }
+    const auto heaviest = std::ranges::max_element(made, {}, &PartOfBody::volume);
+    if (state.structure->holdsHeaviest) heaviest->isHeld = true;
+    std::rotate(made.begin(), heaviest, heaviest + 1);
+    return made;
+}
+
+/// Lets islands that are too small fall apart.
+void crumble(StructureState& state, std::span<const std::uint32_t> nodes, std::vector<std::uint32_t>& broken) {
+    const std::uint32_t least = state.structure->minimumIsland;
+    if (least <= 1) return;
+    const Islands islands = islandsOf(state.structure->graph, state.damage, nodes);
+    for (std::uint32_t k = 0; k < islands.count(); ++k) {
+        const Island island = islands[k];
+        if (island.isAnchored || island.nodes.size() == nodes.size()) continue;
+        if (island.nodes.size() < 2 || island.nodes.size() >= least) continue;
+        const auto canBreak = [&](const BondLink& link) {
+            return std::isfinite(state.structure->capacities[link.bond]);
+        };
+        breakBonds(state, island.nodes, canBreak, broken);
+    }
+}
+
+/// The body that a part of another one is. A fragment alone is no longer one of a structure.
+PlayBody bodyOfPart(const SessionParts& parts, const PlayBody& body, const PartOfBody& part) {
+    const StructureState& state = parts.state.structures[body.structure];
+    PlayBody made = body;
+    made.isHeld = part.isHeld;
+    made.collapseStep = PlayBody::kNever;
+    made.nodes = part.nodes;
+    if (part.nodes.size() > 1 || part.isHeld) return made;
+    made.role = PlayRole::Debris;
+    made.fragment = state.structure->fragmentOf(part.nodes.front());
+    made.structure = kNone;
+    made.nodes.clear();
+    return made;
+}
+
+/// The hulls of the shape of a body, by the first of each of its nodes; none if its whole stands for them.
+std::vector<std::uint32_t> firstHullsOf(const PlayStructure& structure, const PlayBody& body) {
+    std::vector<std::uint32_t> first(structure.nodeCount(), kNone);
+    if (!isPartial(body)) return first;
+    std::uint32_t next = 0;
+    for (const std::uint32_t node : body.nodes) {
+        first[node] = next;
+        next += static_cast<std::uint32_t>(structure.solidOf(node).shape->hulls.size());
+    }
+    return first;
+}
+
+Vec3 limited(Vec3 velocity) {
+    const double speed = glm::length(velocity);
+    return speed > kMaxSpeed ? velocity * (kMaxSpeed / speed) : velocity;
+}
+
+/// A part of a body as the world splits it.
+SplitPart splitPart(const SessionParts& parts, const PlayBody& before, const PlayBody& after, const PartOfBody& part,
+                    std::span<const std::uint32_t> firstHulls) {
+    const PlayStructure& structure = *parts.state.structures[before.structure].structure;
+    SplitPart made{.shape = shapeOf(after),
+                   .offset = frameOf(after) - frameOf(before),
+                   .kind = part.isHeld ? BodyKind::Static : BodyKind::Dynamic,
+                   .material = bodyMaterial(parts, *after.asset, after.fragment, after.role),
+                   .tag = after.number};
+    for (const std::uint32_t node : part.nodes) {
+        for (std::uint32_t k = 0; k < structure.solidOf(node).shape->hulls.size(); ++k) {
+            made.hulls.push_back(firstHulls[node] == kNone ? kNone : firstHulls[node] + k);
+        }
+    }
+    if (made.kind == BodyKind::Static) return made;
+    const BodyState state = parts.world.state(before.body);
+    const Vec3 centre = state.pose.position + state.pose.orientation * (made.offset + made.shape->mass.centre);
+    made.velocity = limited(state.velocity + glm::cross(state.angularVelocity, centre - state.centre));
+    made.angularVelocity = limited(state.angularVelocity);
+    return made;
+}
+
+/// Adds the energies of a body and of the parts that replaced it.
+void auditSplit(const SessionParts& parts, std::uint32_t number, double before, std::span<const SplitPart> made,
+                std::span<const BodyId> bodies) {
+    EnergyEntry entry{.change = EnergyChange::Split, .body = number, .before = before};
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+        entry.after += kineticEnergy(parts.world, bodies[k]);
+        if (made[k].kind != BodyKind::Dynamic) continue;
+        const double weight = parts.world.mass(bodies[k]) * glm::length(parts.world.gravity());
+        const double distance = glm::length(parts.world.state(bodies[k]).centre);
+        entry.rounding += weight * kPositionRounding * std::max(1.0, distance / kRoundedDistance);
+    }
+    parts.state.events.energy.push_back(entry);
+}
+
+/// Plans when a held body loses what has no support.
+void planCollapse(const SessionParts& parts, PlayBody& body) {
+    if (!body.isHeld) return;
+    const StructureState& state = parts.state.structures[body.structure];
+    if (unsupportedOf(parts, body, state, body.nodes).empty()) {
+        body.collapseStep = PlayBody::kNever;
+    } else if (body.collapseStep == PlayBody::kNever) {
+        const double steps = std::ceil(state.structure->collapseDelay / parts.settings.dt - 1e-6);
+        body.collapseStep = parts.state.step + 1 + static_cast<std::uint64_t>(std::max(1.0, steps));
+    }
+}
+
+/// Replaces a body by the bodies of its parts. Adds the numbers of those that came off.
+void replaceBody(const SessionParts& parts, const PlayBody& before, std::span<const PartOfBody> islands,
+                 std::vector<std::uint32_t>& freed) {
+    SessionState& state = parts.state;
+    StructureState& structure = state.structures[before.structure];
+    std::vector<PlayBody> after;
+    std::vector<SplitPart> made;
+    const std::vector<std::uint32_t> firstHulls = firstHullsOf(*structure.structure, before);
+    for (const PartOfBody& island : islands) {
+        after.push_back(bodyOfPart(parts, before, island));
+        PlayBody& body = after.back();
+        if (after.size() > 1) {
+            body.role = PlayRole::Debris;
+            body.isUnbreakable = false;
+            body.number = state.nextNumber++;
+            body.born = state.step;
+            body.restCentre.reset();
+        } else {
+            body.collapseStep = before.collapseStep;
+        }
+        made.push_back(splitPart(parts, before, body, island, firstHulls));
+        for (const std::uint32_t node : island.nodes) {
+            structure.bodyOfNode[node] = body.nodes.empty() ? kNone : body.number;
+        }
+    }
+    const double energy = kineticEnergy(parts.world, before.body);
+    const Result<std::vector<BodyId>> bodies = parts.world.split(before.body, made);
+    RUBBLE_ASSERT(bodies.hasValue());  // the fragments can be bodies, and their speeds are limited
+    auditSplit(parts, before.number, energy, made, *bodies);
+    for (std::size_t k = 0; k < after.size(); ++k) {
+        after[k].body = (*bodies)[k];
+        planCollapse(parts, after[k]);
+        if (k == 0) {
+            *findBody(state, before.number) = after[k];
+        } else {
+            state.bodies.push_back(after[k]);
+            state.events.born.push_back(after[k]);
+            freed.push_back(after[k].number);
+        }
+    }
+}
+
+/// The bodies that an impactor pushes out of a held body, as one mass along a direction.
+struct Plug {
+    std::vector<BodyId> bodies;
+    MovingMass mass;
+};
+
+Plug plugOf(const SessionParts& parts, const PlaySplit& split, double radius) {
+    Plug plug;
+    double mass = 0.0;
+    Vec3 momentum(0.0);
+    for (const std::uint32_t number : split.freed) {
+        const BodyId body = findBody(parts.state, number)->body;
+        if (parts.world.kind(body) != BodyKind::Dynamic) continue;
+        if (distanceToBody(parts.world, body, split.point) > radius) continue;
+        plug.bodies.push_back(body);
+        mass += parts.world.mass(body);
+        momentum += parts.world.mass(body) * parts.world.state(body).velocity;
+    }
+    if (mass > 0.0) plug.mass = {.inverseMass = 1.0 / mass, .centre = split.point, .velocity = momentum / mass};
+    return plug;
+}
+
+void pushPlug(const SessionParts& parts, const PlaySplit& split, double restitution) {
+    const PlayBody* const impactor = findBody(parts.state, split.impactorNumber);
+    if (impactor == nullptr || !split.body.isHeld || parts.world.kind(impactor->body) != BodyKind::Dynamic) return;
+    const Plug plug = plugOf(parts, split, static_cast<double>(parts.world.shape(impactor->body).boundingRadius));
+    if (plug.bodies.empty()) return;
+    const MovingMass pushing = movingMass(parts.world, impactor->body);
+    const Vec3 impulse = stoppingImpulse(pushing, plug.mass, split.point, split.normal, restitution) * split.normal;
+    EnergyEntry entry{.change = EnergyChange::Bonds, .body = split.body.number, .before = pushing.kineticEnergy()};
+    if (!parts.world.applyImpulse(impactor->body, -impulse, split.point)) return;
+    entry.after = kineticEnergy(parts.world, impactor->body);
+    for (const BodyId body : plug.bodies) {
+        entry.before += kineticEnergy(parts.world, body);
+        const Vec3 part = parts.world.mass(body) * plug.mass.inverseMass * impulse;
+        const Status applied = parts.world.applyImpulse(body, part, parts.world.state(body).centre);
+        RUBBLE_ASSERT(applied.hasValue());  // less than the impactor's
+        entry.after += kineticEnergy(parts.world, body);
+    }
+    parts.state.events.energy.push_back(entry);
+}
+
+/// Splits a body whose bonds broke, and tells of it. True if any body came free.
+bool splitBody(const SessionParts& parts, BrokenBonds broken) {
+    PlayBody& body = *findBody(parts.state, broken.body);
+    StructureState& state = structureOf(parts, body);
+    PlaySplit split{.step = parts.state.step + 1,
+                    .body = body,
+                    .impactorNumber = broken.impactor,
+                    .impulse = broken.impulse,
+                    .approachSpeed = broken.speed,
+                    .point = broken.point,
+                    .normal = broken.normal};
+    if (state.structure->collapseDelay == 0.0) {
+        breakUnsupported(state, unsupportedOf(parts, body, state, body.nodes), broken.bonds);
+    }
+    crumble(state, body.nodes, broken.bonds);
+    std::vector<PartOfBody> islands = islandsOfBody(state, body.nodes);
+    const bool isChanged = islands.size() > 1 || islands.front().isHeld != body.isHeld;
+    if (isChanged) {
+        replaceBody(parts, split.body, islands, split.freed);
+        pushPlug(parts, split, broken.restitution);
+    } else {
+        planCollapse(parts, body);
+    }
+    split.bonds = static_cast<std::uint32_t>(broken.bonds.size());
+    for (const std::uint32_t bond : broken.bonds) {
+        const Bond& one = parts.state.structures[split.body.structure].structure->graph.bonds[bond];
+        split.area += (one.second == kNone ? 1.0 : 2.0) * one.area;
+    }
+    parts.state.events.splits.push_back(std::move(split));
+    return isChanged;
+}
+
+}  // namespace
+
+StructureState& structureOf(const SessionParts& parts, PlayBody& body) {
+    std::vector<StructureState>& structures = parts.state.structures;
+    if (body.structure != kNone) return structures[body.structure];
+    RUBBLE_ASSERT(body.bondedFracture() != nullptr);
+    StructureState begun{.origin = body.origin,
+                         .parent = body.fragment,
+                         .structure = structureIn(parts.scene, parts.state.origins[body.origin], body.fragment)};
+    begun.damage.assign(begun.structure->graph.bondCount(), kIntact);
+    begun.bodyOfNode.assign(begun.structure->nodeCount(), body.number);
+    body.structure = static_cast<std::uint32_t>(structures.size());
+    body.nodes = allNodes(*begun.structure);
+    structures.push_back(std::move(begun));
+    return structures.back();
+}
+
+bool splitBodies(const SessionParts& parts, std::vector<BrokenBonds> broken) {
+    bool isAnyFree = false;
+    for (BrokenBonds& one : broken) isAnyFree |= splitBody(parts, std::move(one));
+    return isAnyFree;
+}
+
+bool collapseUnsupported(const SessionParts& parts) {
+    std::vector<BrokenBonds> broken;
+    for (PlayBody& body : parts.state.bodies) {
+        if (body.collapseStep > parts.state.step + 1) continue;
+        body.collapseStep = PlayBody::kNever;
+        StructureState& state = parts.state.structures[body.structure];
+        BrokenBonds one{.body = body.number, .point = parts.world.state(body.body).centre};
+        breakUnsupported(state, unsupportedOf(parts, body, state, body.nodes), one.bonds);
+        if (!one.bonds.empty()) broken.push_back(std::move(one));
+    }
+    return splitBodies(parts, std::move(broken));
+}
+
+}  // namespace rubble

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/play/state/SessionState.h"
+
+#include <span>
+
+namespace rubble {
+
+/// A body of which bonds have broken, and by what.
+struct BrokenBonds {
+    std::uint32_t body = 0;            // its number
+    std::uint32_t impactor = kNone;    // its number; kNone: none
+    double impulse = 0.0;              // N·s, that the bonds took
+    double speed = 0.0;                // m/s, of the approach
+    double restitution = 0.0;          // of the pair
+    Vec3 point{0.0, 0.0, 0.0};         // m, in the world
+    Vec3 normal{0.0, 0.0, 0.0};        // from the impactor into the body
+    std::vector<std::uint32_t> bonds;  // that broke, ascending
+};
+
+/// Splits bodies whose bonds have broken into their islands, in the given order: the heaviest island keeps the body's
+/// number, those with anchors stay in place, the others move as they did in the body. Islands with fewer nodes than
+/// PlayStructure::minimumIsland fall apart. What has lost its support loses its bonds at once, or in a later step, see
+/// PlayStructure::collapseDelay. What comes off a held body within the impactor's bounding radius of the point that was
+/// hit is pushed together: the hole guides it, where its parts would jam if they were pushed one by one. True if any
+/// body came free.
+bool splitBodies(const SessionParts& parts, std::vector<BrokenBonds> broken);
+
+/// Breaks the bonds of what lost its support and has to come off in this step. True if any did.
+bool collapseUnsupported(const SessionParts& parts);
+
+/// The structure of a body with bonds, begun if none of them was damaged before.
+StructureState& structureOf(const SessionParts& parts, PlayBody& body);
+
+}  // namespace rubble

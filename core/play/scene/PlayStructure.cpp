@@ -1,0 +1,135 @@
+#include "core/play/scene/PlayStructure.h"
+
+#include "core/base/Assert.h"
+#include "core/play/scene/GroundHull.h"
+#include "core/structure/bonds/MortarBonds.h"
+#include "core/structure/strength/BondStrength.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rubble {
+namespace {
+
+constexpr double kLeastAnchorArea = 1e-6;  // m²: less is a corner or an edge
+
+/// The index of the fracture of a fragment in its bake; kNone: of the whole.
+std::uint32_t fractureIndex(const Bake& bake, std::uint32_t parent) {
+    return static_cast<std::uint32_t>(bake.fractureOf(parent) - bake.fractures.data());
+}
+
+/// Hulls moved from a frame into another, at `pose` in it.
+std::vector<Polytope> placed(std::vector<Polytope> hulls, const Pose& pose) {
+    for (Polytope& hull : hulls) {
+        for (Vec3& vertex : hull.vertices) vertex = pose.position + pose.orientation * vertex;
+        for (Plane& plane : hull.planes) {
+            plane.normal = pose.orientation * plane.normal;
+            plane.offset += glm::dot(plane.normal, pose.position);
+        }
+    }
+    return hulls;
+}
+
+Pose poseOf(const Instance& instance) { return {instance.pose.position, glm::normalize(instance.pose.orientation)}; }
+
+/// Bonds that hold painted fragments.
+std::vector<Bond> paintedAnchors(const Asset& asset, const Bake& bake) {
+    std::vector<Bond> anchors;
+    for (const std::uint32_t node : anchoredFragments(asset, bake, 0)) {
+        anchors.push_back(paintedAnchor(bake.fractures.front().fragments, node));
+    }
+    return anchors;
+}
+
+/// Bonds to the solids that the fragments of an instance touch.
+std::vector<Bond> touchedAnchors(const Bake& bake, const Instance& instance, std::span<const FixedSolid> surroundings) {
+    const Pose pose = poseOf(instance);
+    const Quat back = glm::conjugate(pose.orientation);
+    std::vector<Polytope> supports;  // in the asset's frame
+    for (const FixedSolid& solid : surroundings) {
+        if (solid.instance == instance.id) continue;
+        for (Polytope& hull : placed(solid.hulls, {back * -pose.position, back})) supports.push_back(std::move(hull));
+    }
+    std::vector<MortarNode> nodes;
+    const Fragments& fragments = bake.fractures.front().fragments;
+    for (std::uint32_t node = 0; node < fragments.count(); ++node) {
+        const Fragment fragment = fragments[node];
+        nodes.push_back({node, fragment.offset(), placed(fragment.hulls(), {.position = fragment.offset()})});
+    }
+    return anchorBonds(nodes, supports, kAnchorTolerance, kLeastAnchorArea);
+}
+
+}  // namespace
+
+bool PlayStructure::isHeld() const {
+    return holdsHeaviest || std::ranges::any_of(graph.bonds, [](const Bond& bond) { return bond.second == kNone; });
+}
+
+std::vector<FixedSolid> fixedSolids(const Project& project,
+                                    const std::map<AssetVariant, std::shared_ptr<const PlayAsset>>& assets) {
+    std::vector<FixedSolid> solids;
+    if (project.ground.isOn) solids.push_back({0, {translated(*groundHull(), {0.0, project.ground.height, 0.0})}});
+    for (const Instance& instance : project.instances) {
+        const auto asset = assets.find(variantOf(instance));
+        if (!instance.isFixed || asset == assets.end() || asset->second->isBonded) continue;
+        solids.push_back({instance.id, placed(wholeHullsInPrism(*asset->second->bake), poseOf(instance))});
+    }
+    return solids;
+}
+
+std::shared_ptr<const PlayStructure> playStructure(const Asset& asset, const Material& material,
+                                                   std::shared_ptr<const PlayAsset> ready, std::uint32_t parent) {
+    const Bake& bake = *ready->bake;
+    const std::uint32_t fracture = fractureIndex(bake, parent);
+    const BakedFracture& baked = bake.fractures[fracture];
+    std::vector<Bond> bonds = bondsOf(baked.fragments, baked.seeds.positions);
+    std::vector<double> capacities = bondCapacities(asset, material, bake, fracture, bonds);
+    std::vector<Vec3> centres;
+    for (std::uint32_t node = 0; node < baked.fragments.count(); ++node) {
+        const PlaySolid& solid = ready->fragments[baked.first + node];
+        centres.push_back(solid.offset + solid.shape->mass.centre);
+    }
+    const SimpleRule rule = simpleRuleOf(asset.bonding);
+    const double least = leastImpulse(capacities, rule);
+    return std::make_shared<PlayStructure>(PlayStructure{.asset = std::move(ready),
+                                                         .parent = parent,
+                                                         .graph = bondGraph(std::move(centres), std::move(bonds)),
+                                                         .capacities = std::move(capacities),
+                                                         .rule = rule,
+                                                         .leastImpulse = least,
+                                                         .span = asset.bonding.span,
+                                                         .collapseDelay = asset.bonding.collapseDelay,
+                                                         .minimumIsland = asset.bonding.minimumIsland});
+}
+
+std::shared_ptr<const PlayStructure> instanceStructure(const PlayStructure& whole, const Asset& asset,
+                                                       const Material& material, const Instance& instance,
+                                                       std::span<const FixedSolid> surroundings) {
+    auto made = std::make_shared<PlayStructure>(*strengthened(whole, instance.bondStrength));
+    const Bake& bake = *whole.asset->bake;
+    std::vector<Bond> bonds = made->graph.bonds;
+    const auto add = [&](const std::vector<Bond>& anchors, const std::vector<double>& capacities) {
+        bonds.insert(bonds.end(), anchors.begin(), anchors.end());
+        made->capacities.insert(made->capacities.end(), capacities.begin(), capacities.end());
+    };
+    const std::vector<Bond> painted = paintedAnchors(asset, bake);
+    add(painted, std::vector<double>(painted.size(), std::numeric_limits<double>::infinity()));
+    if (instance.isAnchored || instance.isFixed) {
+        const std::vector<Bond> touched = touchedAnchors(bake, instance, surroundings);
+        add(touched, bondCapacities(asset, material, bake, 0, touched, instance.bondStrength));
+    }
+    made->holdsHeaviest = instance.isFixed && bonds.size() == whole.graph.bonds.size();
+    made->graph = bondGraph(made->graph.centres, std::move(bonds));
+    made->leastImpulse = leastImpulse(made->capacities, made->rule);
+    return made;
+}
+
+std::shared_ptr<const PlayStructure> strengthened(const PlayStructure& structure, double factor) {
+    auto made = std::make_shared<PlayStructure>(structure);
+    for (double& capacity : made->capacities) capacity = std::isfinite(capacity) ? capacity * factor : capacity;
+    made->leastImpulse = leastImpulse(made->capacities, made->rule);
+    return made;
+}
+
+}  // namespace rubble

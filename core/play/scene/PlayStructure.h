@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/asset/project/Variants.h"
+#include "core/play/scene/PlayAsset.h"
+#include "core/structure/graph/BondGraph.h"
+#include "core/structure/rule/SimpleRule.h"
+
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace rubble {
+
+/// The fragments of a fracture, joined by bonds, prepared for play: shared by all of its bodies. Its nodes are the
+/// fragments of the fracture, in order; its frame is the asset's.
+struct PlayStructure {
+    std::shared_ptr<const PlayAsset> asset;
+    std::uint32_t parent = kNone;    // the fragment that is fractured; kNone: the whole
+    BondGraph graph;                 // with the bonds to anchors
+    std::vector<double> capacities;  // N·s, of each bond; infinite: it never breaks
+    SimpleRule rule;
+    double leastImpulse = 0.0;        // N·s: a weaker hit breaks and damages nothing
+    double span = 0.0;                // m; 0: any
+    double collapseDelay = 0.0;       // s
+    std::uint32_t minimumIsland = 1;  // nodes
+    bool holdsHeaviest = false;       // fixed, though it touches nothing that is: its heaviest island stays
+
+    const PlayFracture& fracture() const { return *asset->fractureOf(parent); }
+    std::uint32_t nodeCount() const { return graph.nodeCount(); }
+    std::uint32_t fragmentOf(std::uint32_t node) const { return fracture().first + node; }
+    const PlaySolid& solidOf(std::uint32_t node) const { return asset->fragments[fragmentOf(node)]; }
+    /// The solid that all nodes together are.
+    const PlaySolid& whole() const { return asset->solid(parent); }
+    /// Whether it is fixed until its bonds to anchors break.
+    bool isHeld() const;
+};
+
+/// The structure of a fracture of an asset, without anchors. `asset` is the variant that is baked.
+std::shared_ptr<const PlayStructure> playStructure(const Asset& asset, const Material& material,
+                                                   std::shared_ptr<const PlayAsset> ready, std::uint32_t parent);
+
+/// Something that bonded instances may be anchored to.
+struct FixedSolid {
+    Id instance = 0;              // 0: the ground
+    std::vector<Polytope> hulls;  // m, in the world
+};
+/// The ground and all fixed instances that do not break along bonds themselves.
+std::vector<FixedSolid> fixedSolids(const Project& project,
+                                    const std::map<AssetVariant, std::shared_ptr<const PlayAsset>>& assets);
+
+/// The structure of an instance, given that of its whole: with bonds to what it is anchored to. These are painted, which
+/// hold whatever hits them; and, if it is fixed or anchored, to fixed solids that its fragments touch at most
+/// kAnchorTolerance away.
+std::shared_ptr<const PlayStructure> instanceStructure(const PlayStructure& whole, const Asset& asset,
+                                                       const Material& material, const Instance& instance,
+                                                       std::span<const FixedSolid> surroundings);
+inline constexpr double kAnchorTolerance = 0.005;  // m
+
+/// The same structure with bonds of `factor` times the strength.
+std::shared_ptr<const PlayStructure> strengthened(const PlayStructure& structure, double factor);
+
+}  // namespace rubble

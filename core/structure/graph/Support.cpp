@@ -1,0 +1,85 @@
+#include "core/structure/graph/Support.h"
+
+#include "core/base/Assert.h"
+
+#include <glm/geometric.hpp>
+
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace rubble {
+namespace {
+
+constexpr double kStandsOn = 0.5;  // cosine of 60 degrees: of the angle between a bond's normal and up
+constexpr double kUnreached = std::numeric_limits<double>::infinity();
+constexpr double kNotGiven = -1.0;
+
+/// The length sideways of a step from a node over one of its bonds, m.
+double sidewaysStep(const BondGraph& graph, std::uint32_t from, BondLink link, Vec3 up) {
+    const Bond& bond = graph.bonds[link.bond];
+    const double upwards = glm::dot(bond.first == from ? bond.normal : -bond.normal, up);
+    if (upwards >= kStandsOn) return 0.0;
+    const Vec3 apart = graph.centres[link.node] - graph.centres[from];
+    return glm::length(apart - glm::dot(apart, up) * up);
+}
+
+/// Distances from the nearest anchor by node, m; those of nodes that are not given stay below zero.
+class AnchorDistances {
+public:
+    AnchorDistances(const BondGraph& graph, std::span<const BondDamage> damage, std::span<const std::uint32_t> nodes)
+        : m_graph(graph), m_damage(damage), m_distances(graph.nodeCount(), kNotGiven) {
+        for (const std::uint32_t node : nodes) m_distances[node] = kUnreached;
+        for (const std::uint32_t node : nodes) {
+            for (const BondLink& link : graph.linksOf(node)) {
+                if (link.node == kNone && damage[link.bond] != kBroken) reach(node, 0.0);
+            }
+        }
+    }
+
+    void spread(double span, Vec3 up) {
+        while (!m_queue.empty()) {
+            const auto [distance, node] = m_queue.top();
+            m_queue.pop();
+            if (distance > m_distances[node]) continue;
+            for (const BondLink& link : m_graph.linksOf(node)) {
+                if (link.node == kNone || m_damage[link.bond] == kBroken) continue;
+                const double reached = distance + sidewaysStep(m_graph, node, link, up);
+                if (reached <= span) reach(link.node, reached);
+            }
+        }
+    }
+
+    bool isReached(std::uint32_t node) const { return m_distances[node] < kUnreached; }
+
+private:
+    void reach(std::uint32_t node, double distance) {
+        if (!(distance < m_distances[node])) return;
+        m_distances[node] = distance;
+        m_queue.push({distance, node});
+    }
+
+    using Entry = std::pair<double, std::uint32_t>;
+
+    const BondGraph& m_graph;
+    std::span<const BondDamage> m_damage;
+    std::vector<double> m_distances;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> m_queue;
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> unsupportedNodes(const BondGraph& graph, std::span<const BondDamage> damage,
+                                            std::span<const std::uint32_t> nodes, double span, Vec3 up) {
+    RUBBLE_ASSERT(damage.size() == graph.bonds.size());
+    AnchorDistances distances(graph, damage, nodes);
+    distances.spread(span > 0.0 ? span : std::numeric_limits<double>::max(), up);
+    std::vector<std::uint32_t> unsupported;
+    for (const std::uint32_t node : nodes) {
+        if (!distances.isReached(node)) unsupported.push_back(node);
+    }
+    return unsupported;
+}
+
+}  // namespace rubble

@@ -1,0 +1,149 @@
+#include "core/structure/rule/SimpleRule.h"
+
+#include "core/base/Assert.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rubble {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// A bond under a hit.
+struct LoadedBond {
+    std::uint32_t bond = 0;
+    double fraction = 0.0;     // of the impulse
+    double utilization = 0.0;  // at the full impulse
+};
+
+double utilizationOf(double load, double capacity) {
+    if (capacity > 0.0) return load / capacity;
+    return load > 0.0 ? kInfinite : 0.0;
+}
+
+/// The body that is hit.
+struct StruckBody {
+    const BondGraph& graph;
+    std::span<const std::uint32_t> ownerOfNode;
+    std::uint32_t owner;
+    std::span<const BondDamage> damage;
+    std::span<const Vec3> points;
+
+    bool holds(std::uint32_t bond) const {
+        if (damage[bond] == kBroken) return false;
+        const Bond& joined = graph.bonds[bond];
+        return ownerOfNode[joined.first] == owner && (joined.second == kNone || ownerOfNode[joined.second] == owner);
+    }
+    /// The distance of a bond's centroid from the nearest point, m.
+    double distanceOf(std::uint32_t bond) const {
+        double least = kInfinite;
+        for (const Vec3& point : points) least = std::min(least, glm::distance(point, graph.bonds[bond].centroid));
+        return least;
+    }
+    /// The least distance of an unbroken bond, m.
+    double leastDistance() const {
+        double least = kInfinite;
+        for (const Vec3& point : points) {
+            graph.centroids.visitNear(point, [&](std::uint32_t bond) {
+                if (holds(bond)) least = std::min(least, glm::distance(point, graph.bonds[bond].centroid));
+                return least;
+            });
+        }
+        return least;
+    }
+};
+
+std::vector<LoadedBond> loadedBonds(const StruckBody& body, std::span<const double> capacities, const SimpleRule& rule,
+                                    double impulse) {
+    constexpr double kMargin = 1.0 + 1e-9;  // for the rounding of boxes
+    std::vector<LoadedBond> loaded;
+    const double least = body.leastDistance();
+    if (least == kInfinite) return loaded;
+    Box3 box;
+    for (const Vec3& point : body.points) box.include(point);
+    const Vec3 farthest{(rule.radius + least) * kMargin};
+    body.graph.centroids.visitOverlapping({box.min - farthest, box.max + farthest}, [&](std::uint32_t bond) {
+        if (!body.holds(bond)) return;
+        const double fraction = loadFraction(rule, body.distanceOf(bond) - least);
+        const double utilization = utilizationOf(impulse * fraction, capacities[bond]);
+        if (utilization >= rule.damageFrom) loaded.push_back({bond, fraction, utilization});
+    });
+    std::ranges::sort(loaded, [](const LoadedBond& a, const LoadedBond& b) {
+        return a.utilization != b.utilization ? a.utilization > b.utilization : a.bond < b.bond;
+    });
+    return loaded;
+}
+
+/// The damage after a load, see applyHit().
+BondDamage damageAfter(BondDamage damage, double utilization, double damageFrom) {
+    if (utilization >= 1.0) return kBroken;
+    if (utilization < damageFrom) return damage;
+    const double increase = (utilization - damageFrom) / (1.0 - damageFrom);
+    return static_cast<BondDamage>(std::min(int{kBroken}, damage + static_cast<int>(increase * kBroken)));
+}
+
+}  // namespace
+
+SimpleRule simpleRuleOf(const Bonding& bonding) { return {bonding.radius, bonding.falloff, bonding.damageFrom}; }
+
+double loadFraction(const SimpleRule& rule, double distance) {
+    const double x = distance / rule.radius;
+    if (x > 1.0) return 0.0;
+    switch (rule.falloff) {
+        case HitFalloff::Constant: return 1.0;
+        case HitFalloff::Linear: return 1.0 - x;
+        case HitFalloff::Smooth: return 1.0 - x * x * (3.0 - 2.0 * x);
+    }
+    return 0.0;
+}
+
+HitOutcome applyHit(const BondGraph& graph, std::span<const double> capacities, const SimpleRule& rule,
+                    const BondHit& hit, std::span<const std::uint32_t> ownerOfNode, std::uint32_t owner,
+                    std::span<BondDamage> damage) {
+    RUBBLE_ASSERT(capacities.size() == graph.bonds.size() && damage.size() == graph.bonds.size());
+    RUBBLE_ASSERT(ownerOfNode.size() == graph.nodeCount() && !hit.points.empty());
+    HitOutcome outcome;
+    double left = hit.impulse;
+    for (const LoadedBond& loaded :
+         loadedBonds({graph, ownerOfNode, owner, damage, hit.points}, capacities, rule, hit.impulse)) {
+        const double capacity = capacities[loaded.bond];
+        const BondDamage before = damage[loaded.bond];
+        const BondDamage after = damageAfter(before, utilizationOf(left * loaded.fraction, capacity), rule.damageFrom);
+        if (after == before) continue;
+        damage[loaded.bond] = after;
+        (after == kBroken ? outcome.broken : outcome.damaged).push_back(loaded.bond);
+        left = std::max(0.0, left - capacity * (after - before) / kBroken);
+    }
+    outcome.taken = hit.impulse - left;
+    std::ranges::sort(outcome.broken);
+    std::ranges::sort(outcome.damaged);
+    return outcome;
+}
+
+HitOutcome applyLoads(std::span<const double> capacities, const SimpleRule& rule, std::span<const BondLoad> loads,
+                      std::span<BondDamage> damage) {
+    RUBBLE_ASSERT(capacities.size() == damage.size());
+    HitOutcome outcome;
+    for (const auto& [bond, load] : loads) {
+        const BondDamage before = damage[bond];
+        const BondDamage after = damageAfter(before, utilizationOf(load, capacities[bond]), rule.damageFrom);
+        if (after == before) continue;
+        damage[bond] = after;
+        (after == kBroken ? outcome.broken : outcome.damaged).push_back(bond);
+        outcome.taken += capacities[bond] * (after - before) / kBroken;
+    }
+    std::ranges::sort(outcome.broken);
+    std::ranges::sort(outcome.damaged);
+    return outcome;
+}
+
+double leastImpulse(std::span<const double> capacities, const SimpleRule& rule) {
+    return capacities.empty() ? kInfinite : rule.damageFrom * std::ranges::min(capacities);
+}
+
+}  // namespace rubble
