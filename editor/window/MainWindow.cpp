@@ -167,6 +167,7 @@ void MainWindow::addToolBars() {
     QToolBar* play = add("bar-play", tr("Play"), m_playActions->toolbarActions());
     QToolBar* tools = add("bar-tools", tr("Tools"), m_viewActions->toolActions());
     add("bar-canvas", tr("Canvas"), m_viewActions->canvasActions());
+    add("bar-bonds", tr("Bonds"), m_viewActions->bondActions());
     m_labelledToolBars = {play, tools};
 }
 
