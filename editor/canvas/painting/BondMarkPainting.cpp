@@ -86,7 +86,7 @@ public:
         }
     }
 
-    /// The halos first, so that none covers a bond.
+    /// The halos first, so that none covers a bond. Those of factor 1 have none: only others shall stand out.
     void paintBonds() {
         const double thinning = std::clamp(seedSpacing(m_pattern, m_view) / kMinSpacing, 0.3, 1.0);
         std::map<int, QList<QLineF>> lines;  // by step of the scale; beyond it, those that never break
@@ -99,6 +99,7 @@ public:
         m_painter.setRenderHint(QPainter::Antialiasing);
         for (const bool isHaloPass : {true, false}) {
             for (const auto& [step, ofStep] : lines) {
+                if (isHaloPass && step == 0) continue;
                 const double place = static_cast<double>(std::min(step, kScaleSteps)) / kScaleSteps;
                 const double width = kNeutralWidth + std::abs(place) * (kExtremeWidth - kNeutralWidth);
                 const QColor colour = step > kScaleSteps ? m_colours.neverBreaks : colourAt(place, m_colours);
@@ -130,7 +131,7 @@ private:
             .intersects(QRectF({}, m_view.size));
     }
 
-    /// Fills marked pieces, with a border around areas of them.
+    /// Fills marked pieces, with a border around areas of them unless bonds are drawn there.
     void paintAreas(const std::vector<bool>& isMarked, const QColor& colour, Qt::PenStyle style) {
         QColor fill = colour;
         fill.setAlpha(kMarkAlpha);
@@ -148,8 +149,11 @@ private:
                                   m_view.pixels(partition.origin + partition.points[to])});
             });
         }
+        if (m_marks.showsStrengths) return;
         m_painter.setRenderHint(QPainter::Antialiasing);
         m_painter.setBrush(Qt::NoBrush);
+        m_painter.setPen(roundPen(m_colours.halo, kMarkWidth + 2.0 * kHaloWidth));
+        m_painter.drawLines(border);
         m_painter.setPen(QPen(colour, kMarkWidth, style, Qt::FlatCap));
         m_painter.drawLines(border);
     }

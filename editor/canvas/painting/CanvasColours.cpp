@@ -27,7 +27,7 @@ CanvasColours canvasColours(const QPalette& palette) {
             .anchored = either("#00646e", "#3fd6e4"),
             .neverBreaks = either("#6a1b9a", "#d3a5ff"),
             .weakBond = either("#c2410c", "#ff9550"),
-            .neutralBond = either("#7b756d", "#b9b4ab"),
+            .neutralBond = either("#7b756d", "#6f747c"),
             .strongBond = either("#1d4ed8", "#7fb0ff"),
             .added = either("#0a5fa8", "#5ab4f0"),
             .gone = either("#b94a00", "#f29b4b"),

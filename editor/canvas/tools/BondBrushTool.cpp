@@ -1,7 +1,6 @@
 #include "editor/canvas/tools/BondBrushTool.h"
 
 #include "core/asset/project/Ranges.h"
-#include "editor/canvas/painting/BondMarkPainting.h"
 #include "editor/canvas/tools/LineSimplification.h"
 #include "editor/commands/ProjectEdits.h"
 
@@ -155,7 +154,8 @@ bool BondBrushTool::overridesShortcut(int key) const {
 QColor BondBrushTool::colour(const CanvasColours& colours) const {
     switch (m_brush) {
         case BondBrush::Anchor: return colours.anchored;
-        case BondBrush::Strength: return bondColour(m_strength, colours);
+        case BondBrush::Strength:
+            return m_strength == 1.0 ? colours.neutralBond : m_strength < 1.0 ? colours.weakBond : colours.strongBond;
         case BondBrush::NeverBreaks: break;
     }
     return colours.neverBreaks;
