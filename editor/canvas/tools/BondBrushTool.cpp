@@ -1,33 +1,15 @@
 #include "editor/canvas/tools/BondBrushTool.h"
 
-#include "core/asset/project/Ranges.h"
-#include "editor/canvas/tools/LineSimplification.h"
-#include "editor/commands/ProjectEdits.h"
-
 #include <QLocale>
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 namespace rubble {
 
 namespace {
 
-constexpr double kPathTolerance = 0.25;  // of the radius: within which points of a stroke are left out
-constexpr double kMaxStrength = 10.0;
-constexpr std::array kStrengths{0.0, 0.1, 0.2, 0.5, 1.0, 1.5, 2.0, 3.0, 5.0, 10.0};
 constexpr int kPathAlpha = 90;  // of the stroke that is being painted, of 255
-
-QString strokeText(BondBrush brush, bool isErasing) {
-    switch (brush) {
-        case BondBrush::Anchor:
-            return isErasing ? BondBrushTool::tr("Erase Anchors") : BondBrushTool::tr("Paint Anchors");
-        case BondBrush::Strength:
-            return isErasing ? BondBrushTool::tr("Erase Bond Strength") : BondBrushTool::tr("Paint Bond Strength");
-        case BondBrush::NeverBreaks: break;
-    }
-    return isErasing ? BondBrushTool::tr("Erase Never Breaks") : BondBrushTool::tr("Paint Never Breaks");
-}
 
 }  // namespace
 
@@ -35,60 +17,49 @@ QString strokeText(BondBrush brush, bool isErasing) {
 bool BondBrushTool::canPaint() const { return m_state.displayedAsset() && m_state.asset()->breakAs == BreakAs::Bonded; }
 
 bool BondBrushTool::erases(Qt::KeyboardModifiers modifiers) const {
-    return m_isErasing != modifiers.testFlag(Qt::ShiftModifier);
-}
-
-/// In metres.
-double BondBrushTool::radius() const {
-    const NumberRange& range = rangeOf(ProjectNumber::BondBrushRadius);
-    return std::clamp(m_size.radiusPixels() / m_state.view.scale, range.min, range.max);
+    return m_settings.isErasing != modifiers.testFlag(Qt::ShiftModifier);
 }
 
 void BondBrushTool::press(const CanvasPointer& pointer) {
     m_pointer = pointer;
     if (!canPaint()) return emit statusMessage(hint());
-    const bool isErasing = erases(pointer.modifiers);
-    const std::vector<BondStroke>& strokes = m_state.asset()->bonding.strokes;
-    if (isErasing && std::ranges::find(strokes, m_brush, &BondStroke::brush) == strokes.end())
+    BondBrushSettings settings = m_settings;
+    settings.isErasing = erases(pointer.modifiers);
+    if (settings.isErasing && !hasStrokes(*m_state.asset(), settings.brush))
         return emit statusMessage(tr("There are no strokes of this brush to erase."));
-    m_state.stroke = BondStroke{.brush = m_brush, .isErasing = isErasing, .radius = radius()};
-    if (m_brush == BondBrush::Strength && !isErasing) m_state.stroke->strength = m_strength;
-    m_path.clear();
-    extend(pointer.metres + m_state.fragmentOffset);
+    m_path.emplace(settings, m_size.radiusPixels() / m_state.view.scale);
+    extend(pointer);
     emit changed();
 }
 
-/// Leads the stroke to a point.
-void BondBrushTool::extend(Vec2 point) {
-    m_path.push_back(point);
-    m_state.stroke->points = simplified(m_path, kPathTolerance * m_state.stroke->radius);
+void BondBrushTool::extend(const CanvasPointer& pointer) {
+    m_path->extend(pointer.metres + m_state.fragmentOffset);
+    m_state.stroke = m_path->stroke();
 }
 
 void BondBrushTool::move(const CanvasPointer& pointer) {
     m_pointer = pointer;
-    if (m_state.stroke) extend(pointer.metres + m_state.fragmentOffset);
+    if (m_path) extend(pointer);
     emit changed();
 }
 
 void BondBrushTool::release(const CanvasPointer&) {
-    if (m_state.stroke && m_state.asset()) {
-        Asset asset = *m_state.asset();
-        const QString text = strokeText(m_state.stroke->brush, m_state.stroke->isErasing);
-        asset.bonding.strokes.push_back(*std::exchange(m_state.stroke, std::nullopt));
-        m_state.push(modify(text, std::move(asset)));
+    if (m_path && m_state.asset()) {
+        m_state.stroke.reset();
+        m_state.push(paintStroke(*m_state.asset(), std::exchange(m_path, std::nullopt)->stroke()));
     }
     endDrag();
 }
 
 bool BondBrushTool::cancel() {
-    if (!m_state.stroke) return false;
+    if (!m_path) return false;
     endDrag();
     return true;
 }
 
 void BondBrushTool::endDrag() {
+    m_path.reset();
     m_state.stroke.reset();
-    m_path.clear();
     emit changed();
 }
 
@@ -97,9 +68,23 @@ void BondBrushTool::leave() {
     emit changed();
 }
 
-void BondBrushTool::setBrush(BondBrush brush) {
-    m_brush = brush;
+void BondBrushTool::setSettings(const BondBrushSettings& settings) {
+    if (settings == m_settings) return;
+    m_settings = settings;
     emit changed();
+    emit settingsChanged();
+}
+
+void BondBrushTool::setBrush(BondBrush brush) {
+    BondBrushSettings settings = m_settings;
+    settings.brush = brush;
+    setSettings(settings);
+}
+
+void BondBrushTool::setErasing(bool isErasing) {
+    BondBrushSettings settings = m_settings;
+    settings.isErasing = isErasing;
+    setSettings(settings);
 }
 
 void BondBrushTool::setRadiusPixels(double radius) {
@@ -113,19 +98,9 @@ void BondBrushTool::stepSize(double steps) {
 }
 
 void BondBrushTool::setStrength(double strength) {
-    m_strength = std::clamp(strength, 0.0, kMaxStrength);
-    emit changed();
-}
-
-/// To the next of kStrengths above (1) or below (-1).
-void BondBrushTool::stepStrength(int direction) {
-    if (direction > 0) {
-        const auto* above = std::ranges::upper_bound(kStrengths, m_strength);
-        setStrength(above == kStrengths.end() ? kMaxStrength : *above);
-    } else {
-        const auto* from = std::ranges::lower_bound(kStrengths, m_strength);
-        setStrength(from == kStrengths.begin() ? 0.0 : *(from - 1));
-    }
+    BondBrushSettings settings = m_settings;
+    settings.strength = std::clamp(strength, kBrushStrengths.front(), kBrushStrengths.back());
+    setSettings(settings);
 }
 
 bool BondBrushTool::key(const QKeyEvent& event) {
@@ -133,9 +108,9 @@ bool BondBrushTool::key(const QKeyEvent& event) {
     switch (event.key()) {
         case Qt::Key_BracketLeft: stepSize(-1.0); break;
         case Qt::Key_BracketRight: stepSize(1.0); break;
-        case Qt::Key_Comma: stepStrength(-1); break;
-        case Qt::Key_Period: stepStrength(1); break;
-        default: m_isErasing = !m_isErasing; emit changed();
+        case Qt::Key_Comma: setStrength(nextBrushStrength(strength(), -1)); break;
+        case Qt::Key_Period: setStrength(nextBrushStrength(strength(), 1)); break;
+        default: setErasing(!m_settings.isErasing);
     }
     return true;
 }
@@ -147,15 +122,17 @@ bool BondBrushTool::controlWheel(double notches) {
 
 /// Elsewhere brackets select parents and children.
 bool BondBrushTool::overridesShortcut(int key) const {
-    if (m_brush == BondBrush::Strength && (key == Qt::Key_Comma || key == Qt::Key_Period)) return true;
+    if (m_settings.brush == BondBrush::Strength && (key == Qt::Key_Comma || key == Qt::Key_Period)) return true;
     return key == Qt::Key_BracketLeft || key == Qt::Key_BracketRight || key == Qt::Key_X;
 }
 
 QColor BondBrushTool::colour(const CanvasColours& colours) const {
-    switch (m_brush) {
+    switch (m_settings.brush) {
         case BondBrush::Anchor: return colours.anchored;
         case BondBrush::Strength:
-            return m_strength == 1.0 ? colours.neutralBond : m_strength < 1.0 ? colours.weakBond : colours.strongBond;
+            return m_settings.strength == 1.0  ? colours.neutralBond
+                   : m_settings.strength < 1.0 ? colours.weakBond
+                                               : colours.strongBond;
         case BondBrush::NeverBreaks: break;
     }
     return colours.neverBreaks;
@@ -185,10 +162,11 @@ void BondBrushTool::paint(QPainter& painter, const CanvasColours& colours) const
 Qt::CursorShape BondBrushTool::cursor() const { return canPaint() ? Qt::CrossCursor : Qt::ForbiddenCursor; }
 
 QString BondBrushTool::actionHint() const {
-    if (m_isErasing) return tr("Drag: erase");
-    switch (m_brush) {
+    if (m_settings.isErasing) return tr("Drag: erase");
+    switch (m_settings.brush) {
         case BondBrush::Anchor: return tr("Drag: anchor fragments");
-        case BondBrush::Strength: return tr("Drag: make bonds %1 times as strong").arg(QLocale().toString(m_strength));
+        case BondBrush::Strength:
+            return tr("Drag: make bonds %1 times as strong").arg(QLocale().toString(m_settings.strength));
         case BondBrush::NeverBreaks: break;
     }
     return tr("Drag: let fragments never break");
@@ -197,20 +175,21 @@ QString BondBrushTool::actionHint() const {
 QString BondBrushTool::hint() const {
     if (!m_state.displayedAsset()) return {};
     if (!canPaint()) return tr("This asset breaks whole. Set \"Break as\" to Bonded in the inspector to paint bonds.");
-    if (m_state.stroke) return tr("Release to finish · Esc: cancel");
+    if (m_path) return tr("Release to finish · Esc: cancel");
     const QString hint = tr("%1 · Shift: invert · X: switch between paint and erase · [ ], Ctrl and wheel: size");
-    return m_brush == BondBrush::Strength ? tr("%1 · , .: factor").arg(hint.arg(actionHint())) : hint.arg(actionHint());
+    return m_settings.brush == BondBrush::Strength ? tr("%1 · , .: factor").arg(hint.arg(actionHint()))
+                                                   : hint.arg(actionHint());
 }
 
 /// The factors as a group, of which the current one is checked.
 void BondBrushTool::addStrengths(QMenu& menu) {
     QMenu* strengths = menu.addMenu(tr("Strength &Factor"));
-    for (const double strength : kStrengths) {
+    for (const double strength : kBrushStrengths) {
         const QString text = QLocale().toString(strength);
         QAction* action = strengths->addAction(strength == 1.0 ? tr("%1 (neutral)").arg(text) : text, this,
                                                [this, strength] { setStrength(strength); });
         action->setCheckable(true);
-        action->setChecked(strength == m_strength);
+        action->setChecked(strength == m_settings.strength);
     }
     menu.addSeparator();
 }
@@ -219,13 +198,10 @@ void BondBrushTool::fillMenu(QMenu& menu, const CanvasPointer&) {
     menu.addAction(tr("Increase Brush &Size"), this, [this] { stepSize(1.0); });
     menu.addAction(tr("&Decrease Brush Size"), this, [this] { stepSize(-1.0); });
     menu.addSeparator();
-    if (m_brush == BondBrush::Strength) addStrengths(menu);
-    QAction* erase = menu.addAction(tr("&Erase"), this, [this](bool isOn) {
-        m_isErasing = isOn;
-        emit changed();
-    });
+    if (m_settings.brush == BondBrush::Strength) addStrengths(menu);
+    QAction* erase = menu.addAction(tr("&Erase"), this, [this](bool isOn) { setErasing(isOn); });
     erase->setCheckable(true);
-    erase->setChecked(m_isErasing);
+    erase->setChecked(m_settings.isErasing);
 }
 
 }  // namespace rubble

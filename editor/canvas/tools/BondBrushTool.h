@@ -2,9 +2,9 @@
 
 #include "editor/canvas/tools/BrushSize.h"
 #include "editor/canvas/tools/CanvasTool.h"
+#include "editor/commands/BondStrokes.h"
 
 #include <optional>
-#include <vector>
 
 namespace rubble {
 
@@ -29,30 +29,31 @@ public:
     QString hint() const override;
     void fillMenu(QMenu& menu, const CanvasPointer& pointer) override;
 
-    BondBrush brush() const { return m_brush; }
+    const BondBrushSettings& settings() const { return m_settings; }
+    void setSettings(const BondBrushSettings& settings);
     void setBrush(BondBrush brush);
     double radiusPixels() const { return m_size.radiusPixels(); }
     void setRadiusPixels(double radius);
     /// The factor of the strength brush, 0 to 10.
-    double strength() const { return m_strength; }
+    double strength() const { return m_settings.strength; }
     void setStrength(double strength);
+
+signals:
+    void settingsChanged();
 
 private:
     bool canPaint() const;
     bool erases(Qt::KeyboardModifiers modifiers) const;
-    double radius() const;
     QColor colour(const CanvasColours& colours) const;
     QString actionHint() const;
     void stepSize(double steps);
-    void stepStrength(int direction);
-    void extend(Vec2 point);
+    void setErasing(bool isErasing);
+    void extend(const CanvasPointer& pointer);
     void addStrengths(QMenu& menu);
 
     BrushSize m_size;
-    BondBrush m_brush = BondBrush::Anchor;
-    double m_strength = 2.0;
-    bool m_isErasing = false;
-    std::vector<Vec2> m_path;  // of the stroke before it is simplified, m, in the asset's plane
+    BondBrushSettings m_settings;
+    std::optional<BondStrokePath> m_path;  // of the stroke that is being painted
     std::optional<CanvasPointer> m_pointer;
 };
 

@@ -1,8 +1,8 @@
 #include "editor/canvas/tools/CrackLineTool.h"
 
 #include "core/fracture/pattern/SeedEdits.h"
+#include "core/geometry/polygon/LineSimplification.h"
 #include "editor/canvas/painting/CanvasPainting.h"
-#include "editor/canvas/tools/LineSimplification.h"
 #include "editor/canvas/tools/Snapping.h"
 #include "editor/commands/ProjectEdits.h"
 

@@ -196,6 +196,12 @@ void PatternCanvas::setCompared(std::shared_ptr<const ComparedAsset> compared) {
     update();
 }
 
+void PatternCanvas::showStroke(const BondStroke* stroke) {
+    m_state.stroke = stroke ? std::optional(*stroke) : std::nullopt;
+    m_updater.refreshBonds();
+    update();
+}
+
 void PatternCanvas::zoomBy(double factor) { setView(zoomed(m_state.view, factor, rect().center())); }
 
 QString PatternCanvas::hint() const { return m_tool->hint(); }

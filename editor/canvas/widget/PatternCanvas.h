@@ -65,6 +65,9 @@ public:
     /// Shows the changes since an earlier state in place of the cells' colours; null shows the colours again.
     void setCompared(std::shared_ptr<const ComparedAsset> compared);
 
+    /// Shows the marks of a stroke that is painted elsewhere, in the plane of the active asset; null: none is.
+    void showStroke(const BondStroke* stroke);
+
     /// The context menu's actions for selected fragments, in addition to those of the tool.
     void setFragmentActions(const QList<QAction*>& actions) { m_fragmentActions = actions; }
     /// Actions whose shortcuts precede those of the window while the canvas has the focus.

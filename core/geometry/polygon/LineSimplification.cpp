@@ -1,4 +1,4 @@
-#include "editor/canvas/tools/LineSimplification.h"
+#include "core/geometry/polygon/LineSimplification.h"
 
 #include "core/geometry/predicates/SegmentDistance.h"
 
