@@ -1,10 +1,13 @@
-// Tests the brushes for bonds of editor/actions/ViewActions.cpp in the window: a wall is painted, saved and loaded.
+// Tests the brushes for bonds of editor/actions/ViewActions.cpp in the window, and editor/view3d/tools/BondPaintTool.cpp:
+// a wall is painted, saved and loaded.
 #include "core/asset/library/StarterProject.h"
 #include "core/structure/strength/BondStrength.h"
 #include "editor/canvas/tools/BondBrushTool.h"
 #include "editor/commands/ProjectEdits.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/EditorStory.h"
+
+#include "editor/view3d/tools/BondPaintTool.h"
 
 #include <QToolBar>
 
@@ -94,6 +97,50 @@ private slots:
         while (stack().canRedo()) stack().redo();
         QCOMPARE(text(), painted);
     }
+    void inThe3dViewTheSamePlaneIsPainted() {
+        if (!hasView()) QSKIP("There is no OpenGL here.");
+        QTest::keyClick(&canvas(), Qt::Key_A, Qt::AltModifier | Qt::ShiftModifier);
+        QVERIFY(sceneTool().isOn());
+        showOneWall();
+        const std::size_t before = wall().bonding.strokes.size();
+        const Vec2 from = centreOf() - Vec2(0.2, 0.0), to = centreOf() + Vec2(0.2, 0.1);
+        for (const double z : {wall().prism.depth, 0.0}) {
+            viewport().setCameraAnimation(false);
+            QTest::keyClick(&viewport(), Qt::Key_1, z > 0.0 ? Qt::NoModifier : Qt::ControlModifier);
+            drag(viewport(), onScreen(from, z), onScreen(to, z));
+            const BondStroke& stroke = wall().bonding.strokes.back();
+            QCOMPARE(stroke.points.size(), std::size_t{2});
+            QVERIFY2(isNear(stroke.points.front(), from) && isNear(stroke.points.back(), to),
+                     z > 0.0 ? "front" : "back");
+            QCOMPARE(stroke.brush, BondBrush::Anchor);
+        }
+        QCOMPARE(wall().bonding.strokes.size(), before + 2);
+        stack().undo();
+        stack().undo();
+        QCOMPARE(wall().bonding.strokes.size(), before);
+    }
+    void escapeCancelsAStrokeInThe3dView() {
+        if (!hasView()) QSKIP("There is no OpenGL here.");
+        const std::string before = text();
+        const QPoint at = onScreen(centreOf(), 0.0);
+        QTest::mousePress(&viewport(), Qt::LeftButton, {}, at);
+        moveTo(viewport(), at + QPoint(30, 0), {}, Qt::LeftButton);
+        QTest::keyClick(&viewport(), Qt::Key_Escape);
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, at);
+        QCOMPARE(text(), before);
+        QVERIFY(sceneTool().isOn());
+    }
+    void bothViewsShareTheSettings() {
+        QTest::keyClick(&viewport(), Qt::Key_X);
+        QVERIFY(canvas().bondBrushTool().settings().isErasing);
+        QTest::keyClick(&canvas(), Qt::Key_X);
+        QVERIFY(!sceneTool().settings().isErasing);
+        const double radius = sceneTool().radiusPixels();
+        QTest::keyClick(&viewport(), Qt::Key_BracketRight);
+        QVERIFY(sceneTool().radiusPixels() > radius);
+        QTest::keyClick(&canvas(), Qt::Key_Q, Qt::AltModifier);
+        QVERIFY(!sceneTool().isOn());
+    }
 
 private:
     const Asset& wall() { return project().assets[0]; }
@@ -103,6 +150,19 @@ private:
         const Box2 box = boundsOf(wall().prism.outline.outer);
         return canvas().view().metres(pixels((box.min + box.max) / 2.0));
     }
+    BondPaintTool& sceneTool() { return window().views().scene().bondPaintTool(); }
+    const Instance& instance() { return *std::ranges::find(project().instances, wall().id, &Instance::asset); }
+    void showOneWall() {
+        const std::array shown{instance().id};
+        window().views().scene().frameInstances(shown);
+        QTRY_VERIFY_WITH_TIMEOUT(!viewport().scene().picks.empty(), kPatience);
+    }
+    /// A point of the prism at a depth, in the 3D view.
+    QPoint onScreen(Vec2 point, double z) {
+        const Pose& pose = instance().pose;
+        return viewport().pointOf(pose.position + pose.orientation * Vec3(point, z))->toPoint();
+    }
+    static bool isNear(Vec2 a, Vec2 b) { return glm::length(a - b) < 0.02; }
     void makeBonded() {
         Asset asset = wall();
         asset.breakAs = BreakAs::Bonded;
