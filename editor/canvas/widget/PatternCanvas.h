@@ -8,6 +8,7 @@ class QAccessibleInterface;
 
 namespace rubble {
 
+class BondBrushTool;
 class BrushTool;
 class MeasureTool;
 class OutlineTool;
@@ -15,7 +16,17 @@ class Breadcrumb;
 class SeedTool;
 class CrackLineTool;
 
-enum class CanvasToolKind { Outline, Seeds, PlaceSeeds, CrackLines, Brush, Measure };
+enum class CanvasToolKind {
+    Outline,
+    Seeds,
+    PlaceSeeds,
+    CrackLines,
+    Brush,
+    Measure,
+    AnchorBrush,  // this and the following: of assets that break as bonded
+    StrengthBrush,
+    NeverBreaksBrush,
+};
 
 /// Shows the pattern of the active asset, or of its entered fragment, in the plane, with tools to edit outline, seeds
 /// and cracks. Only what changed is repainted. While seeds are dragged, the cells around them are updated at once; the
@@ -32,6 +43,7 @@ public:
     SeedTool& seedTool() { return *m_seedTool; }
     CrackLineTool& crackLineTool() { return *m_crackLineTool; }
     BrushTool& brushTool() { return *m_brushTool; }
+    BondBrushTool& bondBrushTool() { return *m_bondBrushTool; }
     MeasureTool& measureTool() { return *m_measureTool; }
 
     const CanvasOverlays& overlays() const { return contents().overlays; }
@@ -52,6 +64,9 @@ public:
 
     /// Shows the changes since an earlier state in place of the cells' colours; null shows the colours again.
     void setCompared(std::shared_ptr<const ComparedAsset> compared);
+
+    /// Shows the marks of a stroke that is painted elsewhere, in the plane of the active asset; null: none is.
+    void showStroke(const BondStroke* stroke);
 
     /// The context menu's actions for selected fragments, in addition to those of the tool.
     void setFragmentActions(const QList<QAction*>& actions) { m_fragmentActions = actions; }
@@ -120,6 +135,7 @@ private:
     void refit();
     void paintOverlays(QPainter& painter) const;
     void paintHighlights(QPainter& painter) const;
+    bool isBrush() const;
     bool showsFragmentLabel() const;
 
     CanvasState m_state;
@@ -140,6 +156,7 @@ private:
     std::unique_ptr<SeedTool> m_seedTool;
     std::unique_ptr<CrackLineTool> m_crackLineTool;
     std::unique_ptr<BrushTool> m_brushTool;
+    std::unique_ptr<BondBrushTool> m_bondBrushTool;
     std::unique_ptr<MeasureTool> m_measureTool;
     CanvasToolKind m_toolKind = CanvasToolKind::Seeds;
     CanvasTool* m_tool = nullptr;  // of m_toolKind
