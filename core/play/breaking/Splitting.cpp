@@ -230,8 +230,9 @@ void replaceBody(const SessionParts& parts, const PlayBody& before, std::span<co
         } else {
             state.bodies.push_back(after[k]);
             state.events.born.push_back(after[k]);
-            freed.push_back(after[k].number);
         }
+        const bool wasFree = k == 0 && !before.isHeld;
+        if (!after[k].isHeld && !wasFree) freed.push_back(after[k].number);
     }
 }
 
