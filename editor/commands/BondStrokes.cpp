@@ -1,7 +1,7 @@
 #include "editor/commands/BondStrokes.h"
 
 #include "core/asset/project/Ranges.h"
-#include "core/geometry/polygon/LineSimplification.h"
+#include "core/geometry/line/LineSimplification.h"
 #include "editor/commands/ProjectEdits.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 #include "editor/canvas/tools/CrackLineTool.h"
 
 #include "core/fracture/pattern/SeedEdits.h"
-#include "core/geometry/polygon/LineSimplification.h"
+#include "core/geometry/line/LineSimplification.h"
 #include "editor/canvas/painting/CanvasPainting.h"
 #include "editor/canvas/tools/Snapping.h"
 #include "editor/commands/ProjectEdits.h"

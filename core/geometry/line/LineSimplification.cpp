@@ -1,4 +1,4 @@
-#include "core/geometry/polygon/LineSimplification.h"
+#include "core/geometry/line/LineSimplification.h"
 
 #include "core/geometry/predicates/SegmentDistance.h"
 
