@@ -1,5 +1,5 @@
-// Tests the brushes for bonds of editor/actions/ViewActions.cpp in the window, and editor/view3d/tools/BondPaintTool.cpp:
-// a wall is painted, saved and loaded.
+// Tests editor/view3d/tools/BondPaintTool.cpp and the brushes for bonds of editor/actions/ViewActions.cpp in the
+// window: a wall is painted, saved and loaded.
 #include "core/asset/library/StarterProject.h"
 #include "core/structure/strength/BondStrength.h"
 #include "editor/canvas/tools/BondBrushTool.h"
