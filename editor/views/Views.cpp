@@ -131,10 +131,8 @@ void Views::connectViews() {
 void Views::connectBondBrushes() {
     BondBrushTool& inCanvas = m_canvas->bondBrushTool();
     BondPaintTool& inScene = m_scene->bondPaintTool();
-    connect(m_canvas, &PatternCanvas::toolKindChanged, &inScene, [&inScene](CanvasToolKind kind) {
-        inScene.setOn(kind == CanvasToolKind::AnchorBrush || kind == CanvasToolKind::StrengthBrush ||
-                      kind == CanvasToolKind::NeverBreaksBrush);
-    });
+    connect(m_canvas, &PatternCanvas::toolKindChanged, &inScene,
+            [&inScene](CanvasToolKind kind) { inScene.setOn(isBondBrush(kind)); });
     connect(&inCanvas, &BondBrushTool::settingsChanged, &inScene,
             [&inCanvas, &inScene] { inScene.setSettings(inCanvas.settings()); });
     connect(&inScene, &BondPaintTool::settingsChanged, &inCanvas,

@@ -265,10 +265,13 @@ private:
             return bondColour(kWeakestShown * std::pow(kStrongestShown / kWeakestShown, place), m_colours);
         };
         const QRectF ends = paintBar(painter, area, CanvasLegendTexts::tr("Strength of bonds"), colour);
-        const auto text = [](double factor) { return QLocale().toString(factor); };
-        painter.drawText(ends, Qt::AlignLeft | Qt::AlignTop, CanvasLegendTexts::tr("≤ %1").arg(text(kWeakestShown)));
-        painter.drawText(ends, Qt::AlignHCenter | Qt::AlignTop, CanvasLegendTexts::tr("× %1").arg(text(1.0)));
-        painter.drawText(ends, Qt::AlignRight | Qt::AlignTop, CanvasLegendTexts::tr("≥ %1").arg(text(kStrongestShown)));
+        const auto paint = [&](Qt::Alignment side, const QString& text, double factor) {
+            painter.drawText(ends, static_cast<int>((side | Qt::AlignTop).toInt()),
+                             text.arg(QLocale().toString(factor)));
+        };
+        paint(Qt::AlignLeft, CanvasLegendTexts::tr("≤ %1"), kWeakestShown);
+        paint(Qt::AlignHCenter, CanvasLegendTexts::tr("× %1"), 1.0);
+        paint(Qt::AlignRight, CanvasLegendTexts::tr("≥ %1"), kStrongestShown);
     }
 
     /// Paints the title and the bar of a scale; returns the area of the numbers below it.

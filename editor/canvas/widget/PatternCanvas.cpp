@@ -4,10 +4,7 @@
 #include "editor/canvas/painting/HighlightPainting.h"
 #include "editor/canvas/painting/LegendPainting.h"
 #include "editor/canvas/painting/RulerPainting.h"
-#include "editor/canvas/tools/BondBrushTool.h"
-#include "editor/canvas/tools/BrushTool.h"
 #include "editor/canvas/tools/CrackLineTool.h"
-#include "editor/canvas/tools/MeasureTool.h"
 #include "editor/canvas/tools/OutlineTool.h"
 #include "editor/canvas/tools/SeedTool.h"
 #include "editor/canvas/widget/AccessibleCanvas.h"
@@ -42,13 +39,8 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
       m_updater(m_state),
       m_breadcrumb(new Breadcrumb(this)),
       m_colours(canvasColours(palette())),
-      m_outlineTool(std::make_unique<OutlineTool>(m_state)),
-      m_seedTool(std::make_unique<SeedTool>(m_state)),
-      m_crackLineTool(std::make_unique<CrackLineTool>(m_state)),
-      m_brushTool(std::make_unique<BrushTool>(m_state)),
-      m_bondBrushTool(std::make_unique<BondBrushTool>(m_state)),
-      m_measureTool(std::make_unique<MeasureTool>(m_state)),
-      m_tool(m_seedTool.get()) {
+      m_tools(m_state),
+      m_tool(&m_tools.seeds()) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
@@ -88,9 +80,7 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
         m_updater.refreshFragments();
         update();
     });
-    for (CanvasTool* tool :
-         std::initializer_list<CanvasTool*>{m_outlineTool.get(), m_seedTool.get(), m_crackLineTool.get(),
-                                            m_brushTool.get(), m_bondBrushTool.get(), m_measureTool.get()}) {
+    for (CanvasTool* tool : m_tools.all()) {
         connect(tool, &CanvasTool::changed, this, &PatternCanvas::updateTool);
         connect(tool, &CanvasTool::statusMessage, this, &PatternCanvas::statusMessage);
     }
@@ -114,22 +104,7 @@ void PatternCanvas::setTool(CanvasToolKind kind) {
     if (kind == m_toolKind) return;
     m_tool->cancel();
     m_toolKind = kind;
-    switch (kind) {
-        case CanvasToolKind::Outline: m_tool = m_outlineTool.get(); break;
-        case CanvasToolKind::Seeds:
-        case CanvasToolKind::PlaceSeeds: m_tool = m_seedTool.get(); break;
-        case CanvasToolKind::CrackLines: m_tool = m_crackLineTool.get(); break;
-        case CanvasToolKind::Brush: m_tool = m_brushTool.get(); break;
-        case CanvasToolKind::Measure: m_tool = m_measureTool.get(); break;
-        case CanvasToolKind::AnchorBrush:
-        case CanvasToolKind::StrengthBrush:
-        case CanvasToolKind::NeverBreaksBrush: m_tool = m_bondBrushTool.get(); break;
-    }
-    if (kind == CanvasToolKind::AnchorBrush) m_bondBrushTool->setBrush(BondBrush::Anchor);
-    if (kind == CanvasToolKind::StrengthBrush) m_bondBrushTool->setBrush(BondBrush::Strength);
-    if (kind == CanvasToolKind::NeverBreaksBrush) m_bondBrushTool->setBrush(BondBrush::NeverBreaks);
-    m_state.showsStrengths = kind == CanvasToolKind::StrengthBrush;
-    m_seedTool->setPlacing(kind == CanvasToolKind::PlaceSeeds);
+    m_tool = &m_tools.prepare(kind);
     updateTool();
     refit();
     emit toolKindChanged(kind);
@@ -323,7 +298,7 @@ void PatternCanvas::paintOverlays(QPainter& painter) const {
     if (showsFragmentLabel()) {
         paintFragmentLabel(painter, contents(), m_hovered, m_pointer->pixels, panels, m_state.view, m_colours);
     }
-    if (const QString message = m_state.placeholder(); !message.isEmpty() && !m_outlineTool->isDrawing()) {
+    if (const QString message = m_state.placeholder(); !message.isEmpty() && !m_tools.outline().isDrawing()) {
         paintMessage(painter, message, m_state.view, m_colours,
                      m_state.asset() ? m_colours.fault : m_colours.panelEdge);
     }
@@ -346,13 +321,11 @@ void PatternCanvas::paintHighlights(QPainter& painter) const {
     paintSelection(painter, m_state.selection, m_state.view, contents(), m_colours);
 }
 
-bool PatternCanvas::isBrush() const { return m_tool == m_brushTool.get() || m_tool == m_bondBrushTool.get(); }
-
 /// Whether to label the hovered piece: not while drawing, measuring or dragging.
 bool PatternCanvas::showsFragmentLabel() const {
     if (m_hovered == kNone || !contents().pattern || !m_pointer || !contents().overlays.hasCells) return false;
-    return m_toolKind != CanvasToolKind::Measure && !isBrush() && !m_outlineTool->isDrawing() &&
-           !m_crackLineTool->isDrawing() && !m_panFrom && !m_isPressed;
+    return m_toolKind != CanvasToolKind::Measure && !isBrush(m_toolKind) && !m_tools.outline().isDrawing() &&
+           !m_tools.crackLines().isDrawing() && !m_panFrom && !m_isPressed;
 }
 
 CanvasPointer PatternCanvas::pointerAt(QPointF pixels, Qt::KeyboardModifiers modifiers) const {

@@ -1,5 +1,5 @@
-// Tests the brushes for bonds of editor/actions/ViewActions.cpp in the window, and editor/view3d/tools/BondPaintTool.cpp:
-// a wall is painted, saved and loaded.
+// Tests editor/view3d/tools/BondPaintTool.cpp and the brushes for bonds of editor/actions/ViewActions.cpp in the
+// window: a wall is painted, saved and loaded.
 #include "core/asset/library/StarterProject.h"
 #include "core/structure/strength/BondCapacities.h"
 #include "editor/canvas/tools/BondBrushTool.h"
@@ -104,10 +104,11 @@ private slots:
         showOneWall();
         const std::size_t before = wall().bonding.strokes.size();
         const Vec2 from = centreOf() - Vec2(0.2, 0.0), to = centreOf() + Vec2(0.2, 0.1);
-        for (const double z : {wall().prism.depth, 0.0}) {
+        for (const double z : {wall().prism.depth / 2.0, -wall().prism.depth / 2.0}) {
             viewport().setCameraAnimation(false);
             QTest::keyClick(&viewport(), Qt::Key_1, z > 0.0 ? Qt::NoModifier : Qt::ControlModifier);
             drag(viewport(), onScreen(from, z), onScreen(to, z));
+            QVERIFY(wall().bonding.strokes.size() > before);
             const BondStroke& stroke = wall().bonding.strokes.back();
             QCOMPARE(stroke.points.size(), std::size_t{2});
             QVERIFY2(isNear(stroke.points.front(), from) && isNear(stroke.points.back(), to),
@@ -122,7 +123,7 @@ private slots:
     void escapeCancelsAStrokeInThe3dView() {
         if (!hasView()) QSKIP("There is no OpenGL here.");
         const std::string before = text();
-        const QPoint at = onScreen(centreOf(), 0.0);
+        const QPoint at = onScreen(centreOf(), wall().prism.depth / 2.0);
         QTest::mousePress(&viewport(), Qt::LeftButton, {}, at);
         moveTo(viewport(), at + QPoint(30, 0), {}, Qt::LeftButton);
         QTest::keyClick(&viewport(), Qt::Key_Escape);
@@ -152,17 +153,23 @@ private:
     }
     BondPaintTool& sceneTool() { return window().views().scene().bondPaintTool(); }
     const Instance& instance() { return *std::ranges::find(project().instances, wall().id, &Instance::asset); }
+    /// Frames one wall, rotated about the vertical.
     void showOneWall() {
+        Instance rotated = instance();
+        rotated.pose.orientation = glm::angleAxis(0.5, Vec3(0.0, 1.0, 0.0));
+        window().workspace().document().push(modify("Rotate", std::move(rotated)));
         const std::array shown{instance().id};
         window().views().scene().frameInstances(shown);
-        QTRY_VERIFY_WITH_TIMEOUT(!viewport().scene().picks.empty(), kPatience);
+        const Quat expected = instance().pose.orientation;
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(viewport().scene().poses[0].orientation.y - expected.y) < 1e-3, kPatience);
     }
     /// A point of the prism at a depth, in the 3D view.
     QPoint onScreen(Vec2 point, double z) {
         const Pose& pose = instance().pose;
         return viewport().pointOf(pose.position + pose.orientation * Vec3(point, z))->toPoint();
     }
-    static bool isNear(Vec2 a, Vec2 b) { return glm::length(a - b) < 0.02; }
+    /// Within about a pixel.
+    static bool isNear(Vec2 a, Vec2 b) { return glm::length(a - b) < 0.01; }
     void makeBonded() {
         Asset asset = wall();
         asset.breakAs = BreakAs::Bonded;

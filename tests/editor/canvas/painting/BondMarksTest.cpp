@@ -1,4 +1,4 @@
-// Tests editor/canvas/painting/BondMarks.cpp and BondMarkPainting.cpp.
+// Tests editor/canvas/painting/BondMarks.cpp and editor/canvas/painting/BondMarkPainting.cpp.
 #include "editor/canvas/painting/BondMarks.h"
 
 #include "editor/canvas/painting/BondMarkPainting.h"
