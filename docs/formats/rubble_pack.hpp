@@ -1,13 +1,13 @@
-// rubble_pack.hpp - reads the packs that Rubble exports, and the events that it tells. One header, C++17, the standard
-// library only, no exceptions.
+// rubble_pack.hpp - reads the packs that Rubble exports, and the events that it tells, and breaks the bonds of bonded
+// assets. One header, C++17, the standard library only, no exceptions.
 //
 //     rubble_pack::Pack pack;
 //     std::string fault;
 //     if (!rubble_pack::load("wall/pack.json", pack, fault)) return fail(fault);
 //     for (const rubble_pack::Body& fragment : pack.fragments) addBody(fragment.mass, fragment.hulls, fragment.offset);
 //
-// The fields are described in pack.md and events.md, beside this file. All indices in a pack that was read are in range
-// and need no checks. Metres, kilograms, seconds; right-handed, y up.
+// The fields are described in pack.md, events.md and state.md, beside this file. All indices in a pack that was read
+// are in range and need no checks. Metres, kilograms, seconds; right-handed, y up.
 //
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the authors of Rubble
@@ -33,12 +33,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <functional>
 #include <initializer_list>
+#include <limits>
 #include <locale>
 #include <optional>
+#include <queue>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -115,6 +119,37 @@ struct Mesh {
     MeshPlace place = MeshPlace::Assembled;
 };
 
+/// How the load of a hit on a bond decreases with the distance from the point that was hit.
+enum class Falloff { Constant, Linear, Smooth };
+
+/// The common face of two fragments, or of a fragment and an anchor.
+struct Bond {
+    std::array<std::uint32_t, 2> fragments{kNone, kNone};       // ascending; the second kNone: an anchor
+    double area = 0.0;                                          // m^2
+    Vec3 centroid;                                              // m, in the asset's frame
+    Vec3 normal;                                                // from the first to the second, or out of the first
+    double capacity = std::numeric_limits<double>::infinity();  // N·s, that breaks it; infinite: it never breaks
+};
+
+/// The bonds between the fragments of a body.
+struct Fracture {
+    std::uint32_t fragment = kNone;  // the body; kNone: the whole
+    std::vector<Bond> bonds;         // ascending fragments
+};
+
+/// How a bonded asset breaks.
+struct Bonding {
+    double falloffRadius = 0.0;  // m, > 0: a hit loads the bonds within
+    Falloff falloff = Falloff::Linear;
+    double damageFrom = 1.0;              // of what a bond holds, in (0, 1]: a weaker load leaves no damage
+    double span = 0.0;                    // m, sideways to an anchor; 0: any distance
+    double collapseDelay = 0.0;           // s, after which what has lost its support comes off
+    std::uint32_t minimumIsland = 1;      // fragments: smaller islands that come off fall apart
+    std::string bake;                     // that damages name
+    std::vector<Fracture> fractures;      // that of the whole, then ascending
+    std::vector<std::uint32_t> anchored;  // fragments of the whole that are held in place, ascending
+};
+
 struct Pack {
     std::uint32_t asset = 0;
     std::string name;
@@ -123,7 +158,8 @@ struct Pack {
     Material material;
     std::vector<Mesh> meshes;
     Body whole;
-    std::vector<Body> fragments;  // parents before their children
+    std::vector<Body> fragments;     // parents before their children
+    std::optional<Bonding> bonding;  // none: it breaks whole
 
     /// The impact that breaks a body, N·s: its own threshold, or one that follows from its volume. `body`: an index in
     /// `fragments`, or kNone: the whole. Only of bodies that break.
@@ -147,6 +183,87 @@ inline bool parse(std::string_view json, Pack& pack, std::string& fault);
 
 /// Reads a file.
 inline bool load(const std::string& path, Pack& pack, std::string& fault);
+
+/// The damage of a bond: n/255 of what it held is gone.
+using Damage = std::uint8_t;
+constexpr Damage kBroken = 255;
+
+/// The fragments of a fracture and their bonds. It never changes in play: damage is kept beside it, one byte a bond.
+///
+///     rubble_pack::Structure wall = rubble_pack::structureOf(pack, 0);
+///     std::vector<rubble_pack::Damage> damage(wall.bonds.size());
+///     rubble_pack::applyHit(wall, *pack.bonding, {{point}, impulse}, wall.fragments, damage);
+///     for (const rubble_pack::Island& island : rubble_pack::islandsOf(wall, damage, wall.fragments)) ...
+///
+/// The results have the bits of Rubble's where the compiler does not contract products and sums: -ffp-contract=off.
+struct Structure {
+    std::vector<std::uint32_t> fragments;                   // ascending indices in Pack::fragments
+    std::vector<Vec3> centres;                              // m: of mass, of each, in the asset's frame
+    std::vector<Bond> bonds;                                // those of the fracture, then to anchors
+    std::vector<std::array<std::uint32_t, 2>> ends;         // of each bond: numbers in `fragments`; kNone: an anchor
+    std::vector<std::vector<std::uint32_t>> fragmentBonds;  // of each fragment, ascending
+
+    /// The number of a fragment that is in it.
+    std::uint32_t numberOf(std::uint32_t fragment) const {
+        const auto found = std::lower_bound(fragments.begin(), fragments.end(), fragment);
+        return static_cast<std::uint32_t>(found - fragments.begin());
+    }
+};
+
+/// The structure of a fracture of a bonded pack: an index in Bonding::fractures. That of the whole
+/// has a bond that never breaks to an anchor for each anchored fragment. `strength`: a factor of all capacities, as an
+/// instance may have.
+inline Structure structureOf(const Pack& pack, std::size_t fracture, double strength = 1.0);
+
+/// Holds a fragment by something that it touches: a bond to an anchor. The damage of the structure grows by a byte.
+inline void addAnchor(Structure& structure, const Bond& anchor);
+
+/// A hit on a body.
+struct Hit {
+    std::vector<Vec3> points;  // m, in the asset's frame; one at least
+    double impulse = 0.0;      // N·s
+};
+
+/// The effect of a hit: indices of bonds, ascending, each in one list at most.
+struct HitOutcome {
+    double taken = 0.0;                  // N·s, of the hit's, that it took to break and damage bonds
+    std::vector<std::uint32_t> broken;   // bonds that broke
+    std::vector<std::uint32_t> damaged;  // bonds with new damage that hold
+};
+
+/// Breaks and damages bonds of a body by a hit, as pack.md describes. `body`: its fragments, ascending. Leaves the rest
+/// of the impulse, hit.impulse - taken, to the bodies.
+inline HitOutcome applyHit(const Structure& structure, const Bonding& rule, const Hit& hit,
+                           const std::vector<std::uint32_t>& body, std::vector<Damage>& damage);
+
+/// Fragments that unbroken bonds connect.
+struct Island {
+    std::vector<std::uint32_t> fragments;  // ascending
+    bool isAnchored = false;               // an unbroken bond leads from one to an anchor
+};
+
+/// The islands of a body, by their first fragments.
+inline std::vector<Island> islandsOf(const Structure& structure, const std::vector<Damage>& damage,
+                                     const std::vector<std::uint32_t>& body);
+
+/// The fragments of a body that do not reach an anchor within a distance sideways, ascending: see pack.md. `span` in m,
+/// 0: any distance; `up` of length 1, in the asset's frame.
+inline std::vector<std::uint32_t> unsupported(const Structure& structure, const std::vector<Damage>& damage,
+                                              const std::vector<std::uint32_t>& body, double span, Vec3 up);
+
+/// Breaks all bonds of some fragments that can break: so what has lost its support comes off, in single fragments, which
+/// do not jam between what stands. Returns the bonds that broke, ascending.
+inline std::vector<std::uint32_t> breakOff(const Structure& structure, const std::vector<std::uint32_t>& fragments,
+                                           std::vector<Damage>& damage);
+
+/// The damages of all structures of an instance as bytes for networks and files, which Rubble reads, too: see state.md.
+/// `damages`: of each fracture, in the order of Bonding::fractures; `bake`: Bonding::bake.
+inline std::string damageBytes(const std::string& bake, const std::vector<std::vector<Damage>>& damages);
+
+/// Reads damages of the same bake into `damages`, which must have the sizes of the structures. On an error returns
+/// false, sets `fault` to a message and does not change the damages.
+inline bool readDamage(std::string_view bytes, const std::string& bake, std::vector<std::vector<Damage>>& damages,
+                       std::string& fault);
 
 /// The kinds of events, in the order in which a step tells them.
 enum class EventKind { Impact, Bonds, Detached, Broken, Settled, Removed };
@@ -653,6 +770,57 @@ public:
         read.place = static_cast<MeshPlace>(oneOfAt(value, "place", {"assembled", "centred"}));
         return read;
     }
+    Bond bond(const Value& value, const std::vector<Body>& fragments, std::uint32_t parent) {
+        Bond read;
+        at(value, "fragments", [&](const Value& v) {
+            if (is(v, Kind::Array, "an array") && v->count != 2) refuse(v, "expected 2 fragments");
+            forEach(v, [&](const Value& end) {
+                const std::uint32_t fragment = read.fragments[end.number] = index(end, fragments.size());
+                if (fault.empty() && fragments[fragment].parent != parent)
+                    refuse(end, "expected a fragment of the body");
+            });
+            if (fault.empty() && read.fragments[0] >= read.fragments[1]) refuse(v, "expected ascending fragments");
+            return 0;
+        });
+        read.area = positiveAt(value, "area");
+        read.centroid = vectorAt(value, "centroid");
+        read.normal = vectorAt(value, "normal");
+        read.capacity = at(value, "capacity", [&](const Value& v) {
+            if (v->kind == Kind::Null) return std::numeric_limits<double>::infinity();
+            if (fault.empty() && number(v) < 0.0) refuse(v, "expected a number of at least 0");
+            return number(v);
+        });
+        return read;
+    }
+    Fracture fracture(const Value& value, const std::vector<Body>& fragments) {
+        Fracture read;
+        read.fragment = linkAt(value, "fragment", fragments.size());
+        read.bonds = listAt(value, "bonds", [&](const Value& v) { return bond(v, fragments, read.fragment); });
+        return read;
+    }
+    Bonding bonding(const Value& value, const std::vector<Body>& fragments) {
+        Bonding read;
+        read.falloffRadius = positiveAt(value, "falloffRadius");
+        read.falloff = static_cast<Falloff>(oneOfAt(value, "falloff", {"constant", "linear", "smooth"}));
+        read.damageFrom = positiveAt(value, "damageFrom");
+        if (read.damageFrom > 1.0) refuse(value, "the key \"damageFrom\" is above 1");
+        read.span = numberAt(value, "span");
+        read.collapseDelay = numberAt(value, "collapseDelay");
+        read.minimumIsland = countAt(value, "minimumIsland");
+        read.bake = at(value, "bake", [&](const Value& v) {
+            const std::string digits = text(v);
+            if (digits.size() != 32 || digits.find_first_not_of("0123456789abcdef") != digits.npos)
+                refuse(v, "expected 32 hexadecimal digits");
+            return digits;
+        });
+        read.fractures = listAt(value, "fractures", [&](const Value& v) { return fracture(v, fragments); });
+        read.anchored = listAt(value, "anchored", [&](const Value& v) {
+            const std::uint32_t fragment = index(v, fragments.size());
+            if (fault.empty() && fragments[fragment].parent != kNone) refuse(v, "expected a fragment of the whole");
+            return fragment;
+        });
+        return read;
+    }
     /// Refuses what is no pack, or none that this header can read.
     void checkFormat(const Value& root) {
         oneOfAt(root, "format", {"rubble-pack"});
@@ -686,6 +854,8 @@ public:
             const std::size_t count = value->count;
             return list(value, [&](const Value& element) { return body(element, element.number, count); });
         });
+        if (const std::optional<Value> bonds = fault.empty() ? find(root, "bonding") : std::nullopt)
+            read.bonding = bonding(*bonds, read.fragments);
         const std::size_t count = read.fragments.size();
         read.meshes = listAt(root, "meshes", [&](const Value& value) { return mesh(value, count); });
         return read;
@@ -775,6 +945,278 @@ public:
     }
 };
 
+inline Vec3 minus(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
+
+/// Appends a bond to a structure.
+inline void link(Structure& structure, const Bond& bond) {
+    const auto index = static_cast<std::uint32_t>(structure.bonds.size());
+    std::array<std::uint32_t, 2> ends{kNone, kNone};
+    for (std::size_t k = 0; k < 2; ++k) {
+        if (bond.fragments[k] == kNone) continue;
+        ends[k] = structure.numberOf(bond.fragments[k]);
+        structure.fragmentBonds[ends[k]].push_back(index);
+    }
+    structure.bonds.push_back(bond);
+    structure.ends.push_back(ends);
+}
+
+/// The number of the fragment at the other end of a bond; kNone: an anchor.
+inline std::uint32_t otherEnd(const Structure& structure, std::uint32_t bond, std::uint32_t number) {
+    const std::array<std::uint32_t, 2>& ends = structure.ends[bond];
+    return ends[0] == number ? ends[1] : ends[0];
+}
+
+inline bool isAnchored(const Structure& structure, const std::vector<Damage>& damage, std::uint32_t number) {
+    const std::vector<std::uint32_t>& bonds = structure.fragmentBonds[number];
+    return std::any_of(bonds.begin(), bonds.end(),
+                       [&](std::uint32_t bond) { return structure.ends[bond][1] == kNone && damage[bond] != kBroken; });
+}
+
+/// The length sideways of a step from a fragment over one of its bonds, m.
+inline double sidewaysStep(const Structure& structure, std::uint32_t bond, std::uint32_t from, const Vec3& up) {
+    constexpr double kStandsOn = 0.5;                // cosine of 60 degrees
+    constexpr double kCorbel = 0.57735026918962576;  // tangent of 30 degrees
+    const double along = dot(structure.bonds[bond].normal, up);
+    const double upwards = structure.ends[bond][0] == from ? along : -along;
+    const Vec3 apart = minus(structure.centres[otherEnd(structure, bond, from)], structure.centres[from]);
+    const double height = dot(apart, up);
+    const double sideways = length(minus(apart, {height * up.x, height * up.y, height * up.z}));
+    return upwards >= kStandsOn ? std::max(0.0, sideways - kCorbel * height) : sideways;
+}
+
+inline double loadFraction(const Bonding& rule, double distance) {
+    const double x = distance / rule.falloffRadius;
+    if (x > 1.0) return 0.0;
+    switch (rule.falloff) {
+        case Falloff::Constant: return 1.0;
+        case Falloff::Linear: return 1.0 - x;
+        case Falloff::Smooth: return 1.0 - x * x * (3.0 - 2.0 * x);
+    }
+    return 0.0;
+}
+
+inline double utilization(double load, double capacity) {
+    if (capacity > 0.0) return load / capacity;
+    return load > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
+}
+
+inline Damage damageAfter(Damage damage, double utilization, double damageFrom) {
+    if (utilization >= 1.0) return kBroken;
+    if (utilization < damageFrom) return damage;
+    const double increase = (utilization - damageFrom) / (1.0 - damageFrom);
+    return static_cast<Damage>(std::min(int{kBroken}, damage + static_cast<int>(increase * kBroken)));
+}
+
+/// A bond under a hit.
+struct LoadedBond {
+    std::uint32_t bond = 0;
+    double fraction = 0.0;     // of the impulse
+    double utilization = 0.0;  // at the full impulse
+    double distance = 0.0;     // m
+};
+
+/// A body that is hit at points.
+class StruckBody {
+public:
+    StruckBody(const Structure& structure, const std::vector<std::uint32_t>& body, const std::vector<Vec3>& points)
+        : m_structure(structure), m_points(points), m_isIn(structure.fragments.size()), m_isStruck(m_isIn.size()) {
+        for (const std::uint32_t fragment : body) m_isIn[structure.numberOf(fragment)] = true;
+        for (const Vec3& point : points) strike(point);
+    }
+
+    /// The bonds that the hit loads enough to damage them, in the order in which they take of it.
+    std::vector<LoadedBond> loadedBonds(const Bonding& rule, double impulse, const std::vector<Damage>& damage) const {
+        std::vector<LoadedBond> loaded;
+        for (std::uint32_t bond = 0; bond < m_structure.bonds.size(); ++bond) {
+            const auto [first, second] = m_structure.ends[bond];
+            if (damage[bond] == kBroken || !m_isIn[first] || (second != kNone && !m_isIn[second])) continue;
+            const double distance = distanceOf(m_structure.bonds[bond].centroid);
+            const bool isStruck = m_isStruck[first] || (second != kNone && m_isStruck[second]);
+            const double fraction = isStruck ? 1.0 : loadFraction(rule, distance);
+            const double used = utilization(impulse * fraction, m_structure.bonds[bond].capacity);
+            if (fraction > 0.0 && used >= rule.damageFrom) loaded.push_back({bond, fraction, used, distance});
+        }
+        std::sort(loaded.begin(), loaded.end(), [](const LoadedBond& a, const LoadedBond& b) {
+            return std::tie(b.utilization, a.distance, a.bond) < std::tie(a.utilization, b.distance, b.bond);
+        });
+        return loaded;
+    }
+
+private:
+    /// Marks the fragment of the body whose centre is nearest to a point.
+    void strike(const Vec3& point) {
+        std::size_t nearest = m_isIn.size();
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t number = 0; number < m_isIn.size(); ++number) {
+            const Vec3 arm = minus(m_structure.centres[number], point);
+            const double square = dot(arm, arm);
+            if (!m_isIn[number] || !(square < least)) continue;
+            least = square;
+            nearest = number;
+        }
+        if (nearest < m_isIn.size()) m_isStruck[nearest] = true;
+    }
+    double distanceOf(const Vec3& centroid) const {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Vec3& point : m_points) least = std::min(least, length(minus(centroid, point)));
+        return least;
+    }
+
+    const Structure& m_structure;
+    const std::vector<Vec3>& m_points;
+    std::vector<bool> m_isIn;      // by number
+    std::vector<bool> m_isStruck;  // likewise
+};
+
+/// The little-endian number of `size` bytes from `at`.
+inline std::uint64_t numberOf(std::string_view bytes, std::size_t at, std::size_t size) {
+    std::uint64_t value = 0;
+    for (std::size_t k = size; k-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
+    return value;
+}
+
+inline void addNumber(std::string& bytes, std::uint64_t value, int size) {
+    for (int k = 0; k < size; ++k) bytes.push_back(static_cast<char>(value >> (8 * k) & 0xff));
+}
+
+/// The lower half of XXH3 (128 bits, seed 0) of more than 16 bytes.
+/// Source: the specification of XXH3 in the documentation of xxHash; the secret is its default one.
+class Xxh3 {
+public:
+    static std::uint64_t lowOf(std::string_view bytes) {
+        if (bytes.size() > 240) return ofMany(bytes);
+        return bytes.size() > 128 ? ofSome(bytes) : ofFew(bytes);
+    }
+
+private:
+    static constexpr std::uint64_t k32_1 = 0x9e3779b1u, k32_2 = 0x85ebca77u, k32_3 = 0xc2b2ae3du;
+    static constexpr std::uint64_t k64_1 = 0x9e3779b185ebca87u, k64_2 = 0xc2b2ae3d27d4eb4fu;
+    static constexpr std::uint64_t k64_3 = 0x165667b19e3779f9u, k64_4 = 0x85ebca77c2b2ae63u;
+    static constexpr std::uint64_t k64_5 = 0x27d4eb2f165667c5u;
+    static constexpr std::size_t kSecretBytes = 192, kStripe = 64, kStripes = 16;  // of a block
+
+    /// Eight bytes of the secret from any of them.
+    static std::uint64_t secret(std::size_t at) {
+        static constexpr std::array<std::uint64_t, kSecretBytes / 8> kWords{
+            0xbe4ba423396cfeb8u, 0x1cad21f72c81017cu, 0xdb979083e96dd4deu, 0x1f67b3b7a4a44072u, 0x78e5c0cc4ee679cbu,
+            0x2172ffcc7dd05a82u, 0x8e2443f7744608b8u, 0x4c263a81e69035e0u, 0xcb00c391bb52283cu, 0xa32e531b8b65d088u,
+            0x4ef90da297486471u, 0xd8acdea946ef1938u, 0x3f349ce33f76faa8u, 0x1d4f0bc7c7bbdcf9u, 0x3159b4cd4be0518au,
+            0x647378d9c97e9fc8u, 0xc3ebd33483acc5eau, 0xeb6313faffa081c5u, 0x49daf0b751dd0d17u, 0x9e68d429265516d3u,
+            0xfca1477d58be162bu, 0xce31d07ad1b8f88fu, 0x280416958f3acb45u, 0x7e404bbbcafbd7afu};
+        const std::size_t word = at / 8, shift = 8 * (at % 8);
+        return shift == 0 ? kWords[word] : kWords[word] >> shift | kWords[word + 1] << (64 - shift);
+    }
+    static std::uint64_t read(std::string_view bytes, std::size_t at) { return numberOf(bytes, at, 8); }
+    /// Both halves of the product, combined.
+    static std::uint64_t folded(std::uint64_t a, std::uint64_t b) {
+        const std::uint64_t a0 = a & 0xffffffffu, a1 = a >> 32, b0 = b & 0xffffffffu, b1 = b >> 32;
+        const std::uint64_t middle = a1 * b0 + (a0 * b0 >> 32);
+        const std::uint64_t carried = (middle & 0xffffffffu) + a0 * b1;
+        return (a * b) ^ (a1 * b1 + (middle >> 32) + (carried >> 32));
+    }
+    static std::uint64_t avalanche(std::uint64_t h) {
+        h = (h ^ (h >> 37)) * 0x165667919e3779f9u;
+        return h ^ (h >> 32);
+    }
+
+    struct Sums {
+        std::uint64_t low = 0, high = 0;
+
+        void mix(std::string_view bytes, std::size_t first, std::size_t second, std::size_t key) {
+            low += folded(read(bytes, first) ^ secret(key), read(bytes, first + 8) ^ secret(key + 8));
+            low ^= read(bytes, second) + read(bytes, second + 8);
+            high += folded(read(bytes, second) ^ secret(key + 16), read(bytes, second + 8) ^ secret(key + 24));
+            high ^= read(bytes, first) + read(bytes, first + 8);
+        }
+    };
+
+    static std::uint64_t ofFew(std::string_view bytes) {
+        Sums sums{bytes.size() * k64_1, 0};
+        for (std::size_t k = (bytes.size() - 1) / 32 + 1; k-- > 0;)
+            sums.mix(bytes, 16 * k, bytes.size() - 16 * (k + 1), 32 * k);
+        return avalanche(sums.low + sums.high);
+    }
+    static std::uint64_t ofSome(std::string_view bytes) {
+        Sums sums{bytes.size() * k64_1, 0};
+        for (std::size_t k = 0; k < 4; ++k) sums.mix(bytes, 32 * k, 32 * k + 16, 32 * k);
+        sums = {avalanche(sums.low), avalanche(sums.high)};
+        for (std::size_t k = 4; 32 * (k + 1) <= bytes.size(); ++k)
+            sums.mix(bytes, 32 * k, 32 * k + 16, 3 + 32 * (k - 4));
+        sums.mix(bytes, bytes.size() - 16, bytes.size() - 32, 103);
+        return avalanche(sums.low + sums.high);
+    }
+    static void accumulate(std::array<std::uint64_t, 8>& sums, std::string_view bytes, std::size_t at,
+                           std::size_t key) {
+        for (std::size_t lane = 0; lane < 8; ++lane) {
+            const std::uint64_t value = read(bytes, at + 8 * lane), keyed = value ^ secret(key + 8 * lane);
+            sums[lane ^ 1] += value;
+            sums[lane] += (keyed & 0xffffffffu) * (keyed >> 32);
+        }
+    }
+    static std::uint64_t ofMany(std::string_view bytes) {
+        std::array<std::uint64_t, 8> sums{k32_3, k64_1, k64_2, k64_3, k64_4, k32_2, k64_5, k32_1};
+        const std::size_t stripes = (bytes.size() - 1) / kStripe;
+        for (std::size_t stripe = 0; stripe < stripes; ++stripe) {
+            accumulate(sums, bytes, kStripe * stripe, 8 * (stripe % kStripes));
+            if (stripe % kStripes != kStripes - 1) continue;
+            for (std::size_t lane = 0; lane < 8; ++lane)
+                sums[lane] = (sums[lane] ^ (sums[lane] >> 47) ^ secret(kSecretBytes - kStripe + 8 * lane)) * k32_1;
+        }
+        accumulate(sums, bytes, bytes.size() - kStripe, kSecretBytes - kStripe - 7);
+        std::uint64_t merged = bytes.size() * k64_1;
+        for (std::size_t k = 0; k < 8; k += 2)
+            merged += folded(sums[k] ^ secret(11 + 8 * k), sums[k + 1] ^ secret(19 + 8 * k));
+        return avalanche(merged);
+    }
+};
+
+inline std::uint64_t checksum(std::string_view bytes) { return Xxh3::lowOf(bytes); }
+
+/// What every damage of bonds of a bake begins with.
+inline std::string damageHeader(const std::string& bake) {
+    std::string bytes = "RDMG";
+    bytes += {1, 2, 0};  // version, kind, no cut
+    for (const std::size_t first : {std::size_t{0}, std::size_t{16}}) {
+        std::uint64_t half = 0;
+        if (bake.size() == 32) std::from_chars(bake.data() + first, bake.data() + first + 16, half, 16);
+        addNumber(bytes, half, 8);
+    }
+    return bytes;
+}
+
+/// Reads a damage of as many bonds as `all` has; returns what is wrong with it, or null.
+inline const char* readDamages(std::string_view bytes, const std::string& bake, std::vector<Damage>& all) {
+    const std::string header = damageHeader(bake);
+    const std::size_t bits = header.size() + 4, partial = bits + (all.size() + 7) / 8;
+    if (bytes.size() < bits + 12) return "The damage is too short.";
+    if (bytes.substr(0, 4) != header.substr(0, 4)) return "The text is not a damage.";
+    if (checksum(bytes.substr(0, bytes.size() - 8)) != numberOf(bytes, bytes.size() - 8, 8))
+        return "The damage was changed on its way: its checksum does not fit.";
+    if (bytes.substr(0, 7) != header.substr(0, 7)) return "The damage is not of bonds, or of another version.";
+    if (bytes.substr(0, header.size()) != header) return "The damage is of another bake.";
+    if (numberOf(bytes, header.size(), 4) != all.size()) return "The damage is of another number of bonds.";
+    if (bytes.size() < partial + 12) return "The damage is too short.";
+    const std::uint64_t count = numberOf(bytes, partial, 4);
+    if (bytes.size() != partial + 4 + 4 * count + 8) return "The damage has another size than its bonds take.";
+    for (std::size_t k = 0; k < 8 * (partial - bits); ++k) {
+        const bool isBroken = (numberOf(bytes, bits + k / 8, 1) >> (k % 8) & 1) != 0;
+        if (isBroken && k >= all.size()) return "The damage has bits beyond its last bond.";
+        if (isBroken) all[k] = kBroken;
+    }
+    std::size_t next = 0;  // the least bond that may follow
+    for (std::size_t at = partial + 4; at < partial + 4 + 4 * count; at += 4) {
+        const std::size_t bond = numberOf(bytes, at, 3);
+        const auto one = static_cast<Damage>(numberOf(bytes, at + 3, 1));
+        if (bond < next || bond >= all.size() || all[bond] == kBroken || one == 0 || one == kBroken)
+            return "A damaged bond is broken, out of order or does not exist.";
+        all[bond] = one;
+        next = bond + 1;
+    }
+    return nullptr;
+}
+
 /// The bytes of a file; none if it cannot be read.
 inline std::optional<std::string> bytesOf(const std::string& path, std::string& fault) {
     std::ifstream file(path, std::ios::binary);
@@ -785,6 +1227,174 @@ inline std::optional<std::string> bytesOf(const std::string& path, std::string& 
 }
 
 }  // namespace detail
+
+inline Structure structureOf(const Pack& pack, std::size_t fracture, double strength) {
+    const Fracture& source = pack.bonding->fractures[fracture];
+    Structure structure;
+    structure.fragments = pack.piecesOf(source.fragment);
+    for (const std::uint32_t fragment : structure.fragments)
+        structure.centres.push_back(pack.fragments[fragment].offset);
+    structure.fragmentBonds.resize(structure.fragments.size());
+    for (Bond bond : source.bonds) {
+        if (std::isfinite(bond.capacity)) bond.capacity *= strength;
+        detail::link(structure, bond);
+    }
+    if (source.fragment != kNone) return structure;
+    for (const std::uint32_t fragment : pack.bonding->anchored) {
+        Bond anchor;
+        anchor.fragments = {fragment, kNone};
+        anchor.centroid = pack.fragments[fragment].offset;
+        anchor.normal = {0.0, 0.0, 1.0};
+        detail::link(structure, anchor);
+    }
+    return structure;
+}
+
+inline void addAnchor(Structure& structure, const Bond& anchor) { detail::link(structure, anchor); }
+
+inline HitOutcome applyHit(const Structure& structure, const Bonding& rule, const Hit& hit,
+                           const std::vector<std::uint32_t>& body, std::vector<Damage>& damage) {
+    const detail::StruckBody struck(structure, body, hit.points);
+    HitOutcome outcome;
+    double left = hit.impulse;
+    for (const detail::LoadedBond& loaded : struck.loadedBonds(rule, hit.impulse, damage)) {
+        const double capacity = structure.bonds[loaded.bond].capacity;
+        const Damage before = damage[loaded.bond];
+        const Damage after =
+            detail::damageAfter(before, detail::utilization(left * loaded.fraction, capacity), rule.damageFrom);
+        if (after == before) continue;
+        damage[loaded.bond] = after;
+        (after == kBroken ? outcome.broken : outcome.damaged).push_back(loaded.bond);
+        left = std::max(0.0, left - capacity * (after - before) / kBroken);
+    }
+    outcome.taken = hit.impulse - left;
+    std::sort(outcome.broken.begin(), outcome.broken.end());
+    std::sort(outcome.damaged.begin(), outcome.damaged.end());
+    return outcome;
+}
+
+inline std::vector<Island> islandsOf(const Structure& structure, const std::vector<Damage>& damage,
+                                     const std::vector<std::uint32_t>& body) {
+    // Union-find: each number has a smaller one of its island as its parent, the smallest itself.
+    std::vector<std::uint32_t> parents(structure.fragments.size(), kNone), islandOf(parents.size(), kNone);
+    const auto rootOf = [&](std::uint32_t number) {
+        while (parents[number] != number) number = parents[number] = parents[parents[number]];
+        return number;
+    };
+    for (const std::uint32_t fragment : body) {
+        const std::uint32_t number = structure.numberOf(fragment);
+        parents[number] = number;
+        for (const std::uint32_t bond : structure.fragmentBonds[number]) {
+            const std::uint32_t other = detail::otherEnd(structure, bond, number);
+            if (other >= number || parents[other] == kNone || damage[bond] == kBroken) continue;
+            const std::uint32_t one = rootOf(number), two = rootOf(other);
+            parents[std::max(one, two)] = std::min(one, two);
+        }
+    }
+    std::vector<Island> islands;
+    for (const std::uint32_t fragment : body) {
+        const std::uint32_t number = structure.numberOf(fragment);
+        std::uint32_t& island = islandOf[rootOf(number)];
+        if (island == kNone) {
+            island = static_cast<std::uint32_t>(islands.size());
+            islands.emplace_back();
+        }
+        islands[island].fragments.push_back(fragment);
+        if (detail::isAnchored(structure, damage, number)) islands[island].isAnchored = true;
+    }
+    return islands;
+}
+
+inline std::vector<std::uint32_t> unsupported(const Structure& structure, const std::vector<Damage>& damage,
+                                              const std::vector<std::uint32_t>& body, double span, Vec3 up) {
+    // Dijkstra 1959, by (distance, number). Those that are not of the body stay below 0.
+    constexpr double kUnreached = std::numeric_limits<double>::infinity();
+    using Entry = std::pair<double, std::uint32_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    std::vector<double> distances(structure.fragments.size(), -1.0);
+    const auto reach = [&](std::uint32_t number, double distance) {
+        if (!(distance < distances[number])) return;
+        distances[number] = distance;
+        queue.push({distance, number});
+    };
+    for (const std::uint32_t fragment : body) distances[structure.numberOf(fragment)] = kUnreached;
+    for (const std::uint32_t fragment : body) {
+        const std::uint32_t number = structure.numberOf(fragment);
+        if (detail::isAnchored(structure, damage, number)) reach(number, 0.0);
+    }
+    const double farthest = span > 0.0 ? span : std::numeric_limits<double>::max();
+    while (!queue.empty()) {
+        const auto [distance, number] = queue.top();
+        queue.pop();
+        if (distance > distances[number]) continue;
+        for (const std::uint32_t bond : structure.fragmentBonds[number]) {
+            const std::uint32_t next = detail::otherEnd(structure, bond, number);
+            if (next == kNone || damage[bond] == kBroken) continue;
+            const double reached = distance + detail::sidewaysStep(structure, bond, number, up);
+            if (reached <= farthest) reach(next, reached);
+        }
+    }
+    std::vector<std::uint32_t> found;
+    for (const std::uint32_t fragment : body) {
+        if (!(distances[structure.numberOf(fragment)] < kUnreached)) found.push_back(fragment);
+    }
+    return found;
+}
+
+inline std::vector<std::uint32_t> breakOff(const Structure& structure, const std::vector<std::uint32_t>& fragments,
+                                           std::vector<Damage>& damage) {
+    std::vector<bool> isOff(structure.fragments.size());
+    for (const std::uint32_t fragment : fragments) isOff[structure.numberOf(fragment)] = true;
+    std::vector<std::uint32_t> broken;
+    for (std::uint32_t bond = 0; bond < structure.bonds.size(); ++bond) {
+        const auto [first, second] = structure.ends[bond];
+        if (!isOff[first] && (second == kNone || !isOff[second])) continue;
+        if (damage[bond] == kBroken || !std::isfinite(structure.bonds[bond].capacity)) continue;
+        damage[bond] = kBroken;
+        broken.push_back(bond);
+    }
+    return broken;
+}
+
+inline std::string damageBytes(const std::string& bake, const std::vector<std::vector<Damage>>& damages) {
+    std::vector<Damage> all;
+    for (const std::vector<Damage>& one : damages) all.insert(all.end(), one.begin(), one.end());
+    std::string bytes = detail::damageHeader(bake);
+    detail::addNumber(bytes, all.size(), 4);
+    std::string partial;
+    std::uint64_t partialCount = 0;
+    for (std::size_t first = 0; first < all.size(); first += 8) {
+        std::uint64_t octet = 0;
+        for (std::size_t k = first; k < std::min(first + 8, all.size()); ++k) {
+            if (all[k] == kBroken) octet |= std::uint64_t{1} << (k - first);
+            if (all[k] == kBroken || all[k] == 0) continue;
+            detail::addNumber(partial, std::uint64_t{all[k]} << 24 | k, 4);
+            ++partialCount;
+        }
+        detail::addNumber(bytes, octet, 1);
+    }
+    detail::addNumber(bytes, partialCount, 4);
+    bytes += partial;
+    detail::addNumber(bytes, detail::checksum(bytes), 8);
+    return bytes;
+}
+
+inline bool readDamage(std::string_view bytes, const std::string& bake, std::vector<std::vector<Damage>>& damages,
+                       std::string& fault) {
+    std::vector<Damage> all;
+    for (const std::vector<Damage>& one : damages) all.resize(all.size() + one.size());
+    if (const char* error = detail::readDamages(bytes, bake, all)) {
+        fault = error;
+        return false;
+    }
+    auto next = all.begin();
+    for (std::vector<Damage>& one : damages) {
+        const auto end = next + static_cast<std::ptrdiff_t>(one.size());
+        one.assign(next, end);
+        next = end;
+    }
+    return true;
+}
 
 inline bool parse(std::string_view json, Pack& pack, std::string& fault) {
     detail::Parser parser(json);

@@ -4,6 +4,7 @@
 #include "core/asset/bake/BakeHash.h"
 #include "core/asset/project/Ids.h"
 #include "core/asset/project/Variants.h"
+#include "core/asset/strength/BondStrength.h"
 #include "core/asset/strength/Threshold.h"
 #include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
@@ -100,9 +101,9 @@ AssetExport exportAsset(const Project& project, const PackedAsset& packed, const
     return result;
 }
 
-/// Removes all that a pack does not contain of how an asset breaks as bonded.
+/// Removes all that the pack of an asset that breaks whole does not contain: of bonds and cuts.
 void removeBonds(Asset& asset) {
-    asset.breakAs = BreakAs::Whole;
+    asset.cutAtImpact.reset();
     asset.bonding = {};
     for (Level& level : asset.levels) level.bondStrength = 1.0;
     for (FragmentLevel& leaf : asset.fragmentLevels) {
@@ -132,8 +133,8 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Mes
     single.materials = {material.own};
     if (asset.insideMaterial != 0) single.materials.push_back(material.inside);
     single.assets = {asset};
-    single.assets[0].cutAtImpact.reset();
-    removeBonds(single.assets[0]);
+    if (asset.breakAs == BreakAs::Whole) removeBonds(single.assets[0]);
+    if (asset.breakAs == BreakAs::Bonded) single.assets[0].bonding.impulsePerArea = bondImpulseOf(asset, material.own);
     single.assets[0].requirements.clear();
     single.assets[0].threshold = thresholdOf(asset, material.own);
     single.assets[0].contactTime.reset();

@@ -5,6 +5,7 @@
 #include "core/asset/strength/Threshold.h"
 #include "core/base/Parallel.h"
 #include "core/io/pack/PackBodyJson.h"
+#include "core/io/pack/PackBondingJson.h"
 #include "core/io/pack/PackFormat.h"
 #include "core/io/project/ColourJson.h"
 
@@ -165,6 +166,7 @@ ContentHash packHash(const Asset& asset, const AssetMaterials& material, std::sp
     addText(hasher, asset.name);
     hasher.add(thresholdOf(asset, material.own));
     addFragmentThresholds(hasher, asset);
+    addPackBonding(hasher, asset, material.own);
     addText(hasher, material.own.name);
     for (const double value : {material.own.density, material.own.friction, material.own.restitution})
         hasher.add(value);
@@ -198,6 +200,7 @@ std::string packJson(const Bake& bake, const Asset& asset, const AssetMaterials&
     json.openArray("fragments", JsonLayout::CompactLines);
     for (const std::string& chunk : chunks) json.elements(chunk);
     json.close();
+    writePackBonding(json, bake, asset, material.own);
     json.close();
     return withChecksum(std::move(json).finished());
 }

@@ -4,6 +4,7 @@
 #include "core/base/Result.h"
 #include "core/base/TaskContext.h"
 #include "core/io/exchange/MeshPart.h"
+#include "core/io/pack/PackBonding.h"
 
 #include <optional>
 #include <span>
@@ -82,6 +83,7 @@ struct Pack {
     std::vector<PackMeshFile> meshes;
     PackBody whole;
     std::vector<PackBody> fragments;
+    std::optional<PackBonding> bonding;  // none: it breaks whole
 };
 
 /// Reads what packJson() wrote, bit for bit.
@@ -92,9 +94,10 @@ Result<Pack> readPack(std::string_view json);
 
 /// Returns the first error in a pack, if there is one: repeated ids or names, missing parents and neighbours,
 /// neighbours that are not mutual, children whose masses do not sum to their parent's or have another centre of mass,
-/// contacts that the hulls do not have (verifyPackContacts()), mass that is not density times volume, an impossible
-/// inertia, hulls that fail verifyPolytope() or do not fill their body, signed edges that do not follow their face or
-/// start with two collinear ones, meshes of missing fragments, a malformed or zero hash.
+/// contacts that the hulls do not have (verifyPackContacts()), bonds that are not of neighbours (verifyPackBonding()),
+/// mass that is not density times volume, an impossible inertia, hulls that fail verifyPolytope() or do not fill their
+/// body, signed edges that do not follow their face or start with two collinear ones, meshes of missing fragments, a
+/// malformed or zero hash.
 std::optional<std::string> verifyPack(const Pack& pack);
 
 /// Returns that the text of a pack was changed after it was written, if its checksum says so. The checksum is the hash

@@ -17,5 +17,6 @@ inline constexpr std::string_view kNoChecksum = "0000000000000000000000000000000
 /// The names of enumerators in pack.json, in their order.
 inline constexpr std::array<std::string_view, 3> kMeshBodies{"whole", "fragments", "fragment"};
 inline constexpr std::array<std::string_view, 2> kMeshPlaces{"assembled", "centred"};
+inline constexpr std::array<std::string_view, 3> kPackFalloffs{"constant", "linear", "smooth"};
 
 }  // namespace rubble

@@ -1,4 +1,5 @@
 #include "core/io/json/VectorJson.h"
+#include "core/io/pack/PackBondingJson.h"
 #include "core/io/pack/PackFile.h"
 #include "core/io/pack/PackFormat.h"
 
@@ -110,8 +111,8 @@ void requireWords(const JsonValue& value, std::initializer_list<std::array<std::
 Pack readPackVersion1(const JsonValue& root) {
     root.requireObject({"format", "version", "units", "axes", "asset", "hash", "threshold", "material", "meshes",
                         "whole", "fragments"},
-                       {"checksum"});
-    const JsonValue checksum = root["checksum"];
+                       {"checksum", "bonding"});
+    const JsonValue checksum = root["checksum"], bonding = root["bonding"];
     root["units"].requireObject({"length", "mass", "time"});
     requireWords(root["units"], {{"length", "m"}, {"mass", "kg"}, {"time", "s"}});
     root["axes"].requireObject({"handedness", "up", "front"});
@@ -127,7 +128,8 @@ Pack readPackVersion1(const JsonValue& root) {
             .material = readPackMaterial(root["material"]),
             .meshes = root["meshes"].list(readMesh),
             .whole = readPackBody(root["whole"]),
-            .fragments = root["fragments"].list(readPackBody)};
+            .fragments = root["fragments"].list(readPackBody),
+            .bonding = bonding.isPresent() ? std::optional(readPackBonding(bonding)) : std::nullopt};
 }
 
 }  // namespace

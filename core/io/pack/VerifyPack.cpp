@@ -1,5 +1,6 @@
 #include "core/base/MessageText.h"
 #include "core/io/pack/VerifyPackBody.h"
+#include "core/io/pack/VerifyPackBonding.h"
 #include "core/io/pack/VerifyPackContacts.h"
 
 #include <glm/geometric.hpp>
@@ -192,7 +193,8 @@ std::optional<std::string> verifyPack(const Pack& pack) {
     }
     if (ErrorText error = verifyGaps(pack)) return error;
     if (ErrorText error = verifyOffsets(pack, scale.size)) return error;
-    return verifyPackContacts(pack);
+    if (ErrorText error = verifyPackContacts(pack)) return error;
+    return verifyPackBonding(pack);
 }
 
 }  // namespace rubble

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/pack/PackFile.h"
+#include "tests/support/asset/Bonds.h"
 #include "tests/support/asset/Projects.h"
 
 namespace rubble {
@@ -17,6 +18,15 @@ inline Asset twoLevelRing() {
     Asset asset = boxAsset(3, 4, UniformScatter{.count = 5});
     asset.prism.outline = squareRing();
     asset.levels = {{.pattern = {{{.id = 5, .randomSeed = 2, .parameters = UniformScatter{.count = 3}}}}}};
+    return asset;
+}
+
+/// The same, breaking bonded: with anchored fragments, bonds that never break, and weaker fragments of fragments.
+inline Asset bondedRing() {
+    Asset asset = twoLevelRing();
+    asset.breakAs = BreakAs::Bonded;
+    asset.bonding = everyBonding("4");
+    asset.levels[0].bondStrength = 0.5;
     return asset;
 }
 

@@ -151,15 +151,32 @@ private slots:
         QVERIFY(!differs([](Project& p, Asset&) { p.debris.fade = 2.0; }));
         QVERIFY(!differs([](Project&, Asset& a) { a.cutAtImpact.emplace(); }));
         QVERIFY(!differs([](Project&, Asset& a) { a.requirements.resize(1); }));
-        QVERIFY(!differs([](Project&, Asset& a) {
-            a.breakAs = BreakAs::Bonded;
-            a.bonding.radius = 2.0;
-        }));
+        QVERIFY(!differs([](Project&, Asset& a) { a.bonding.radius = 2.0; }));
+        QVERIFY(differs([](Project&, Asset& a) { a.breakAs = BreakAs::Bonded; }));
         for (const MeshOptions& options :
              {MeshOptions{.obj = false}, MeshOptions{.glb = false}, MeshOptions{.split = FileSplit::PerFragment},
               MeshOptions{.place = PartPlacement::Centred}, MeshOptions{.faces = FaceShape::Triangles}}) {
             QVERIFY(packSourceHash(project, asset, options) != source);
         }
+    }
+    void sourceHashOfBondedAssetsDependsOnTheirBonds() {
+        Project project = projectOf({"a"});
+        project.assets[0].breakAs = BreakAs::Bonded;
+        const ContentHash source = packSourceHash(project, project.assets[0], {});
+        const auto differs = [&](const auto& change) {
+            Project other = project;
+            change(other, other.assets[0]);
+            return packSourceHash(other, other.assets[0], {}) != source;
+        };
+        QVERIFY(differs([](Project&, Asset& a) { a.bonding.radius = 2.0; }));
+        QVERIFY(differs([](Project&, Asset& a) { a.bonding.impulsePerArea = 2.0; }));
+        QVERIFY(differs([](Project&, Asset& a) { a.cutAtImpact.emplace(); }));  // its bake has another damageHash()
+        QVERIFY(differs([](Project& p, Asset&) {
+            p.materials[0].fractureToughness = 1e6;
+            p.materials[0].youngsModulus = 1e9;
+            p.materials[0].tensileStrength = 1e6;
+        }));
+        QVERIFY(!differs([](Project& p, Asset&) { p.gravity.y = -1.0; }));
     }
     void errorOfOneAssetDoesNotStopOthers() {
         const Project project = projectOf({"a", "b", "c"});

@@ -16,8 +16,8 @@ class PackFileTest : public QObject {
 private slots:
     void writtenPacksMatchTheSchema() {
         const test::Schema schema("pack.schema.json");
-        for (const Asset& asset :
-             {boxAsset(3, 4, UniformScatter{.count = 9}), twoLevelRing(), boxAsset(3, 4, PlacedSeeds{})}) {
+        for (const Asset& asset : {boxAsset(3, 4, UniformScatter{.count = 9}), twoLevelRing(), bondedRing(),
+                                   boxAsset(3, 4, PlacedSeeds{})}) {
             const std::string json = packOf(asset);
             QCOMPARE(schema.fault(nlohmann::json::parse(json)), std::string());
         }
@@ -72,6 +72,29 @@ private slots:
         QCOMPARE(packHash(derived, heavyBrick(), packMeshes()), hash);
         QVERIFY(packHash(derived, strong, packMeshes()) != hash);
         Asset deeper = asset;
+        const auto hashOf = [](const Asset& one, const Material& material) {
+            return packHash(one, material, packMeshes());
+        };
+        Asset unused = asset;  // it breaks whole
+        unused.bonding = everyBonding("4");
+        unused.levels[0].bondStrength = 0.5;
+        QCOMPARE(hashOf(unused, heavyBrick()), hash);
+        const Asset bonded = bondedRing();
+        const ContentHash ofBonds = hashOf(bonded, heavyBrick());
+        QVERIFY(ofBonds != hash);
+        QCOMPARE(hashOf(bonded, strong), ofBonds);  // it has an impulse per area
+        const auto changesBonds = [&](const auto& change) {
+            Asset other = bonded;
+            change(other);
+            return hashOf(other, heavyBrick()) != ofBonds;
+        };
+        QVERIFY(changesBonds([](Asset& a) { a.bonding.impulsePerArea = 1.0; }));
+        QVERIFY(changesBonds([](Asset& a) { a.bonding.span = 9.0; }));
+        QVERIFY(changesBonds([](Asset& a) { a.levels[0].bondStrength = 2.0; }));
+        QVERIFY(changesBonds([](Asset& a) { a.cutAtImpact.emplace(); }));
+        Asset derivedBonds = bonded;
+        derivedBonds.bonding.impulsePerArea.reset();
+        QVERIFY(hashOf(derivedBonds, strong) != hashOf(derivedBonds, heavyBrick()));
         deeper.prism.depth += 1.0;
         QVERIFY(packHash(deeper, heavyBrick(), packMeshes()) != hash);
         Material heavier = heavyBrick();

@@ -1,5 +1,5 @@
-// Tests core/io/pack/VerifyPack.cpp, core/io/pack/VerifyPackContacts.cpp, core/io/pack/ConvexOverlap.cpp and
-// core/io/pack/PackChecksum.cpp: packs in which one value is wrong.
+// Tests core/io/pack/VerifyPack.cpp, core/io/pack/VerifyPackContacts.cpp, core/io/pack/VerifyPackBonding.cpp,
+// core/io/pack/ConvexOverlap.cpp and core/io/pack/PackChecksum.cpp: packs in which one value is wrong.
 #include "core/base/Random.h"
 #include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"
@@ -35,7 +35,18 @@ const std::set<std::string> kFree{"asset.name",
                                   "meshes",
                                   "whole.name",
                                   "fragments.name",
-                                  "fragments.id"};
+                                  "fragments.id",
+                                  "bonding.falloffRadius",
+                                  "bonding.falloff",
+                                  "bonding.damageFrom",
+                                  "bonding.span",
+                                  "bonding.collapseDelay",
+                                  "bonding.minimumIsland",
+                                  "bonding.bake",
+                                  "bonding.fractures.bonds.centroid",
+                                  "bonding.fractures.bonds.normal",
+                                  "bonding.fractures.bonds.capacity",
+                                  "bonding.anchored"};
 /// Beside a gap, only bounds of contact areas are known.
 const std::set<std::string> kFreeBesideGaps{"fragments.neighbours.area"};
 
@@ -50,13 +61,14 @@ std::string kindOf(const Json::json_pointer& place) {
     return kind;
 }
 
-/// The packs that are changed: with several levels, with concave fragments, with mortar, and with a gap.
+/// The packs that are changed: with several levels, bonded, with concave fragments, with mortar, and with a gap.
 std::vector<std::string> soundPacks() {
     Asset gap = twoLevelRing();
     gap.shaping.gap = 0.004;
     Asset mortar = boxAsset(3, 4, BrickBond{.length = 0.3, .height = 0.2});
     mortar.levels = {{.pattern = {{{.id = 5, .randomSeed = 2, .parameters = UniformScatter{.count = 3}}}}}};
-    return {packOf(twoLevelRing()), packOf(boxAsset(3, 4, UniformScatter{.count = 24})), packOf(mortar), packOf(gap)};
+    return {packOf(twoLevelRing()), packOf(bondedRing()), packOf(boxAsset(3, 4, UniformScatter{.count = 24})),
+            packOf(mortar), packOf(gap)};
 }
 
 std::optional<std::string> faultOf(const std::string& text) {
@@ -129,6 +141,7 @@ private slots:
             if (round % 4 == 1) asset.levels = {{.pattern = test::patternOf(project, {UniformScatter{.count = 4}})}};
             if (round % 2 == 0) asset.shaping.gap = random.between(1e-4, 0.02);
             if (round % 5 == 0) asset.shaping.smallPieces = {SmallPieceRule::Merge, PieceMeasure::FractionOfMean, 0.4};
+            if (round % 3 == 1) asset.breakAs = BreakAs::Bonded;
             const std::optional<std::string> fault = faultOf(packOf(asset));
             QVERIFY2(!fault, (std::to_string(round) + ": " + fault.value_or("")).c_str());
         }
@@ -142,7 +155,7 @@ private slots:
         for (std::size_t pack = 0; pack < packs.size(); ++pack) {
             const Json sound = Json::parse(packs[pack]);
             const auto kinds = leavesByKind(sound);
-            for (int change = 0; change < kChanges / 4; ++change) {
+            for (int change = 0; change < kChanges / 5; ++change) {
                 const auto& places = kinds[static_cast<std::size_t>(change) % kinds.size()];
                 const Json::json_pointer place = places[random.below(places.size())];
                 Json json = sound;
@@ -152,7 +165,7 @@ private slots:
                 QVERIFY2(faultOf(json.dump()), (what + " is not found").c_str());
                 const std::string kind = kindOf(place);
                 if (kind == "checksum" || faultOf(withChecksum(json.dump()))) continue;
-                const bool isFree = kFree.contains(kind) || (pack >= 2 && kFreeBesideGaps.contains(kind));
+                const bool isFree = kFree.contains(kind) || (pack >= 3 && kFreeBesideGaps.contains(kind));
                 QVERIFY2(isFree, (what + " contradicts nothing in pack " + std::to_string(pack)).c_str());
                 ++unseen[kind];
             }
@@ -227,7 +240,7 @@ private slots:
         QVERIFY2(fault && QString::fromStdString(*fault).contains(sentence), fault.value_or("none").c_str());
     }
     void packsOfEarlierVersionsPass() {
-        for (const char* name : {"halves.json", "mortar.json"}) {
+        for (const char* name : {"halves.json", "mortar.json", "bonded.json"}) {
             const std::string text = *readFile(std::string(RUBBLE_SOURCE_DIR "/tests/corpus/Pack/") + name);
             const std::optional<std::string> fault = faultOf(text);
             QVERIFY2(!fault, fault.value_or("").c_str());

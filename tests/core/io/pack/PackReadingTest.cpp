@@ -1,5 +1,7 @@
-// Tests core/io/pack/PackReading.cpp, VerifyPack.cpp and core/io/pack/VerifyPackBody.cpp.
+// Tests core/io/pack/PackReading.cpp, VerifyPack.cpp, core/io/pack/VerifyPackBody.cpp and
+// core/io/pack/VerifyPackBonding.cpp.
 #include "core/base/Random.h"
+#include "core/io/pack/VerifyPackBonding.h"
 #include "tests/support/ErrorText.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Packs.h"
@@ -25,6 +27,12 @@ bool isOptionalIndex(const std::string& place, const nlohmann::json& value) {
     if (place == "checksum" && value.is_discarded()) return true;
     return (place.ends_with(".parent") || place.ends_with("].fragment")) && !place.ends_with("s].fragment") &&
            value.is_null() && place.find("neighbours") == std::string::npos;
+}
+
+/// The same, of a pack with bonds; earlier versions wrote none.
+bool isOptionalBondValue(const std::string& place, const nlohmann::json& value) {
+    if (place == "bonding" && value.is_discarded()) return true;
+    return (place.ends_with(".capacity") && value.is_null()) || isOptionalIndex(place, value);
 }
 
 Pack ringPack() { return *readPack(packOf(twoLevelRing())); }
@@ -87,6 +95,12 @@ private slots:
         const test::Schema schema("pack.schema.json");
         const nlohmann::json json = nlohmann::json::parse(packOf(halvedBox()));
         QCOMPARE(test::untoldMutation(json, schema, isOptionalIndex, readingFault), std::string());
+        Asset bonded = halvedBox();
+        bonded.breakAs = BreakAs::Bonded;
+        bonded.bonding.strokes = {{.points = {{0.1, 0.1}}}};
+        const nlohmann::json bonds = nlohmann::json::parse(packOf(bonded));
+        QCOMPARE(bonds["bonding"]["anchored"].size(), std::size_t{1});
+        QCOMPARE(test::untoldMutation(bonds, schema, isOptionalBondValue, readingFault), std::string());
     }
     void wrongValuesAreReported_data() {
         test::addWrongValueColumns();
@@ -169,6 +183,45 @@ private slots:
         row("signed edge 1 refers to edge 999, which does not exist.",
             [](Pack& p) { p.fragments[0].hulls[0].signedEdges[1][1].edge = 999; });
         row("its neighbour 19 does not exist.", [](Pack& p) { p.fragments.pop_back(); });
+    }
+    void bondsAreVerified_data() {
+        QTest::addColumn<PackChange>("change");
+        const auto bond = [](Pack& p, std::size_t k) -> PackBond& { return p.bonding->fractures[0].bonds[k]; };
+        row("The bonds of the whole: bond 1 is out of order; bonds must ascend.",
+            [=](Pack& p) { std::swap(bond(p, 0), bond(p, 1)); });
+        row("bond 0 refers to a missing fragment.", [=](Pack& p) { bond(p, 0).fragments[1] = 9999; });
+        row("bond 0 is not between two fragments in ascending order.",
+            [=](Pack& p) { bond(p, 0).fragments[1] = bond(p, 0).fragments[0]; });
+        row("bond 0 is between fragments of another body.", [=](Pack& p) { bond(p, 0).fragments[1] = 19; });
+        row("bond 0 has an area of", [=](Pack& p) { bond(p, 0).area *= 1.0 + 1e-9; });
+        row("bond 0 has a normal that is not of length 1.", [=](Pack& p) { bond(p, 0).normal *= 1.0 + 1e-6; });
+        row("bond 0 has a centroid outside of the whole.", [=](Pack& p) { bond(p, 0).centroid.x = -0.001; });
+        row("bond 0 has a negative capacity.", [=](Pack& p) { bond(p, 0).capacity = -1.0; });
+        row("bond 0 is between fragments that are not neighbours.", [](Pack& p) {
+            for (PackBody& body : p.fragments) body.neighbours.clear();
+        });
+        row("pairs of neighbours.", [](Pack& p) { p.bonding->fractures[0].bonds.pop_back(); });
+        row("The bonds of the whole are missing or out of order.",
+            [](Pack& p) { p.bonding->fractures.erase(p.bonding->fractures.begin()); });
+        row("The bonds of fragment 0 are missing or out of order.",
+            [](Pack& p) { std::swap(p.bonding->fractures[1], p.bonding->fractures[2]); });
+        row("There are bonds of fragment 19, which does not break.",
+            [](Pack& p) { p.bonding->fractures.push_back({.fragment = 19}); });
+        row("The hash of the bake, \"none\", is not 32 hexadecimal digits.", [](Pack& p) { p.bonding->bake = "none"; });
+        row("The anchored fragment 9999 does not exist.", [](Pack& p) { p.bonding->anchored = {9999}; });
+        row("The anchored fragment 19 is not one of the whole.", [](Pack& p) { p.bonding->anchored = {19}; });
+        row("The anchored fragment 0 is out of order; they must ascend.", [](Pack& p) {
+            p.bonding->anchored = {0, 0};
+        });
+    }
+    void bondsAreVerified() {
+        QFETCH(PackChange, change);
+        Pack pack = *readPack(packOf(bondedRing()));
+        QCOMPARE(verifyPackBonding(pack).value_or(""), std::string());
+        change(pack);
+        const std::optional<std::string> fault = verifyPackBonding(pack);
+        QVERIFY(fault);
+        QVERIFY2(fault->find(QTest::currentDataTag()) != std::string::npos, fault->c_str());
     }
     void verificationReportsErrors() {
         QFETCH(PackChange, change);
