@@ -1,6 +1,7 @@
 #include "editor/commands/Resizing.h"
 
 #include "core/fracture/pattern/PatternKind.h"
+#include "core/geometry/polygon/PolygonFaults.h"
 
 namespace rubble {
 
@@ -42,7 +43,12 @@ void scale(Pattern& pattern, const Scaling& map) {
             if (parameter.type != ParameterType::Point) continue;
             parameter.write(layer.parameters, map(std::get<Vec2>(parameter.read(layer.parameters))));
         }
-        if (layer.scatteredIn) scale(*layer.scatteredIn, map);
+        if (layer.scatteredIn) {
+            scale(*layer.scatteredIn, map);
+            // It may have become as thin as rounding, where the outline, which it was before, is not.
+            const Result<Polygon> valid = validated(*layer.scatteredIn);
+            if (!valid || *valid != *layer.scatteredIn) layer.scatteredIn.reset();
+        }
         if (auto* placed = std::get_if<PlacedSeeds>(&layer.parameters)) {
             for (PlacedSeeds::Seed& seed : placed->seeds) seed.position = map(seed.position);
         }

@@ -42,7 +42,7 @@ QString sentenceOf(const PlayEvent& event) {
     switch (event.record.kind) {
         case EventKind::Impact: return impactText(name, event);
         case EventKind::Bonds: return EventTexts::tr("%Ln bond(s) of %1 broke", nullptr, count).arg(name);
-        case EventKind::Detached: return EventTexts::tr("A part of %1 came free").arg(name);
+        case EventKind::Detached: return EventTexts::tr("%1 came off").arg(name);
         case EventKind::Broken: return breakText(name, event);
         case EventKind::Settled: return EventTexts::tr("%1 came to rest").arg(name);
         case EventKind::Removed: return removalText(name, event.record.reason);

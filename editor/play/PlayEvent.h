@@ -28,7 +28,9 @@ struct PlayEvent {
 
     bool isBreak() const { return record.kind == EventKind::Broken; }
     /// Whether it has an energy: what settles or is removed has none.
-    bool hasEnergy() const { return isTold && record.kind != EventKind::Settled && record.kind != EventKind::Removed; }
+    bool hasEnergy() const {
+        return isTold && (record.kind == EventKind::Impact || record.kind == EventKind::Bonds || isBreak());
+    }
 };
 
 /// What happened in a step.

@@ -153,7 +153,7 @@ public:
         m_age = m_moment.stepLength * static_cast<double>(m_moment.step + 1 - event.step);
         Random random(mixSeeds(mixSeeds(kStream + static_cast<std::uint64_t>(event.kind), event.step),
                                mixSeeds(event.body, event.other)));
-        if (event.kind == EventKind::Broken) addBreak(event, random);
+        if (event.kind == EventKind::Bonds || event.kind == EventKind::Broken) addBreak(event, random);
         if (event.kind == EventKind::Impact && event.energy >= kLeastEnergy) addImpact(event, random);
     }
 

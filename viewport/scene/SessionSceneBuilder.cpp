@@ -28,6 +28,14 @@ AssetModel projectileModel(const Polytope& hull, const SceneOptions& options) {
     return model;
 }
 
+/// The state of one of the scene bodies that a body is: its frame is that of its fragment.
+BodyState ofPart(BodyState state, const PlayBody& body, std::size_t part) {
+    if (!isPartial(body)) return state;
+    const std::uint32_t first = body.asset->fractureOf(body.fragment)->first;
+    state.pose.position += state.pose.orientation * body.asset->fragments[first + body.nodes[part]].offset;
+    return state;
+}
+
 /// The pose of a body, shrunk by `fade` in [0, 1].
 RenderPose poseOf(const BodyState& state, double fade, Vec3 origin) {
     if (fade <= 0.0) return renderPose(state.pose, origin);
@@ -107,13 +115,17 @@ std::size_t SessionSceneBuilder::modelOf(const Slot& slot) {
     return m_models.size() - 1;
 }
 
-std::uint32_t SessionSceneBuilder::sceneIndexOf(const PlayBody& body) const {
-    if (body.origin >= m_slots.size()) return kNone;
+/// The scene bodies that a body is: one, or those of the fragments that it consists of. None without a slot.
+std::vector<std::uint32_t> SessionSceneBuilder::sceneIndicesOf(const PlayBody& body) const {
+    if (body.origin >= m_slots.size()) return {};
     for (const Slot& slot : m_slots[body.origin]) {
-        const bool isSame = slot.asset == body.asset && slot.hull == body.hull && slot.first != kNone;
-        if (isSame) return body.fragment == kNone ? slot.first : slot.first + body.fragment + 1;
+        if (slot.asset != body.asset || slot.hull != body.hull || slot.first == kNone) continue;
+        if (!isPartial(body)) return {body.fragment == kNone ? slot.first : slot.first + body.fragment + 1};
+        std::vector<std::uint32_t> indices = fragmentsOf(body);
+        for (std::uint32_t& index : indices) index += slot.first + 1;
+        return indices;
     }
-    return kNone;
+    return {};
 }
 
 /// Writes the bodies' poses; false if a body has no slot yet.
@@ -121,10 +133,14 @@ bool SessionSceneBuilder::writePoses(const Session& session, RenderScene& scene)
     for (BodyAppearance& appearance : scene.appearances) appearance.marks = kHidden;
     for (const PlayBody& body : session.bodies()) {
         if (body.role == PlayRole::Ground) continue;
-        const std::uint32_t slot = sceneIndexOf(body);
-        if (slot == kNone) return false;
-        scene.poses[slot] = poseOf(session.world().state(body.body), session.fadeOf(body), scene.origin);
-        scene.appearances[slot].marks = 0;
+        const std::vector<std::uint32_t> indices = sceneIndicesOf(body);
+        if (indices.empty()) return false;
+        const BodyState state = session.world().state(body.body);
+        const double fade = session.fadeOf(body);
+        for (std::size_t k = 0; k < indices.size(); ++k) {
+            scene.poses[indices[k]] = poseOf(ofPart(state, body, k), fade, scene.origin);
+            scene.appearances[indices[k]].marks = 0;
+        }
     }
     return true;
 }
@@ -156,7 +172,10 @@ std::vector<BodyTint> SessionSceneBuilder::tintsOf(const Session& session) const
     std::vector<BodyTint> tints;
     for (const PlayBody& body : session.bodies()) {
         if (body.role == PlayRole::Ground) continue;
-        tints.push_back({sceneIndexOf(body), body.number, body.body, session.world().state(body.body).asleep});
+        const bool isAsleep = session.world().state(body.body).asleep;
+        for (const std::uint32_t index : sceneIndicesOf(body)) {
+            tints.push_back({index, body.number, body.body, isAsleep});
+        }
     }
     return tints;
 }
@@ -265,7 +284,7 @@ void SessionSceneBuilder::layOut(const Session& session) {
             addSlot(session, origin, {.asset = m_scene->assets.at({playOrigin.asset, playOrigin.variant})});
     }
     for (const PlayBody& body : session.bodies()) {
-        if (body.role == PlayRole::Ground || sceneIndexOf(body) != kNone) continue;
+        if (body.role == PlayRole::Ground || !sceneIndicesOf(body).empty()) continue;
         addSlot(session, body.origin, {.asset = body.asset, .hull = body.hull});
     }
     applyColours();
@@ -316,7 +335,11 @@ std::shared_ptr<const RenderScene> SessionSceneBuilder::sceneOf(const Session& s
 
 const PlayBody* bodyOf(const Session& session, const PickId& pick) {
     const auto isIt = [&](const PlayBody& body) {
-        return body.role != PlayRole::Ground && body.origin == pick.origin && body.fragment == pick.fragment;
+        if (body.role == PlayRole::Ground || body.origin != pick.origin) return false;
+        if (!isPartial(body)) return body.fragment == pick.fragment;
+        const std::uint32_t first = body.asset->fractureOf(body.fragment)->first;
+        return pick.fragment != kNone && pick.fragment >= first &&
+               std::ranges::binary_search(body.nodes, pick.fragment - first);
     };
     const auto found = std::ranges::find_if(session.bodies(), isIt);
     return found != session.bodies().end() ? &*found : nullptr;

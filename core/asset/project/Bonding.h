@@ -57,12 +57,11 @@ struct StrengthImage {
     bool operator==(const StrengthImage& other) const;
 };
 
-/// How the bonds between the fragments of an asset hold and break, by the simple rule: see core/structure/rule.
+/// How the bonds between the fragments of an asset hold and break, by the simple rule: see SimpleRule.
 struct Bonding {
-    // N·s/m², > 0: the impulse that breaks a bond, by its area; none: the tensile strength of the material, if that is
-    // known, times the contact time.
+    // N·s/m², > 0: the impulse that breaks a bond, by its area; none: follows from the material, see bondImpulseOf().
     std::optional<double> impulsePerArea;
-    double radius = 0.3;                          // m, > 0: within which a hit loads bonds
+    double radius = 0.3;                          // m, > 0: of a hit: it loads bonds within
     HitFalloff falloff = HitFalloff::Linear;      //
     double damageFrom = 0.5;                      // of what a bond holds, in (0, 1]: a weaker load leaves no damage
     double span = 0.0;                            // m, >= 0: sideways to an anchor; 0: any distance

@@ -1,5 +1,6 @@
 #include "core/asset/strength/BondStrength.h"
 
+#include "core/asset/project/Ranges.h"
 #include "core/asset/strength/Threshold.h"
 
 namespace rubble {
@@ -9,8 +10,9 @@ std::optional<double> derivedBondImpulse(const Asset& asset, const Material& mat
     return *material.tensileStrength * asset.contactTime.value_or(kDefaultContactTime);
 }
 
-std::optional<double> bondImpulseOf(const Asset& asset, const Material& material) {
-    return asset.bonding.impulsePerArea ? asset.bonding.impulsePerArea : derivedBondImpulse(asset, material);
+double bondImpulseOf(const Asset& asset, const Material& material) {
+    if (asset.bonding.impulsePerArea) return *asset.bonding.impulsePerArea;
+    return derivedBondImpulse(asset, material).value_or(rangeOf(ProjectNumber::BondImpulse).defaultValue);
 }
 
 }  // namespace rubble

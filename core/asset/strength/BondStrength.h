@@ -14,7 +14,7 @@ namespace rubble {
 std::optional<double> derivedBondImpulse(const Asset& asset, const Material& material);
 
 /// The impulse per area that breaks a bond of an asset whose strength no level, brush, height or picture multiplies:
-/// as entered, otherwise derived. Nothing if neither is known.
-std::optional<double> bondImpulseOf(const Asset& asset, const Material& material);
+/// as entered, otherwise derived, otherwise the default of ProjectNumber::BondImpulse.
+double bondImpulseOf(const Asset& asset, const Material& material);
 
 }  // namespace rubble

@@ -7,11 +7,11 @@
 
 namespace rubble {
 
-/// Extrudes a partition: one fragment per piece, with convex hulls, mass properties and contacts (shared length * depth,
-/// if the length is more than kMinSharedEdge of the outline's diameter). A piece too thin for a hull (its width below
-/// 1e-9 of the outline's, see widthOf) is reported, and its mass is transferred to the neighbour with the longest
-/// shared edge (see massTransfersOf); the receiver inherits its contacts and replaces it as edge neighbour. O(n log n) of
-/// the corners of a piece, on task.threads.
+/// Extrudes a partition: one fragment per piece, with convex hulls, mass properties and contacts (shared length *
+/// depth, if the length is more than kMinSharedEdge of the outline's diameter). A piece too thin for a hull (its width
+/// below 1e-9 of the outline's, see widthOf) is reported, and its mass is transferred to the neighbour with the longest
+/// shared edge (see massTransfersOf); the receiver inherits its contacts and replaces it as edge neighbour. O(n log n)
+/// of the corners of a piece, on task.threads.
 ///
 /// With a `gap` (m, > 0) pieces are shrunk by half of it along their cut edges; contacts do not change. Pieces that are
 /// then too thin are reported (VanishedPiece) and omitted with their mass.

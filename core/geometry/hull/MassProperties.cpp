@@ -25,6 +25,28 @@ void forEachTriangle(const Polytope& polytope, Vec3 origin, Visit visit) {
 
 double sixVolumes(Vec3 a, Vec3 b, Vec3 c) { return glm::dot(a, glm::cross(b, c)); }
 
+/// combined() of `count` bodies that `part(k)` gives.
+template <class Part>
+MassProperties combinedParts(std::size_t count, const Part& part) {
+    MassProperties whole;
+    if (count == 0) return whole;
+    const Vec3 origin = part(0).centre;
+    Vec3 first{0.0, 0.0, 0.0};
+    for (std::size_t k = 0; k < count; ++k) {
+        whole.volume += part(k).volume;
+        first += part(k).volume * (part(k).centre - origin);
+    }
+    whole.centre = whole.volume > 0.0 ? origin + first / whole.volume : origin;
+    for (std::size_t k = 0; k < count; ++k) {
+        const MassProperties& one = part(k);
+        const Vec3 arm = one.centre - whole.centre;
+        const Vec3 square = arm * arm;
+        const Mat3 shift = inertiaFrom(square.x, square.y, square.z, arm.x * arm.y, arm.x * arm.z, arm.y * arm.z);
+        whole.inertia += one.inertia + one.volume * shift;
+    }
+    return whole;
+}
+
 }  // namespace
 
 MassProperties massOfPrism(const AreaMoments& moments, double depth) {
@@ -71,22 +93,11 @@ MassProperties massOf(const Polytope& polytope) {
 }
 
 MassProperties combined(std::span<const MassProperties> parts) {
-    MassProperties whole;
-    if (parts.empty()) return whole;
-    const Vec3 origin = parts[0].centre;
-    Vec3 first{0.0, 0.0, 0.0};
-    for (const MassProperties& part : parts) {
-        whole.volume += part.volume;
-        first += part.volume * (part.centre - origin);
-    }
-    whole.centre = whole.volume > 0.0 ? origin + first / whole.volume : origin;
-    for (const MassProperties& part : parts) {
-        const Vec3 arm = part.centre - whole.centre;
-        const Vec3 square = arm * arm;
-        const Mat3 shift = inertiaFrom(square.x, square.y, square.z, arm.x * arm.y, arm.x * arm.z, arm.y * arm.z);
-        whole.inertia += part.inertia + part.volume * shift;
-    }
-    return whole;
+    return combinedParts(parts.size(), [&](std::size_t k) -> const MassProperties& { return parts[k]; });
+}
+
+MassProperties combined(std::span<const MassProperties> bodies, std::span<const std::uint32_t> parts) {
+    return combinedParts(parts.size(), [&](std::size_t k) -> const MassProperties& { return bodies[parts[k]]; });
 }
 
 }  // namespace rubble

@@ -3,6 +3,7 @@
 #include "core/geometry/hull/Polytope.h"
 #include "core/geometry/polygon/AreaMoments.h"
 
+#include <cstdint>
 #include <span>
 
 namespace rubble {
@@ -23,5 +24,7 @@ MassProperties massOf(const Polytope& polytope);
 
 /// The mass properties of several bodies together, by the parallel-axis theorem.
 MassProperties combined(std::span<const MassProperties> parts);
+/// The same of some of the bodies, by index.
+MassProperties combined(std::span<const MassProperties> bodies, std::span<const std::uint32_t> parts);
 
 }  // namespace rubble

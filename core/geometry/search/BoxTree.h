@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -30,7 +31,7 @@ public:
     template <class Visit>
     std::size_t visitNear(Vec3 point, Visit visit) const;
 
-    /// Calls `visit(item)` for the items, by index, whose boxes overlap or touch `box`.
+    /// Calls `visit(item)`, or `visit(item, itsBox)`, for the items, by index, whose boxes overlap or touch `box`.
     template <class Visit>
     void visitOverlapping(const Box3& box, Visit visit) const;
 
@@ -49,8 +50,11 @@ private:
         return glm::length(glm::max(glm::max(box.min - point, point - box.max), Vec3(0.0)));
     }
     static bool overlap(const Box3& a, const Box3& b) {
-        return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
-               a.min.z <= b.max.z && b.min.z <= a.max.z;
+        // Without branches: which comparison fails cannot be predicted.
+        const bool x = (a.min.x <= b.max.x) & (b.min.x <= a.max.x);
+        const bool y = (a.min.y <= b.max.y) & (b.min.y <= a.max.y);
+        const bool z = (a.min.z <= b.max.z) & (b.min.z <= a.max.z);
+        return x & y & z;
     }
 
     std::vector<Node> m_nodes;
@@ -99,7 +103,11 @@ void BoxTree::visitOverlapping(const Box3& box, Visit visit) const {
         const Node& node = m_nodes[stack[--size]];
         if (!overlap(node.box, box)) continue;
         for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-            if (overlap(m_boxes[k], box)) visit(m_items[k]);
+            if (!overlap(m_boxes[k], box)) continue;
+            if constexpr (std::is_invocable_v<Visit, std::uint32_t, const Box3&>)
+                visit(m_items[k], m_boxes[k]);
+            else
+                visit(m_items[k]);
         }
         if (node.count > 0) continue;
         stack[size++] = node.first + 1;

@@ -7,7 +7,9 @@
 namespace rubble {
 namespace {
 
-bool hasEnergy(EventKind kind) { return kind != EventKind::Settled && kind != EventKind::Removed; }
+bool hasEnergy(EventKind kind) {
+    return kind == EventKind::Impact || kind == EventKind::Bonds || kind == EventKind::Broken;
+}
 
 template <class Writer>
 void writeVector(Writer& writer, std::string_view key, Vec3 vector) {

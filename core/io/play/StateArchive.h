@@ -3,6 +3,7 @@
 #include "core/base/Result.h"
 #include "core/geometry/hull/MassProperties.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -111,10 +112,13 @@ private:
 /// is empty.
 class StateReader {
 public:
-    explicit StateReader(std::string_view bytes) : m_bytes(bytes) {}
+    /// `absent`: the names of fields that the bytes do not have, since they are of an older version.
+    explicit StateReader(std::string_view bytes, std::span<const std::string_view> absent = {})
+        : m_bytes(bytes), m_absent(absent) {}
 
     template <class T>
     void operator()(const char* name, T& field) {
+        if (std::ranges::find(m_absent, name) != m_absent.end()) return;
         m_place.push_back({name, kNoElement});
         read(field);
         m_place.pop_back();
@@ -246,6 +250,7 @@ private:
     }
 
     std::string_view m_bytes;
+    std::span<const std::string_view> m_absent;
     std::size_t m_at = 0;
     std::vector<Place> m_place;
     std::optional<std::string> m_fault;

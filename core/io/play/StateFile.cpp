@@ -40,6 +40,11 @@ namespace {
 
 constexpr std::string_view kMagic = "RBLSTATE";
 
+/// The fields of bonded bodies.
+constexpr std::string_view kAddedNames[] = {"structures", "structure",    "bondedNodes",
+                                            "isHeld",     "collapseStep", "partialDamage"};
+constexpr std::span<const std::string_view> kAddedInVersion2 = kAddedNames;
+
 /// What a file starts with.
 struct StateHeader {
     std::uint32_t version = kStateVersion;
@@ -150,7 +155,7 @@ Result<SavedSession> readStateBytes(std::string_view bytes, ContentHash scene) {
     const Result<std::string> fields = uncompressed(bytes.substr(kHeaderBytes, packed), header->size);
     if (!fields) return fields.error();
     SavedSession saved;
-    StateReader reader(*fields);
+    StateReader reader(*fields, header->version < 2 ? kAddedInVersion2 : std::span<const std::string_view>());
     visitFields(saved, reader);
     reader.finish();
     if (reader.fault()) return unreadable(*reader.fault());

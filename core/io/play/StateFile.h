@@ -8,7 +8,7 @@
 
 namespace rubble {
 
-inline constexpr std::uint32_t kStateVersion = 1;
+inline constexpr std::uint32_t kStateVersion = 2;
 /// A session of 8,000 bodies takes about 30 MB.
 inline constexpr std::size_t kMaxStateBytes = std::size_t{1} << 30;
 
@@ -16,7 +16,7 @@ inline constexpr std::size_t kMaxStateBytes = std::size_t{1} << 30;
 /// docs/formats/state.md.
 std::string stateBytes(const SavedSession& saved, ContentHash scene);
 
-/// Reads what stateBytes() wrote; resumedSession() checks what is in it.
+/// Reads what stateBytes() wrote, also in older versions; resumedSession() checks what is in it.
 ///
 /// Errors: BadInput for other bytes, changed ones, or a table that does not fit, with its place; or if the state is of
 /// another scene, with both hashes; Unsupported for a newer version; Limit above kMaxStateBytes.

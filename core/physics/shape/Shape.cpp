@@ -1,5 +1,7 @@
 #include "core/physics/shape/Shape.h"
 
+#include "core/base/Assert.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,16 +27,22 @@ Result<std::shared_ptr<Shape>> emptyShape(const MassProperties& mass) {
     auto shape = std::make_shared<Shape>();
     shape->mass = mass;
     shape->inverseInertia = glm::inverse(mass.inertia);
-    shape->minWidth = std::numeric_limits<float>::infinity();
     return shape;
 }
 
-void addHull(Shape& shape, const PlacedHull& placed) {
-    const Hull& hull = *placed.hull;
-    shape.boundingRadius = std::max(shape.boundingRadius, length(placed.offset) + hull.boundingRadius);
-    shape.extents = componentMax(shape.extents, componentAbs(placed.offset + hull.middle) + hull.extents);
-    shape.minWidth = std::min(shape.minWidth, hull.minWidth);
-    shape.hulls.push_back(placed);
+/// Sets what a shape says of its hulls.
+void setBounds(Shape& shape) {
+    float boundingRadius = 0.0f, minWidth = std::numeric_limits<float>::infinity();
+    Vec3f extents(0.0f);
+    for (const PlacedHull& placed : shape.hulls) {
+        const Hull& hull = *placed.hull;
+        boundingRadius = std::max(boundingRadius, length(placed.offset) + hull.boundingRadius);
+        extents = componentMax(extents, componentAbs(placed.offset + hull.middle) + hull.extents);
+        minWidth = std::min(minWidth, hull.minWidth);
+    }
+    shape.boundingRadius = boundingRadius;
+    shape.extents = extents;
+    shape.minWidth = minWidth;
 }
 
 Error noHulls() { return {ErrorCode::BadInput, "A body needs at least one hull."}; }
@@ -58,7 +66,8 @@ Result<std::shared_ptr<const Shape>> makeShape(std::span<const Polytope> polytop
         if (!hull) return hull.error();
         hulls->push_back(std::move(*hull));
     }
-    for (const Hull& hull : *hulls) addHull(**shape, {&hull});
+    for (const Hull& hull : *hulls) (*shape)->hulls.push_back({&hull});
+    setBounds(**shape);
     (*shape)->owner = std::move(hulls);
     return std::shared_ptr<const Shape>(std::move(*shape));
 }
@@ -68,12 +77,32 @@ Result<std::shared_ptr<const Shape>> compoundShape(std::span<const CompoundPart>
     if (parts.empty()) return noHulls();
     Result<std::shared_ptr<Shape>> shape = emptyShape(mass);
     if (!shape) return shape.error();
+    std::size_t count = 0;
+    for (const CompoundPart& part : parts) count += part.shape->hulls.size();
+    (*shape)->hulls.resize(count);
+    auto to = (*shape)->hulls.begin();
+    const Vec3 centre = mass.centre;
     for (const CompoundPart& part : parts) {
-        const Vec3f offset = toFloat(part.centre - mass.centre);
-        for (const PlacedHull& hull : part.shape->hulls) addHull(**shape, {hull.hull, hull.offset + offset});
+        const Vec3f offset = toFloat(part.centre - centre);
+        for (const PlacedHull& hull : part.shape->hulls) *to++ = {hull.hull, hull.offset + offset};
     }
+    setBounds(**shape);
     (*shape)->owner = std::move(owner);
     return std::shared_ptr<const Shape>(std::move(*shape));
+}
+
+std::shared_ptr<const Shape> remainingShape(const Shape& shape, std::span<const std::uint32_t> hulls) {
+    RUBBLE_ASSERT(!hulls.empty());
+    auto remaining = std::make_shared<Shape>();
+    remaining->hulls.resize(hulls.size());
+    for (std::size_t k = 0; k < hulls.size(); ++k) remaining->hulls[k] = shape.hulls[hulls[k]];
+    remaining->owner = shape.owner;
+    remaining->mass = shape.mass;
+    remaining->inverseInertia = shape.inverseInertia;
+    remaining->boundingRadius = shape.boundingRadius;
+    remaining->extents = shape.extents;
+    remaining->minWidth = shape.minWidth;
+    return remaining;
 }
 
 }  // namespace rubble

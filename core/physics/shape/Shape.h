@@ -24,8 +24,10 @@ struct Shape {
     MassProperties mass;                // at density 1 kg/m³, in the frame of the given polytopes
     Mat3 inverseInertia{1.0};           // 1/(kg·m²), at that density
     float boundingRadius = 0.0f;        // m: distance from the centre of mass to the farthest vertex, at least
-    Vec3f extents{0.0f};                // m: the largest distance of a vertex from the centre of mass along each axis
-    float minWidth = 0.0f;              // m: the least width of any hull; a body moving farther in a step may tunnel
+    // m: the largest distance of a vertex from the centre of mass along each axis; at least that of a remainingShape().
+    Vec3f extents{0.0f};
+    // m: the least width of any hull, or less of a remainingShape(); a body moving farther in a step may tunnel.
+    float minWidth = 0.0f;
 };
 
 /// The shape of convex polytopes in one frame. Mass properties are those of the polytopes, or those given, such as
@@ -41,11 +43,16 @@ struct CompoundPart {
     Vec3 centre{0.0, 0.0, 0.0};  // m: of its mass, in the compound's frame
 };
 
-/// A compound of other shapes: their hulls, in that order, at other offsets. O(hulls); copies no hull. `owner` keeps the
-/// parts' hulls alive. The mass properties are those given, in the compound's frame.
+/// A compound of other shapes: their hulls, in that order, at other offsets. O(hulls); copies no hull. `owner` keeps
+/// the parts' hulls alive. The mass properties are those given, in the compound's frame.
 ///
 /// Errors: BadInput for no part, or mass properties that are not positive and finite.
 Result<std::shared_ptr<const Shape>> compoundShape(std::span<const CompoundPart> parts, const MassProperties& mass,
                                                    std::shared_ptr<const void> owner);
+
+/// The shape of some hulls of another one, by number, which stay where they are in it; one hull at least. All else
+/// remains as it is, the mass properties and bounds as well: this is the shape of what is left of a held body, of which
+/// they are never read but as bounds. O(hulls), and many times faster than compoundShape().
+std::shared_ptr<const Shape> remainingShape(const Shape& shape, std::span<const std::uint32_t> hulls);
 
 }  // namespace rubble

@@ -211,23 +211,20 @@ Box tightBox(const WorldState& state, const Proxy& proxy) {
 
 void addProxies(WorldState& state, std::uint32_t body) {
     const auto hulls = static_cast<std::uint32_t>(state.bodies[body].shape->hulls.size());
-    for (std::uint32_t hull = hulls; hull-- > 0;) linkProxy(state, body, hull, kNone);
+    for (std::uint32_t hull = hulls; hull-- > 0;) linkProxy(state, body, hull);
     state.rebox.push_back(body);
 }
 
-void linkProxy(WorldState& state, std::uint32_t body, std::uint32_t hull, std::uint32_t number) {
-    const bool isNew = number == kNone;
-    if (isNew) {
-        if (state.freeProxies.empty()) {
-            state.freeProxies.push_back(static_cast<std::uint32_t>(state.proxies.size()));
-            state.proxies.emplace_back();
-        }
-        number = state.freeProxies.back();
-        state.freeProxies.pop_back();
+void linkProxy(WorldState& state, std::uint32_t body, std::uint32_t hull) {
+    if (state.freeProxies.empty()) {
+        state.freeProxies.push_back(static_cast<std::uint32_t>(state.proxies.size()));
+        state.proxies.emplace_back();
     }
+    const std::uint32_t number = state.freeProxies.back();
+    state.freeProxies.pop_back();
     Proxy& proxy = state.proxies[number];
-    proxy = {body, hull, proxy.leaf, std::exchange(state.bodies[body].firstProxy, number)};
-    if (isNew) proxy.leaf = state.tree.insert(tightBox(state, proxy), number);
+    proxy = {body, hull, kNone, std::exchange(state.bodies[body].firstProxy, number)};
+    proxy.leaf = state.tree.insert(tightBox(state, proxy), number);
 }
 
 void removeProxy(WorldState& state, std::uint32_t proxy) {

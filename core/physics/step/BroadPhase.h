@@ -28,8 +28,8 @@ float boxMargin(float boundingRadius);
 /// Adds a body's hulls to the tree, or removes them.
 void addProxies(WorldState& state, std::uint32_t body);
 void removeProxies(WorldState& state, std::uint32_t body);
-/// Makes a proxy, which must not be in the list of a body, the first of a body, for one of its hulls; kNone: a new one.
-void linkProxy(WorldState& state, std::uint32_t body, std::uint32_t hull, std::uint32_t proxy);
+/// Adds a proxy for a hull of a body, as the first in its list.
+void linkProxy(WorldState& state, std::uint32_t body, std::uint32_t hull);
 /// Removes a proxy that is in the list of no body and has no contacts.
 void removeProxy(WorldState& state, std::uint32_t proxy);
 

@@ -178,8 +178,8 @@ void sortCollisions(NarrowPhaseScratch& scratch) {
     }
 }
 
-/// The first body's centre relative to the second's, in world space, where the second hull is at `offset` in the first's
-/// frame.
+/// The first body's centre relative to the second's, in world space, where the second hull is at `offset` in the
+/// first's frame.
 Vec3f sweptCentreOffset(const WorldState& state, const Contact& contact, Vec3f offset) {
     const Vec3f firstOffset = placedHullOf(state, state.proxies[contact.proxies[0]]).offset;
     const Vec3f secondOffset = placedHullOf(state, state.proxies[contact.proxies[1]]).offset;
@@ -233,7 +233,10 @@ HullCollision collideContact(const WorldState& state, const Contact& contact, fl
     const BodyPose &firstPose = state.poses[contact.bodies[0]], &secondPose = state.poses[contact.bodies[1]];
     const RelativePose pose = relativePose(firstPose, firstPlaced.offset, secondPose, secondPlaced.offset);
     const BodyMotion &a = state.motions[contact.bodies[0]], &b = state.motions[contact.bodies[1]];
-    const Vec3f displacement = (velocityOf(b, secondPose, secondPlaced) - velocityOf(a, firstPose, firstPlaced)) * dt;
+    Vec3f velocity = b.velocity - a.velocity;
+    if (firstPlaced.offset != Vec3f(0.0f) || secondPlaced.offset != Vec3f(0.0f))  // hulls of compounds only
+        velocity = velocityOf(b, secondPose, secondPlaced) - velocityOf(a, firstPose, firstPlaced);
+    const Vec3f displacement = velocity * dt;
     const float far = length(displacement), minWidth = std::min(first.minWidth, second.minWidth);
     const bool isFast = far > kSweptFraction * minWidth;
     const float swing =

@@ -52,8 +52,22 @@ void listManifolds(const WorldState& state, std::uint32_t body, std::vector<Mani
     });
 }
 
+/// The last sharedSoftness(): most manifolds of hulls in one plane share alike.
+struct LastShared {
+    const Softness* ofOne = nullptr;
+    double count = 0.0;
+    Softness shared;
+
+    const Softness& of(const Softness& softness, double among) {
+        if (ofOne == &softness && count == among) return shared;
+        ofOne = &softness;
+        count = among;
+        return shared = sharedSoftness(softness, among);
+    }
+};
+
 /// Softens the manifolds that a body has with one other.
-void softenPair(WorldState& state, std::span<const Manifold> pair, const SolverStep& step) {
+void softenPair(WorldState& state, std::span<const Manifold> pair, const SolverStep& step, LastShared& last) {
     for (const Manifold& manifold : pair) {
         double count = 0.0;
         for (const Manifold& sharing : pair) {
@@ -65,7 +79,7 @@ void softenPair(WorldState& state, std::span<const Manifold> pair, const SolverS
         ContactBlock& block = state.colours.block(slot);
         const auto lane = static_cast<std::size_t>(ContactColours::laneOf(slot));
         const Softness& ofOne = block.againstFixed[lane] > 0.0f ? step.againstFixed : step.betweenBodies;
-        const Softness shared = sharedSoftness(ofOne, count);
+        const Softness& shared = last.of(ofOne, count);
         block.sharedMassScale[lane] = shared.massScale;
         block.sharedImpulseScale[lane] = shared.impulseScale;
     }
@@ -85,6 +99,7 @@ void softenSharedContacts(WorldState& state, ThreadPool& threads, const Regions&
     if (state.compoundBodies == 0) return;
     regions.forEach(threads, [&](std::size_t region) {
         std::vector<Manifold> manifolds;
+        LastShared lastShared;
         for (const std::uint32_t body : regions.bodies(region)) {
             if (!state.bodies[body].isDynamic()) continue;
             listManifolds(state, body, manifolds);
@@ -92,7 +107,7 @@ void softenSharedContacts(WorldState& state, ThreadPool& threads, const Regions&
                 const auto last = std::find_if(
                     first, manifolds.end(), [&](const Manifold& manifold) { return manifold.other != first->other; });
                 if (last - first > 1)
-                    softenPair(state, std::span(&*first, static_cast<std::size_t>(last - first)), step);
+                    softenPair(state, std::span(&*first, static_cast<std::size_t>(last - first)), step, lastShared);
                 first = last;
             }
         }

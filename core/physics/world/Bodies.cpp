@@ -44,12 +44,13 @@ void assignMaterial(WorldState& state, std::uint32_t number, const BodyMaterial&
 }  // namespace
 
 std::uint32_t addBody(WorldState& state, const BodyDefinition& definition) {
-    const std::uint32_t number = addBodyWithoutProxies(state, definition);
+    const std::uint32_t number = addUnplacedBody(state, definition);
+    setPose(state, number, definition.pose);
     addProxies(state, number);
     return number;
 }
 
-std::uint32_t addBodyWithoutProxies(WorldState& state, const BodyDefinition& definition) {
+std::uint32_t addUnplacedBody(WorldState& state, const BodyDefinition& definition) {
     RUBBLE_ASSERT(!verifyBodyDefinition(definition));
     const std::uint32_t number = newBody(state);
     Body& body = state.bodies[number];
@@ -67,7 +68,6 @@ std::uint32_t addBodyWithoutProxies(WorldState& state, const BodyDefinition& def
         motion.linearDamping = static_cast<float>(definition.linearDamping);
         motion.angularDamping = static_cast<float>(definition.angularDamping);
     }
-    setPose(state, number, definition.pose);
     wakeBody(state, number);
     return number;
 }

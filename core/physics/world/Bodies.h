@@ -6,8 +6,8 @@ namespace rubble {
 
 /// Adds a body of a valid definition. Returns its index.
 std::uint32_t addBody(WorldState& state, const BodyDefinition& definition);
-/// The same without proxies, which must follow.
-std::uint32_t addBodyWithoutProxies(WorldState& state, const BodyDefinition& definition);
+/// The same without its pose and proxies, which must follow.
+std::uint32_t addUnplacedBody(WorldState& state, const BodyDefinition& definition);
 /// Sets the friction, restitution and, if it is dynamic, mass and inertia of a body.
 void setMaterial(WorldState& state, std::uint32_t body, const BodyMaterial& material);
 /// Removes a body and wakes those that touch it.

@@ -9,7 +9,10 @@
 #include "core/physics/world/Bodies.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstddef>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace rubble {
@@ -31,17 +34,20 @@ struct SplittingBody {
     Quatf rotation;
     std::shared_ptr<const Shape> shape;
     BodyKind kind = BodyKind::Dynamic;
-    std::vector<std::uint32_t> proxyOfHull;
+    std::vector<std::uint32_t> proxyOfHull;  // kNone: a part has it
+    std::size_t proxies = 0;                 // those that no part has
 };
 
 SplittingBody splittingBody(const WorldState& state, std::uint32_t number) {
     const Body& body = state.bodies[number];
     SplittingBody splitting{
-        number, poseOf(state, number), body.shape->mass.centre, state.poses[number].rotation, body.shape, body.kind,
-        {}};
-    splitting.proxyOfHull.assign(body.shape->hulls.size(), kNone);
-    for (std::uint32_t proxy = body.firstProxy; proxy != kNone; proxy = state.proxies[proxy].next) {
-        splitting.proxyOfHull[state.proxies[proxy].hull] = proxy;
+        number, poseOf(state, number),   body.shape->mass.centre, state.poses[number].rotation, body.shape, body.kind,
+        {},     body.shape->hulls.size()};
+    splitting.proxyOfHull.resize(splitting.proxies);
+    const std::span<const Proxy> proxies = state.proxies;
+    const std::span<std::uint32_t> proxyOfHull = splitting.proxyOfHull;
+    for (std::uint32_t proxy = body.firstProxy; proxy != kNone; proxy = proxies[proxy].next) {
+        proxyOfHull[proxies[proxy].hull] = proxy;
     }
     return splitting;
 }
@@ -85,9 +91,10 @@ void becomePart(WorldState& state, const SplittingBody& splitting, const SplitPa
     }
 }
 
-/// The body of a part, at the origin.
+/// The body of a part, at the origin. It does not own the shape, which the part does: counting owners is atomic, and
+/// slow for many parts.
 BodyDefinition definitionOf(const SplitPart& part) {
-    return {.shape = part.shape,
+    return {.shape = {std::shared_ptr<const Shape>(), part.shape.get()},
             .kind = part.kind,
             .velocity = part.velocity,
             .angularVelocity = part.angularVelocity,
@@ -99,7 +106,8 @@ BodyDefinition definitionOf(const SplitPart& part) {
 
 /// Adds the body of another part, without proxies.
 std::uint32_t addPart(WorldState& state, const SplittingBody& splitting, const SplitPart& part) {
-    const std::uint32_t number = addBodyWithoutProxies(state, definitionOf(part));
+    const std::uint32_t number = addUnplacedBody(state, definitionOf(part));
+    state.bodies[number].shape = part.shape;
     BodyPose& pose = state.poses[number];
     pose.centre =
         toFloat(splitting.pose.position + splitting.pose.orientation * (part.offset + part.shape->mass.centre));
@@ -121,13 +129,18 @@ std::vector<MovingContact> takeContacts(WorldState& state, const SplittingBody& 
             }
         }
     }
-    std::vector<MovingContact> taken;
+    std::vector<std::uint32_t> numbers;
     visitContacts(state, splitting.number, [&](std::uint32_t number, std::uint32_t) {
         const Contact& contact = state.contacts[number];
-        const std::uint32_t side = contact.bodies[0] == splitting.number ? 0 : 1;
-        if (isLost.empty() || isLost[contact.proxies[side]]) taken.push_back({number, side, false, {}});
+        const std::size_t side = contact.bodies[0] == splitting.number ? 0 : 1;
+        if (isLost.empty() || isLost[contact.proxies[side]]) numbers.push_back(number);
     });
-    std::ranges::sort(taken, {}, &MovingContact::contact);
+    std::ranges::sort(numbers);
+    std::vector<MovingContact> taken(numbers.size());  // large ones, which are not moved around
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        taken[k].contact = numbers[k];
+        taken[k].side = state.contacts[numbers[k]].bodies[0] == splitting.number ? 0 : 1;
+    }
     for (MovingContact& moving : taken) {
         Contact& contact = state.contacts[moving.contact];
         if (contact.stored != kNone) wakeBodies(state, moving.contact);
@@ -138,24 +151,33 @@ std::vector<MovingContact> takeContacts(WorldState& state, const SplittingBody& 
     return taken;
 }
 
+/// Where the rows of a block at an offset in bytes are in a stored lane.
+constexpr std::size_t wordOf(std::size_t offset) { return offset / sizeof(IndexRow); }
+
+/// Adds to a vector of a stored lane, whose x is the word `first`.
+void addToVector(std::span<std::uint32_t> words, std::size_t first, Vec3f v) {
+    const auto add = [&](std::size_t word, float value) {
+        words[word] = std::bit_cast<std::uint32_t>(std::bit_cast<float>(words[word]) + value);
+    };
+    add(first, v.x);
+    add(first + 1, v.y);
+    add(first + 2, v.z);
+}
+
 /// Expresses a lane from a body's new centre of mass, which moved by `moved`, m, in the body's axes.
 void shiftLane(StoredContact& stored, std::uint32_t side, Vec3f moved) {
-    ContactBlock block{};
-    ReferenceBlock reference{};
-    putLane(block, 0, stored.block);
-    putLane(reference, 0, stored.reference);
-    const QuatRow& rows = side == 0 ? reference.firstRotation : reference.secondRotation;
-    const Vec3f shift = Quatf{rows.x[0], rows.y[0], rows.z[0], rows.w[0]}.matrix() * moved;
-    const auto add = [](Vec3Row& row, Vec3f v) {
-        row.x[0] += v.x;
-        row.y[0] += v.y;
-        row.z[0] += v.z;
+    constexpr std::size_t kFirst = wordOf(offsetof(ReferenceBlock, firstRotation));
+    constexpr std::size_t kSecond = wordOf(offsetof(ReferenceBlock, secondRotation));
+    const auto rotation = [&](std::size_t k) {
+        return std::bit_cast<float>(stored.reference[(side == 0 ? kFirst : kSecond) + k]);
     };
-    add(reference.centreOffset, side == 0 ? shift : shift * -1.0f);
-    if (side == 0) {
-        for (PointRows& point : block.points) add(point.position, shift * -1.0f);
+    const Vec3f shift = Quatf{rotation(0), rotation(1), rotation(2), rotation(3)}.matrix() * moved;
+    addToVector(stored.reference, wordOf(offsetof(ReferenceBlock, centreOffset)), side == 0 ? shift : shift * -1.0f);
+    if (side != 0) return;
+    for (std::size_t point = 0; point < std::tuple_size_v<decltype(ContactBlock::points)>; ++point) {
+        const std::size_t offset = offsetof(ContactBlock, points) + point * sizeof(PointRows);
+        addToVector(stored.block, wordOf(offset + offsetof(PointRows, position)), shift * -1.0f);
     }
-    stored = {storedLane(block, 0), storedLane(reference, 0)};
 }
 
 /// Puts a contact back, at the body that its proxy belongs to now.
@@ -180,25 +202,39 @@ void returnContact(WorldState& state, const SplittingBody& splitting, MovingCont
 bool assignProxies(WorldState& state, SplittingBody& splitting, const SplitPart& part, std::uint32_t body) {
     RUBBLE_ASSERT(part.hulls.size() == part.shape->hulls.size());
     bool isAnyNew = false;
-    for (std::size_t hull = part.hulls.size(); hull-- > 0;) {
-        const std::uint32_t before = part.hulls[hull];
-        const std::uint32_t proxy =
-            before == kNone ? kNone : std::exchange(splitting.proxyOfHull[before], std::uint32_t{kNone});
-        isAnyNew |= proxy == kNone;
-        linkProxy(state, body, static_cast<std::uint32_t>(hull), proxy);
+    std::uint32_t next = kNone;  // the first in the list of the body so far
+    std::span<Proxy> proxies = state.proxies;
+    const std::span<std::uint32_t> proxyOfHull = splitting.proxyOfHull;
+    const std::span<const std::uint32_t> hulls = part.hulls;
+    for (auto hull = static_cast<std::uint32_t>(hulls.size()); hull-- > 0;) {
+        const std::uint32_t before = hulls[hull];
+        const std::uint32_t number = before == kNone ? kNone : proxyOfHull[before];
+        if (number != kNone) {
+            Proxy& proxy = proxies[number];
+            proxy.body = body;
+            proxy.hull = hull;
+            proxy.next = std::exchange(next, number);
+            proxyOfHull[before] = kNone;
+            --splitting.proxies;
+        } else {
+            isAnyNew = true;
+            state.bodies[body].firstProxy = next;
+            linkProxy(state, body, hull);
+            next = state.bodies[body].firstProxy;
+            proxies = state.proxies;
+        }
     }
+    state.bodies[body].firstProxy = next;
     return isAnyNew;
 }
 
 /// Removes the proxies that no part has, with their contacts.
 void removeUnused(WorldState& state, const SplittingBody& splitting) {
+    if (splitting.proxies == 0) return;
     std::vector<bool> isUnused(state.proxies.size(), false);
-    bool isAny = false;
     for (const std::uint32_t proxy : splitting.proxyOfHull) {
-        if (proxy == kNone) continue;
-        isUnused[proxy] = isAny = true;
+        if (proxy != kNone) isUnused[proxy] = true;
     }
-    if (!isAny) return;
     visitContacts(state, splitting.number, [&](std::uint32_t number, std::uint32_t) {
         const Contact& contact = state.contacts[number];
         if (!isUnused[contact.proxies[0]] && !isUnused[contact.proxies[1]]) return;
@@ -241,6 +277,7 @@ std::vector<std::uint32_t> splitBody(WorldState& state, std::uint32_t number, st
     if (!isHeld(splitting, parts)) wakeNeighbours(state, number);
     std::vector<MovingContact> contacts = takeContacts(state, splitting, parts);
     std::vector<std::uint32_t> bodies{number};
+    bodies.reserve(parts.size());
     for (const SplitPart& part : parts.subspan(1)) bodies.push_back(addPart(state, splitting, part));
     becomePart(state, splitting, parts[0]);
     wakeBody(state, number);

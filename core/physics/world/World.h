@@ -61,11 +61,11 @@ public:
     Result<BodyId> addBody(const BodyDefinition& definition);
     /// Removes a body and wakes those that touch it.
     void removeBody(BodyId body);
-    /// Replaces a body by the parts that it falls apart into, where they were in it. The first keeps its id. A hull keeps
-    /// its contacts, with their impulses, at the part that has it; contacts of hulls that no part has are removed. Parts
-    /// of a static body may be static and stay in place: the first must then have the same centre of mass. Wakes what
-    /// touches the body, unless it stays static and keeps the hull that is touched. Add the contacts of the parts with
-    /// each other by addContact(), or collide() finds them. Returns their ids.
+    /// Replaces a body by the parts that it falls apart into, where they were in it. The first keeps its id. A hull
+    /// keeps its contacts, with their impulses, at the part that has it; contacts of hulls that no part has are
+    /// removed. Parts of a static body may be static and stay in place: the first must then have the same centre of
+    /// mass. Wakes what touches the body, unless it stays static and keeps the hull that is touched. Add the contacts
+    /// of the parts with each other by addContact(), or collide() finds them. Returns their ids.
     ///
     /// Errors: BadInput as addBody(), with the number of the part; nothing changes then.
     Result<std::vector<BodyId>> split(BodyId body, std::span<const SplitPart> parts);

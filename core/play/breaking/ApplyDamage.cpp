@@ -2,7 +2,9 @@
 
 #include "core/base/MessageText.h"
 #include "core/play/breaking/CutAtImpact.h"
+#include "core/play/breaking/Splitting.h"
 #include "core/play/breaking/Swap.h"
+#include "core/play/damage/BondLayout.h"
 #include "core/play/state/SessionBodies.h"
 
 #include <algorithm>
@@ -13,7 +15,7 @@ namespace {
 /// A damage to apply to the instance of an origin.
 struct Target {
     InstanceDamage damage;                   // merged with what is broken already
-    std::shared_ptr<const PlayAsset> asset;  // what it is of
+    std::shared_ptr<const PlayAsset> asset;  // what it is of; null: of bonds
 };
 using Targets = std::map<std::uint32_t, Target>;  // by origin
 
@@ -21,12 +23,71 @@ Error ofInstance(const PlayOrigin& origin, const std::string& message) {
     return {ErrorCode::BadInput, "Instance " + quotedName(origin.name) + ": " + message};
 }
 
+/// Damages the bonds of the structure that bodies are of, whose first bond is at `first` in the damage, and splits
+/// them.
+void damageStructure(const SessionParts& parts, std::span<const std::uint32_t> bodies, std::uint32_t first,
+                     const InstanceDamage& damage) {
+    StructureState& state = structureOf(parts, *findBody(parts.state, bodies.front()));
+    bool isChanged = false;
+    for (std::uint32_t bond = 0; bond < state.damage.size(); ++bond) {
+        const auto partial = damage.partial.find(first + bond);
+        BondDamage one = partial != damage.partial.end() ? partial->second : kIntact;
+        if (damage.broken[first + bond]) one = kBroken;
+        isChanged |= one == kBroken && state.damage[bond] != kBroken;
+        state.damage[bond] = std::max(state.damage[bond], one);
+    }
+    if (!isChanged) return;
+    std::vector<BrokenBonds> broken;
+    for (const std::uint32_t body : bodies) broken.push_back({.body = body});
+    splitBodies(parts, std::move(broken));
+}
+
+/// The damage of the bonds of an origin.
+InstanceDamage damageOfBonds(const PlayScene& scene, const SessionState& state, std::uint32_t index, ContentHash bake) {
+    const BondLayout layout = bondLayout(scene, state.origins[index]);
+    InstanceDamage damage = intactBonds(bake, layout);
+    for (const StructureState& structure : state.structures) {
+        if (structure.origin != index) continue;
+        const std::uint32_t first = layout.firstBond[layout.structureOf(structure.parent)];
+        for (std::uint32_t bond = 0; bond < structure.damage.size(); ++bond) {
+            const BondDamage one = structure.damage[bond];
+            if (one == kBroken) damage.broken[first + bond] = true;
+            if (one != kBroken && one != kIntact) damage.partial[first + bond] = one;
+        }
+    }
+    return damage;
+}
+
+/// Whether a damage has any in a range of bonds.
+bool hasDamage(const InstanceDamage& damage, std::uint32_t begin, std::uint32_t end) {
+    const auto partial = damage.partial.lower_bound(begin);
+    return (partial != damage.partial.end() && partial->first < end) ||
+           std::find(damage.broken.begin() + begin, damage.broken.begin() + end, true) != damage.broken.begin() + end;
+}
+
+/// Damages the bonds of an origin and splits its bodies, level by level.
+void applyToBonds(const SessionParts& parts, std::uint32_t index, const InstanceDamage& damage) {
+    const BondLayout layout = bondLayout(parts.scene, parts.state.origins[index]);
+    for (std::size_t k = 0; k < layout.structures.size(); ++k) {
+        std::vector<std::uint32_t> bodies;
+        for (const PlayBody& body : parts.state.bodies) {
+            const bool isOne = body.origin == index && body.fragment == layout.structures[k]->parent;
+            if (isOne && body.bondedFracture() != nullptr) bodies.push_back(body.number);
+        }
+        if (!bodies.empty() && hasDamage(damage, layout.firstBond[k], layout.firstBond[k + 1]))
+            damageStructure(parts, bodies, layout.firstBond[k], damage);
+    }
+}
+
 /// What is broken of an origin.
 InstanceDamage damageOfOrigin(const PlayScene& scene, const SessionState& state, std::uint32_t index) {
     const auto broken = state.damage.find(index);
     if (broken != state.damage.end()) return broken->second;
     const PlayOrigin& origin = state.origins[index];
-    return intactDamage(*findAsset(scene.project, origin.asset), *scene.assets.at({origin.asset, origin.variant}));
+    const Asset& asset = *findAsset(scene.project, origin.asset);
+    const PlayAsset& ready = *scene.assets.at({origin.asset, origin.variant});
+    if (ready.isBonded) return damageOfBonds(scene, state, index, damageHash(asset, *ready.bake));
+    return intactDamage(asset, ready);
 }
 
 Result<Target> targetOf(const SessionParts& parts, std::uint32_t index, const InstanceDamage& damage) {
@@ -40,6 +101,7 @@ Result<Target> targetOf(const SessionParts& parts, std::uint32_t index, const In
     if (!merged->isIntact() && findInstance(parts.scene.project, origin.instance)->isUnbreakable) {
         return ofInstance(origin, "it is unbreakable, so no damage can be applied to it.");
     }
+    if (merged->kind == DamageKind::Bonds) return Target{std::move(*merged), nullptr};
     Result<std::shared_ptr<const PlayAsset>> asset = damagedAsset(parts.scene, {origin.asset, origin.variant}, *merged);
     if (!asset) return ofInstance(origin, asset.error().message);
     return Target{std::move(*merged), std::move(*asset)};
@@ -116,9 +178,14 @@ Status applyDamage(const SessionParts& parts, const SessionDamage& damage) {
         if (breaks.empty()) break;
         applyBreaks(parts, std::move(breaks));
     }
+    for (const auto& [origin, target] : *targets) {
+        if (target.asset == nullptr) applyToBonds(parts, origin, target.damage);
+    }
     for (Diagnostic& one : state.events.diagnostics) before.diagnostics.push_back(std::move(one));
     state.events = std::move(before);
-    for (const auto& [origin, target] : *targets) state.damage[origin] = target.damage;
+    for (const auto& [origin, target] : *targets) {
+        if (target.asset != nullptr) state.damage[origin] = target.damage;
+    }
     return success();
 }
 

@@ -115,9 +115,8 @@ bool breakHitBonds(const SessionParts& parts, std::span<const Impact> impacts) {
     std::map<std::uint32_t, BrokenBonds> broken;  // by body
     for (const BondStrike& strike : strikesOf(parts, impacts)) {
         PlayBody& body = *findBody(parts.state, strike.body);
-        const double impulse = strike.impact.impulse(), least = leastImpulseOf(parts, body);
-        parts.state.events.impacts.push_back({body.number, impulse, least, strike.impact.point});
-        if (!parts.state.hasDestruction || impulse < least) continue;
+        const double impulse = strike.impact.impulse();
+        if (!parts.state.hasDestruction || impulse < leastImpulseOf(parts, body)) continue;
         BrokenBonds damaged = damageBonds(parts, body, strike.points, impulse);
         if (damaged.impulse <= 0.0) continue;
         damaged.normal = strike.impact.first == body.body ? -strike.impact.normal : strike.impact.normal;

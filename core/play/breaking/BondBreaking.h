@@ -14,8 +14,8 @@ bool breakHitBonds(const SessionParts& parts, std::span<const Impact> impacts);
 /// Breaks all bonds of a body that can break.
 void breakAllBonds(const SessionParts& parts, PlayBody& body);
 
-/// Damages and breaks bonds of a body by an impulse, N·s, at points in the world. The body stays as it is: the result is
-/// for splitBodies(), if bonds broke.
+/// Damages and breaks bonds of a body by an impulse, N·s, at points in the world. The body stays as it is: the result
+/// is for splitBodies(), if bonds broke.
 BrokenBonds damageBonds(const SessionParts& parts, PlayBody& body, std::span<const Vec3> points, double impulse);
 
 /// Damages and breaks the bonds within a blast by its impulse per area there, and splits their bodies.

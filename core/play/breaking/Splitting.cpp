@@ -58,11 +58,11 @@ std::vector<std::uint32_t> unsupportedOf(const SessionParts& parts, const PlayBo
     return unsupportedNodes(structure.graph, state.damage, nodes, structure.span, *up);
 }
 
-/// Breaks the bonds between what has support and what has none.
+/// Breaks all bonds of what has no support: in one piece it would jam between what stands.
 void breakUnsupported(StructureState& state, std::span<const std::uint32_t> unsupported,
                       std::vector<std::uint32_t>& broken) {
-    const auto hasSupport = [&](const BondLink& link) { return !std::ranges::binary_search(unsupported, link.node); };
-    breakBonds(state, unsupported, hasSupport, broken);
+    const auto canBreak = [&](const BondLink& link) { return std::isfinite(state.structure->capacities[link.bond]); };
+    breakBonds(state, unsupported, canBreak, broken);
 }
 
 double volumeOf(const PlayStructure& structure, std::span<const std::uint32_t> nodes) {
@@ -124,9 +124,24 @@ std::vector<std::uint32_t> firstHullsOf(const PlayStructure& structure, const Pl
     std::uint32_t next = 0;
     for (const std::uint32_t node : body.nodes) {
         first[node] = next;
-        next += static_cast<std::uint32_t>(structure.solidOf(node).shape->hulls.size());
+        next += hullCount(*structure.asset, structure.fragmentOf(node));
     }
     return first;
+}
+
+/// For each hull of a part, the hull of the body that it was; kNone: a new one.
+std::vector<std::uint32_t> hullsBefore(const PlayStructure& structure, const PartOfBody& part, std::size_t count,
+                                       std::span<const std::uint32_t> firstHulls) {
+    std::vector<std::uint32_t> before(count);
+    std::iota(before.begin(), before.end(), 0u);
+    if (part.nodes.size() == structure.nodeCount()) return before;  // the hulls of the whole, which it keeps
+    std::size_t hull = 0;
+    for (const std::uint32_t node : part.nodes) {
+        for (std::uint32_t k = 0; k < hullCount(*structure.asset, structure.fragmentOf(node)); ++k) {
+            before[hull++] = firstHulls[node] == kNone ? kNone : firstHulls[node] + k;
+        }
+    }
+    return before;
 }
 
 Vec3 limited(Vec3 velocity) {
@@ -143,11 +158,7 @@ SplitPart splitPart(const SessionParts& parts, const PlayBody& before, const Pla
                    .kind = part.isHeld ? BodyKind::Static : BodyKind::Dynamic,
                    .material = bodyMaterial(parts, *after.asset, after.fragment, after.role),
                    .tag = after.number};
-    for (const std::uint32_t node : part.nodes) {
-        for (std::uint32_t k = 0; k < structure.solidOf(node).shape->hulls.size(); ++k) {
-            made.hulls.push_back(firstHulls[node] == kNone ? kNone : firstHulls[node] + k);
-        }
-    }
+    made.hulls = hullsBefore(structure, part, made.shape->hulls.size(), firstHulls);
     if (made.kind == BodyKind::Static) return made;
     const BodyState state = parts.world.state(before.body);
     const Vec3 centre = state.pose.position + state.pose.orientation * (made.offset + made.shape->mass.centre);
@@ -219,8 +230,9 @@ void replaceBody(const SessionParts& parts, const PlayBody& before, std::span<co
         } else {
             state.bodies.push_back(after[k]);
             state.events.born.push_back(after[k]);
-            freed.push_back(after[k].number);
         }
+        const bool wasFree = k == 0 && !before.isHeld;
+        if (!after[k].isHeld && !wasFree) freed.push_back(after[k].number);
     }
 }
 

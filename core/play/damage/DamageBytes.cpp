@@ -1,5 +1,7 @@
 #include "core/play/damage/DamageBytes.h"
 
+#include "core/base/Assert.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -10,6 +12,8 @@ namespace {
 constexpr std::string_view kMagic = "RDMG";
 constexpr std::size_t kHeader = 4 + 1 + 1 + 1 + 16 + 4;  // magic, version, kind, whether there is a cut, bake, count
 constexpr std::size_t kCut = 24;
+constexpr std::size_t kPartialCount = 4, kPartial = 4;  // the number of damaged bonds, and each: 3 of its index, 1
+constexpr std::size_t kMostBonds = std::size_t{1} << 24;
 constexpr std::size_t kChecksum = 8;
 
 void add(std::string& bytes, std::uint64_t value, int size) {
@@ -44,10 +48,32 @@ Status checkBytes(std::string_view bytes) {
                                                  ", but only version " + std::to_string(kDamageVersion) +
                                                  " can be read."};
     }
-    if (kind != static_cast<std::uint64_t>(DamageKind::Fractures)) {
+    if (kind < static_cast<std::uint64_t>(DamageKind::Fractures) ||
+        kind > static_cast<std::uint64_t>(DamageKind::Bonds)) {
         return Error{ErrorCode::Unsupported, "The damage is of the unknown kind " + std::to_string(kind) + "."};
     }
     return success();
+}
+
+/// The size that a damage must have whose damaged bonds begin at `partial`.
+Result<std::size_t> sizeOf(std::string_view bytes, DamageKind kind, std::size_t partial) {
+    if (kind == DamageKind::Fractures) return partial + kChecksum;
+    if (bytes.size() < partial + kPartialCount + kChecksum) return malformed("it ends before its damaged bonds");
+    return partial + kPartialCount + kPartial * numberAt(bytes, partial, kPartialCount) + kChecksum;
+}
+
+/// Reads the damaged bonds that hold; false if one is not as damageBytes() writes it.
+bool readPartial(std::string_view bytes, std::size_t at, InstanceDamage& damage) {
+    const std::uint64_t count = numberAt(bytes, at, kPartialCount);
+    for (std::uint64_t k = 0; k < count; ++k) {
+        const std::size_t place = at + kPartialCount + kPartial * k;
+        const auto bond = static_cast<std::uint32_t>(numberAt(bytes, place, 3));
+        const auto one = static_cast<std::uint8_t>(numberAt(bytes, place + 3, 1));
+        const bool isAscending = damage.partial.empty() || damage.partial.rbegin()->first < bond;
+        if (!isAscending || bond >= damage.broken.size() || damage.broken[bond] || one == 0 || one == 255) return false;
+        damage.partial[bond] = one;
+    }
+    return true;
 }
 
 }  // namespace
@@ -72,6 +98,11 @@ std::string damageBytes(const InstanceDamage& damage) {
         }
         add(bytes, octet, 1);
     }
+    if (damage.kind == DamageKind::Bonds) {
+        RUBBLE_ASSERT(damage.broken.size() <= kMostBonds);
+        add(bytes, damage.partial.size(), kPartialCount);
+        for (const auto& [bond, one] : damage.partial) add(bytes, std::uint64_t{one} << 24 | bond, kPartial);
+    }
     add(bytes, contentHash(bytes).low, kChecksum);
     return bytes;
 }
@@ -80,13 +111,18 @@ Result<InstanceDamage> damageOfBytes(std::string_view bytes) {
     if (const Status checked = checkBytes(bytes); !checked) return checked.error();
     const std::uint64_t hasCut = numberAt(bytes, 6, 1), count = numberAt(bytes, 23, 4);
     if (hasCut > 1) return malformed("its cut is neither there nor absent");
+    const auto kind = static_cast<DamageKind>(numberAt(bytes, 5, 1));
     const std::size_t bits = kHeader + (hasCut == 1 ? kCut : 0);
-    const std::size_t size = bits + (count + 7) / 8 + kChecksum;
-    if (bytes.size() != size) {
-        return malformed("of " + std::to_string(count) + " fractures it must have " + std::to_string(size) +
-                         " bytes, but it has " + std::to_string(bytes.size()));
+    const std::size_t partial = bits + (count + 7) / 8;
+    const Result<std::size_t> size = sizeOf(bytes, kind, partial);
+    if (!size) return size.error();
+    if (bytes.size() != *size) {
+        return malformed("of " + std::to_string(count) + (kind == DamageKind::Bonds ? " bonds" : " fractures") +
+                         " it must have " + std::to_string(*size) + " bytes, but it has " +
+                         std::to_string(bytes.size()));
     }
-    InstanceDamage damage{.bake = {numberAt(bytes, 7, 8), numberAt(bytes, 15, 8)}, .broken = std::vector<bool>(count)};
+    InstanceDamage damage{
+        .kind = kind, .bake = {numberAt(bytes, 7, 8), numberAt(bytes, 15, 8)}, .broken = std::vector<bool>(count)};
     if (hasCut == 1) damage.cut = cutAt(bytes, kHeader);
     if (damage.cut && !(std::isfinite(damage.cut->point.x) && std::isfinite(damage.cut->point.y))) {
         return malformed("the point of its cut is not finite");
@@ -94,6 +130,9 @@ Result<InstanceDamage> damageOfBytes(std::string_view bytes) {
     for (std::size_t k = 0; k < count; ++k) damage.broken[k] = (numberAt(bytes, bits + k / 8, 1) >> (k % 8) & 1) != 0;
     if (count % 8 != 0 && numberAt(bytes, bits + count / 8, 1) >> (count % 8) != 0) {
         return malformed("it has bits beyond its last fracture");
+    }
+    if (kind == DamageKind::Bonds && !readPartial(bytes, partial, damage)) {
+        return malformed("a damaged bond is broken, out of order or does not exist");
     }
     return damage;
 }

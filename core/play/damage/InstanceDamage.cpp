@@ -14,10 +14,15 @@ Error otherBake(ContentHash one, ContentHash other) {
 /// Checks that two damages are of the same instance.
 Status checkSame(const InstanceDamage& one, const InstanceDamage& other) {
     if (one.bake != other.bake) return otherBake(one.bake, other.bake);
+    if (one.kind != other.kind) {
+        return Error{ErrorCode::BadInput,
+                     "One damage is of fractures, the other of bonds; only damage of the same kind can be merged."};
+    }
     if (one.cut == other.cut && one.broken.size() != other.broken.size()) {
+        const char* what = one.kind == DamageKind::Bonds ? "bonds" : "fractures";
         return Error{ErrorCode::BadInput, "The damages are of " + std::to_string(one.broken.size()) + " and " +
-                                              std::to_string(other.broken.size()) +
-                                              " fractures; only damage of the same fractures can be merged."};
+                                              std::to_string(other.broken.size()) + " " + what +
+                                              "; only damage of the same " + what + " can be merged."};
     }
     return success();
 }
@@ -29,7 +34,7 @@ std::array<std::uint64_t, 3> ImpactCut::key() const {
 }
 
 bool InstanceDamage::isIntact() const {
-    return std::ranges::none_of(broken, [](bool bit) { return bit; });
+    return partial.empty() && std::ranges::none_of(broken, [](bool bit) { return bit; });
 }
 
 ContentHash damageHash(const Asset& asset, const Bake& bake) {
@@ -51,6 +56,8 @@ Result<InstanceDamage> mergedDamage(const InstanceDamage& one, const InstanceDam
     if (one.cut != other.cut) return one.cut < other.cut ? other : one;
     InstanceDamage merged = one;
     for (std::size_t k = 0; k < merged.broken.size(); ++k) merged.broken[k] = one.broken[k] || other.broken[k];
+    for (const auto& [bond, damage] : other.partial) merged.partial[bond] = std::max(merged.partial[bond], damage);
+    std::erase_if(merged.partial, [&](const auto& bond) { return merged.broken[bond.first]; });
     return merged;
 }
 
@@ -59,6 +66,10 @@ Result<InstanceDamage> damageSince(const InstanceDamage& now, const InstanceDama
     InstanceDamage since = now;
     if (now.cut != before.cut) return since;
     for (std::size_t k = 0; k < since.broken.size(); ++k) since.broken[k] = now.broken[k] && !before.broken[k];
+    std::erase_if(since.partial, [&](const auto& bond) {
+        const auto then = before.partial.find(bond.first);
+        return then != before.partial.end() && then->second >= bond.second;
+    });
     return since;
 }
 
@@ -73,6 +84,7 @@ std::vector<std::uint32_t> brokenFragments(const PlayAsset& ready) {
 
 std::optional<std::string> damageFault(const InstanceDamage& damage, ContentHash bake, const PlayAsset& ready) {
     if (damage.bake != bake) return otherBake(damage.bake, bake).message;
+    if (damage.kind != DamageKind::Fractures) return "The damage is of bonds, but the asset breaks whole.";
     if (damage.broken.size() != ready.fractures.size()) {
         return "The damage is of " + std::to_string(damage.broken.size()) + " fractures, but the asset has " +
                std::to_string(ready.fractures.size()) + ".";

@@ -14,6 +14,7 @@ namespace rubble {
 /// What the bits of a damage stand for. Written to files: values never change.
 enum class DamageKind : std::uint8_t {
     Fractures = 1,  // of an instance that breaks whole: a bit per fracture
+    Bonds = 2,      // of a bonded one: a bit per bond, and a byte per damaged bond that holds
 };
 
 /// The point at which a whole was fractured, and the number that makes the cut reproducible: see cutAtImpact().
@@ -28,12 +29,14 @@ private:
     std::array<std::uint64_t, 3> key() const;
 };
 
-/// Which fractures of an instance have broken: a value, without bodies and poses.
+/// Which fractures or bonds of an instance have broken: a value, without bodies and poses.
 struct InstanceDamage {
     DamageKind kind = DamageKind::Fractures;
     ContentHash bake;              // damageHash() of its asset
     std::optional<ImpactCut> cut;  // if the whole was fractured at a point of impact
-    std::vector<bool> broken;      // by index in PlayAsset::fractures, of the cut asset if there is a cut
+    // By index in PlayAsset::fractures, of the cut asset if there is a cut; or in BondLayout.
+    std::vector<bool> broken;
+    std::map<std::uint32_t, std::uint8_t> partial;  // by index in BondLayout: n/255 of a bond that holds, 1 to 254
     bool operator==(const InstanceDamage&) const = default;
     bool isIntact() const;
 };
@@ -47,15 +50,17 @@ ContentHash damageHash(const Asset& asset, const Bake& bake);
 /// The damage of an instance that has not broken.
 InstanceDamage intactDamage(const Asset& asset, const PlayAsset& ready);
 
-/// The damage of an instance that both were done to: a fracture is broken if it is in one of them. Commutative,
+/// The damage of an instance that both were done to: a fracture or bond is broken if it is in one of them, and of the
+/// damages of a bond that holds the larger counts. Commutative,
 /// associative and idempotent, so that damages may arrive in any order and any number of times. Of two different cuts
 /// one prevails, the one with the larger number, then the larger point, with its fractures; a cut prevails over none.
 ///
-/// Errors: BadInput if they are of different bakes, with both hashes; or of different sizes with the same cut.
+/// Errors: BadInput if they are of different bakes, with both hashes; of different kinds; or of different sizes with
+/// the same cut.
 Result<InstanceDamage> mergedDamage(const InstanceDamage& one, const InstanceDamage& other);
 
-/// The fractures broken in `now` and not in `before`: merged with `before` it gives `now`, where `now` was merged from
-/// it.
+/// What is broken or more damaged in `now` than in `before`: merged with `before` it gives `now`, where `now` was
+/// merged from it.
 ///
 /// Errors: as above.
 Result<InstanceDamage> damageSince(const InstanceDamage& now, const InstanceDamage& before);

@@ -6,7 +6,9 @@
 namespace rubble {
 namespace {
 
-bool isKept(const EventRecord& record) { return record.kind == EventKind::Impact || record.kind == EventKind::Broken; }
+bool isKept(const EventRecord& record) {
+    return record.kind == EventKind::Impact || record.kind == EventKind::Bonds || record.kind == EventKind::Broken;
+}
 
 }  // namespace
 

@@ -148,15 +148,86 @@ void addImpacts(const SessionParts& parts, std::vector<EventRecord>& records) {
     }
 }
 
-/// The energy that a break took: of the impulse between the body and its impactor, and of the swap, J.
-double energyOfBreak(const SessionParts& parts, std::uint32_t body) {
+/// The energy that changes of some kinds took from a body and what hit it, J.
+double energyOf(const SessionParts& parts, std::uint32_t body, std::initializer_list<EnergyChange> changes) {
     double energy = 0.0;
     for (const EnergyEntry& entry : parts.state.events.energy) {
-        const bool isBreak = entry.change == EnergyChange::BreakImpulse || entry.change == EnergyChange::Swap ||
-                             entry.change == EnergyChange::Cut;
-        if (isBreak && entry.body == body) energy += entry.before + entry.given - entry.after;
+        const bool isMeant = std::ranges::find(changes, entry.change) != changes.end();
+        if (isMeant && entry.body == body) energy += entry.before + entry.given - entry.after;
     }
     return energy;
+}
+
+/// The energy that a break took: of the impulse between the body and its impactor, and of the swap, J.
+double energyOfBreak(const SessionParts& parts, std::uint32_t body) {
+    return energyOf(parts, body, {EnergyChange::BreakImpulse, EnergyChange::Swap, EnergyChange::Cut});
+}
+
+/// What broke of the bonds of a body in a step, in all passes together.
+EventRecord bondsRecord(const SessionParts& parts, std::uint32_t body) {
+    const std::vector<PlaySplit>& splits = parts.state.events.splits;
+    const auto first = std::ranges::find(splits, body, [](const PlaySplit& one) { return one.body.number; });
+    EventRecord record = recordOf(parts, EventKind::Bonds, first->body);
+    record.materials[1] = insideMaterialOf(parts, first->body);
+    record.energy = energyOf(parts, body, {EnergyChange::Bonds, EnergyChange::Split});
+    Vec3 weighted(0.0);
+    double strongest = -1.0;
+    for (const PlaySplit& split : splits) {
+        if (split.body.number != body) continue;
+        if (split.impulse > strongest) {
+            strongest = split.impulse;
+            record.other = split.impactorNumber;
+            record.point = split.point;
+            record.normal = split.normal;
+            record.speed = split.approachSpeed;
+        }
+        weighted += split.impulse * split.point;
+        record.impulse += split.impulse;
+        record.area += split.area;
+        record.count += split.bonds;
+        for (const std::uint32_t number : split.freed) {
+            const PlayBody* const freed = findBody(parts.state, number);
+            if (freed == nullptr) continue;
+            record.mass += parts.world.mass(freed->body);
+            record.box.include(parts.world.box(freed->body));
+        }
+    }
+    if (record.impulse > 0.0) record.point = weighted / record.impulse;
+    if (record.box.isEmpty()) record.box.include(record.point);
+    return record;
+}
+
+/// A body that came off another one.
+EventRecord detachedRecord(const SessionParts& parts, const PlayBody& freed, std::uint32_t from) {
+    EventRecord record = recordOf(parts, EventKind::Detached, freed);
+    if (from != freed.number) record.other = from;  // else the heaviest island, which was held
+    record.point = parts.world.state(freed.body).centre;
+    record.mass = parts.world.mass(freed.body);
+    record.count = freed.nodes.empty() ? 1 : static_cast<std::uint32_t>(freed.nodes.size());
+    record.materials[1] = insideMaterialOf(parts, freed);
+    record.box = parts.world.box(freed.body);
+    return record;
+}
+
+/// The bonds that broke, and what came free: of a body that came off and lost fragments in the same step, both.
+void addSplits(const SessionParts& parts, std::vector<EventRecord>& records) {
+    std::vector<std::uint32_t> told;
+    for (const PlaySplit& split : parts.state.events.splits) {
+        if (split.bonds > 0 && std::ranges::find(told, split.body.number) == told.end()) {
+            told.push_back(split.body.number);
+            records.push_back(bondsRecord(parts, split.body.number));
+        }
+        for (const std::uint32_t number : split.freed) {
+            const PlayBody* const freed = findBody(parts.state, number);
+            if (freed != nullptr) records.push_back(detachedRecord(parts, *freed, split.body.number));
+        }
+    }
+    // What bonds took that hold.
+    for (const EnergyEntry& entry : parts.state.events.energy) {
+        if (entry.change != EnergyChange::Bonds && entry.change != EnergyChange::Split) continue;
+        if (std::ranges::find(told, entry.body) != told.end()) continue;
+        parts.state.events.told.restEnergy += entry.before - entry.after;
+    }
 }
 
 EventRecord breakRecord(const SessionParts& parts, const PlayBreak& broken) {
@@ -245,6 +316,7 @@ std::string fragmentPathOf(const SessionParts& parts, std::uint32_t number) {
 std::vector<EventRecord> happenedEvents(const SessionParts& parts) {
     std::vector<EventRecord> records;
     addImpacts(parts, records);
+    addSplits(parts, records);
     for (const PlayBreak& broken : parts.state.events.breaks) records.push_back(breakRecord(parts, broken));
     addSettled(parts, records);
     return records;

@@ -3,7 +3,7 @@
 #include "core/asset/bake/FractureResult.h"
 #include "core/asset/strength/FragmentThreshold.h"
 #include "core/play/scene/BodyShape.h"
-#include "core/structure/strength/BondStrength.h"
+#include "core/structure/strength/BondCapacities.h"
 
 #include <set>
 
@@ -36,10 +36,9 @@ PlayFracture playFracture(const BakedFracture& baked) {
 
 /// Computes the contact manifolds of all neighbours.
 void findContacts(PlayAsset& ready, PlayFracture& fracture) {
-    const auto centreOf = [](const PlaySolid& solid) { return solid.offset + solid.shape->mass.centre; };
     for (PlayContact& pair : fracture.neighbours) {
         const PlaySolid &first = ready.fragments[pair.first], &second = ready.fragments[pair.second];
-        pair.manifolds = cachedManifolds(*first.shape, *second.shape, centreOf(second) - centreOf(first));
+        pair.manifolds = cachedManifolds(*first.shape, *second.shape, centreInAsset(second) - centreInAsset(first));
     }
 }
 
@@ -61,6 +60,22 @@ Status appendSolids(const Asset& asset, const BakedFracture& baked, const TaskCo
                                    .threshold = fragmentThreshold(asset, place.path, baked.level)});
     }
     return success();
+}
+
+/// Makes the shape of all fragments of a solid together. The asset, which owns their hulls, owns it as well.
+void addBondedShape(PlayAsset& ready, std::uint32_t parent) {
+    const PlaySolid& whole = ready.solid(parent);
+    if (whole.fracture == kNone) return;
+    PlayFracture& fracture = ready.fractures[whole.fracture];
+    std::vector<CompoundPart> parts;
+    for (std::uint32_t k = fracture.first; k < fracture.first + fracture.count; ++k) {
+        parts.push_back({ready.fragments[k].shape.get(), centreInAsset(ready.fragments[k])});
+    }
+    MassProperties mass = whole.shape->mass;
+    mass.centre += whole.offset;
+    Result<std::shared_ptr<const Shape>> shape = compoundShape(parts, mass, nullptr);
+    RUBBLE_ASSERT(shape.hasValue());  // the whole can be a body
+    fracture.bonded = std::move(*shape);
 }
 
 /// Marks the fragments of a bonded asset that never break.
@@ -89,6 +104,8 @@ void reportLostThresholds(const Asset& asset, PlayAsset& ready) {
 }
 
 }  // namespace
+
+Vec3 centreInAsset(const PlaySolid& solid) { return solid.offset + solid.shape->mass.centre; }
 
 double thresholdOf(const PlaySolid& solid, double whole) {
     return solid.threshold ? *solid.threshold : whole * solid.thresholdScale;
@@ -130,7 +147,10 @@ Result<std::shared_ptr<const PlayAsset>> playAsset(const Asset& asset, std::shar
         ready->fractures.push_back(playFracture(baked));
         if (when == FindContacts::InAdvance && !ready->isBonded) findContacts(*ready, ready->fractures.back());
     }
-    if (ready->isBonded) markNeverBreaking(asset, *ready);
+    if (ready->isBonded) {
+        markNeverBreaking(asset, *ready);
+        for (const BakedFracture& baked : ready->bake->fractures) addBondedShape(*ready, baked.parent);
+    }
     reportLostThresholds(asset, *ready);
     return std::shared_ptr<const PlayAsset>(ready);
 }

@@ -35,6 +35,8 @@ struct PlayFracture {
     std::uint32_t count = 0;              // at least 2
     double area = 0.0;                    // m²: of the faces that their cracks open, of both sides
     std::vector<PlayContact> neighbours;  // each pair once
+    std::shared_ptr<const Shape>
+        bonded;  // of a bonded asset: all fragments together, with the mass of what they replace
 };
 
 /// An asset prepared for play: the shapes of everything it can become, shared by all of its bodies.
@@ -51,6 +53,9 @@ struct PlayAsset {
     /// The fragments that replace it; null if it does not break.
     const PlayFracture* fractureOf(std::uint32_t fragment) const;
 };
+
+/// The centre of mass of a solid in its asset's frame, m.
+Vec3 centreInAsset(const PlaySolid& solid);
 
 /// The threshold of a solid where that of the whole is `whole`, N·s.
 double thresholdOf(const PlaySolid& solid, double whole);

@@ -5,27 +5,37 @@
 namespace rubble {
 namespace {
 
-/// The mass of a solid at density 1, in its asset's frame.
-MassProperties massInAsset(const PlaySolid& solid) {
-    MassProperties mass = solid.shape->mass;
-    mass.centre += solid.offset;
-    return mass;
+/// What is left of a held body, at its place among all fragments.
+std::shared_ptr<const Shape> heldShape(const PlayBody& body) {
+    const PlayFracture& fracture = *body.asset->fractureOf(body.fragment);
+    std::vector<std::uint32_t> hulls;
+    std::uint32_t next = 0, node = 0;
+    for (const std::uint32_t kept : body.nodes) {
+        for (; node < kept; ++node) next += hullCount(*body.asset, fracture.first + node);
+        const std::uint32_t count = hullCount(*body.asset, fracture.first + kept);
+        for (std::uint32_t k = 0; k < count; ++k) hulls.push_back(next + k);
+    }
+    return remainingShape(*fracture.bonded, hulls);
 }
 
 }  // namespace
 
+std::uint32_t hullCount(const PlayAsset& asset, std::uint32_t fragment) {
+    return static_cast<std::uint32_t>(asset.fragments[fragment].shape->hulls.size());
+}
+
 std::shared_ptr<const Shape> shapeOf(const PlayBody& body) {
-    const PlaySolid& whole = body.asset->solid(body.fragment);
-    if (!isPartial(body)) return whole.shape;
+    if (!isPartial(body)) return body.asset->solid(body.fragment).shape;
+    if (body.isHeld) return heldShape(body);
     std::vector<CompoundPart> parts;
     std::vector<MassProperties> masses;
     for (const std::uint32_t fragment : fragmentsOf(body)) {
         const PlaySolid& solid = body.asset->fragments[fragment];
-        masses.push_back(massInAsset(solid));
+        masses.push_back(solid.shape->mass);
+        masses.back().centre = centreInAsset(solid);
         parts.push_back({solid.shape.get(), masses.back().centre});
     }
-    const MassProperties mass = body.isHeld ? massInAsset(whole) : combined(masses);
-    Result<std::shared_ptr<const Shape>> shape = compoundShape(parts, mass, body.asset);
+    Result<std::shared_ptr<const Shape>> shape = compoundShape(parts, combined(masses), body.asset);
     RUBBLE_ASSERT(shape.hasValue());  // each of the fragments can be a body
     return std::move(*shape);
 }

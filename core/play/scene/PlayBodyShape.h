@@ -5,8 +5,11 @@
 namespace rubble {
 
 /// The shape of a body of an asset. Some of the fragments of a solid are a compound of theirs, in the asset's frame,
-/// with their mass summed in their order. If held, it has the mass and centre of the whole solid, whatever is left of
+/// with their mass summed in their order. If held, it has mass, centre and bounds of all of them, whatever is left of
 /// it, so that nothing moves when it loses fragments.
 std::shared_ptr<const Shape> shapeOf(const PlayBody& body);
+
+/// The number of hulls of a fragment.
+std::uint32_t hullCount(const PlayAsset& asset, std::uint32_t fragment);
 
 }  // namespace rubble

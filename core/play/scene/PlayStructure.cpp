@@ -3,7 +3,7 @@
 #include "core/base/Assert.h"
 #include "core/play/scene/GroundHull.h"
 #include "core/structure/bonds/MortarBonds.h"
-#include "core/structure/strength/BondStrength.h"
+#include "core/structure/strength/BondCapacities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,8 +87,7 @@ std::shared_ptr<const PlayStructure> playStructure(const Asset& asset, const Mat
     std::vector<double> capacities = bondCapacities(asset, material, bake, fracture, bonds);
     std::vector<Vec3> centres;
     for (std::uint32_t node = 0; node < baked.fragments.count(); ++node) {
-        const PlaySolid& solid = ready->fragments[baked.first + node];
-        centres.push_back(solid.offset + solid.shape->mass.centre);
+        centres.push_back(centreInAsset(ready->fragments[baked.first + node]));
     }
     const SimpleRule rule = simpleRuleOf(asset.bonding);
     const double least = leastImpulse(capacities, rule);

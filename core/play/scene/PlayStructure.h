@@ -49,8 +49,8 @@ struct FixedSolid {
 std::vector<FixedSolid> fixedSolids(const Project& project,
                                     const std::map<AssetVariant, std::shared_ptr<const PlayAsset>>& assets);
 
-/// The structure of an instance, given that of its whole: with bonds to what it is anchored to. These are painted, which
-/// hold whatever hits them; and, if it is fixed or anchored, to fixed solids that its fragments touch at most
+/// The structure of an instance, given that of its whole: with bonds to what it is anchored to. These are painted,
+/// which hold whatever hits them; and, if it is fixed or anchored, to fixed solids that its fragments touch at most
 /// kAnchorTolerance away.
 std::shared_ptr<const PlayStructure> instanceStructure(const PlayStructure& whole, const Asset& asset,
                                                        const Material& material, const Instance& instance,

@@ -93,6 +93,65 @@ Fault prepareDamage(const PlayScene& scene, const SessionState& state, DamagedAs
     return std::nullopt;
 }
 
+/// Gives the structures what follows from their origins, without the bodies of their nodes.
+Fault completeStructures(const PlayScene& scene, SessionState& state) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> solids;
+    for (std::size_t k = 0; k < state.structures.size(); ++k) {
+        StructureState& one = state.structures[k];
+        if (one.origin >= state.origins.size()) return elementOf("structures", k, ".origin is wrong");
+        one.structure = structureIn(scene, state.origins[one.origin], one.parent);
+        if (one.structure == nullptr) return elementOf("structures", k, ".parent has no bonds");
+        if (!solids.emplace(one.origin, one.parent).second) return elementOf("structures", k, " is there twice");
+        if (one.damage.size() != one.structure->graph.bondCount()) {
+            return elementOf("structures", k, ".damage is not of its bonds");
+        }
+        one.bodyOfNode.assign(one.structure->nodeCount(), kNone);
+    }
+    return std::nullopt;
+}
+
+/// The structure of the solid of an origin; null if none of its bonds was damaged.
+StructureState* findStructure(SessionState& state, std::uint32_t origin, std::uint32_t parent) {
+    const auto found = std::ranges::find_if(
+        state.structures, [&](const StructureState& one) { return one.origin == origin && one.parent == parent; });
+    return found != state.structures.end() ? &*found : nullptr;
+}
+
+/// Gives the nodes of a structure to a body that consists of them. Returns the field that is wrong.
+const char* completeNodes(SessionState& state, const PlayBody& body) {
+    if (body.structure >= state.structures.size()) return "structure";
+    StructureState& structure = state.structures[body.structure];
+    if (structure.origin != body.origin || structure.parent != body.fragment) return "structure";
+    if (body.nodes.empty() || (body.nodes.size() == 1 && !body.isHeld)) return "nodes";
+    for (std::size_t k = 0; k < body.nodes.size(); ++k) {
+        const std::uint32_t node = body.nodes[k];
+        if (node >= structure.bodyOfNode.size() || (k > 0 && body.nodes[k - 1] >= node)) return "nodes";
+        if (structure.bodyOfNode[node] != kNone) return "nodes";
+        structure.bodyOfNode[node] = body.number;
+    }
+    return nullptr;
+}
+
+/// Completes a body of an asset that breaks along bonds. Returns the field that is wrong.
+const char* completeBonded(const PlayScene& scene, SessionState& state, const PlayBody& body) {
+    if (body.fragment != kNone && body.fragment >= body.asset->fragments.size()) return "fragment";
+    if (body.collapseStep != PlayBody::kNever && !body.isHeld) return "collapseStep";
+    if (body.structure != kNone) return completeNodes(state, body);
+    if (!body.nodes.empty()) return "nodes";
+    if (findStructure(state, body.origin, body.fragment) != nullptr) return "structure";
+    if (body.fragment != kNone) {
+        const std::uint32_t from = fractureContaining(*body.asset, body.fragment);
+        if (from == kNone) return "fragment";
+        const std::uint32_t parent = brokenFragments(*body.asset)[from];
+        if (findStructure(state, body.origin, parent) == nullptr) return "fragment";
+        return body.isHeld ? "isHeld" : nullptr;
+    }
+    const auto structure = scene.structures.find(state.origins[body.origin].instance);
+    const bool isHeld =
+        body.role == PlayRole::Instance && structure != scene.structures.end() && structure->second->isHeld();
+    return body.isHeld == isHeld ? nullptr : "isHeld";
+}
+
 /// Whether a fragment is free: it came free, and has not broken itself. kNone: the whole.
 bool isFree(const PlayAsset& asset, std::uint32_t fragment, const InstanceDamage* damage) {
     const auto isBroken = [&](std::uint32_t fracture) {
@@ -103,9 +162,18 @@ bool isFree(const PlayAsset& asset, std::uint32_t fragment, const InstanceDamage
     return isBroken(fractureContaining(asset, fragment)) && !isBroken(asset.fragments[fragment].fracture);
 }
 
+/// Whether a body is bonded fragments of a whole that came off it.
+bool isDebrisOfNodes(const PlayBody& body) {
+    return body.role == PlayRole::Debris && body.structure != kNone && body.fragment == kNone;
+}
+
+/// Whether a body has nothing of what only bonded ones have.
+bool isPlain(const PlayBody& body) {
+    return body.structure == kNone && body.nodes.empty() && !body.isHeld && body.collapseStep == PlayBody::kNever;
+}
+
 /// Gives a body its asset or hull. Returns the field that is wrong.
-const char* completeBody(const PlayScene& scene, const SessionState& state, const DamagedAssets& assets,
-                         PlayBody& body) {
+const char* completeBody(const PlayScene& scene, SessionState& state, const DamagedAssets& assets, PlayBody& body) {
     const PlayOrigin& origin = state.origins[body.origin];
     const bool isOfGround = isGround(scene, body.origin, origin);
     if (body.role > PlayRole::Debris || (body.role == PlayRole::Ground) != isOfGround) return "role";
@@ -113,7 +181,7 @@ const char* completeBody(const PlayScene& scene, const SessionState& state, cons
                                         : body.role == PlayRole::Projectile && origin.instance != 0) {
         return "role";
     }
-    if ((body.role == PlayRole::Debris) != (body.fragment != kNone)) return "fragment";
+    if ((body.role == PlayRole::Debris) != (body.fragment != kNone || isDebrisOfNodes(body))) return "fragment";
     bool isUnbreakable = false;
     if (body.role == PlayRole::Instance) {
         isUnbreakable = findInstance(scene.project, origin.instance)->isUnbreakable;
@@ -121,13 +189,24 @@ const char* completeBody(const PlayScene& scene, const SessionState& state, cons
     if (body.isUnbreakable != isUnbreakable) return "isUnbreakable";
     if (origin.asset == 0) {
         body.hull = isOfGround ? groundHull() : std::make_shared<const Polytope>(projectileHull(*origin.thrown));
-        return body.fragment == kNone ? nullptr : "fragment";
+        if (body.fragment != kNone) return "fragment";
+        return isPlain(body) ? nullptr : "structure";
     }
     const auto damage = state.damage.find(body.origin);
     const bool isDamaged = damage != state.damage.end();
     body.asset = isDamaged ? assets.at(body.origin) : scene.assets.at({origin.asset, origin.variant});
+    if (body.asset->isBonded) return completeBonded(scene, state, body);
+    if (!isPlain(body)) return "structure";
     if (!isFree(*body.asset, body.fragment, isDamaged ? &damage->second : nullptr)) return "fragment";
     return nullptr;
+}
+
+/// Whether a fragment that is a body by itself is a node of another one.
+bool isBonded(SessionState& state, const PlayBody& body) {
+    if (body.asset == nullptr || !body.asset->isBonded || body.fragment == kNone || isDebrisOfNodes(body)) return false;
+    const std::uint32_t from = fractureContaining(*body.asset, body.fragment);
+    const StructureState* const structure = findStructure(state, body.origin, brokenFragments(*body.asset)[from]);
+    return structure != nullptr && structure->bodyOfNode[body.fragment - body.asset->fractures[from].first] != kNone;
 }
 
 Fault completeBodies(const PlayScene& scene, const DamagedAssets& assets, SessionState& state) {
@@ -141,7 +220,13 @@ Fault completeBodies(const PlayScene& scene, const DamagedAssets& assets, Sessio
         if (const char* field = completeBody(scene, state, assets, body)) {
             return elementOf("bodies", k, "." + std::string(field) + " is wrong");
         }
-        if (!solids.emplace(body.origin, body.fragment).second) return elementOf("bodies", k, " is there twice");
+        const bool isSolid = body.structure == kNone;
+        if (isSolid && !solids.emplace(body.origin, body.fragment).second) {
+            return elementOf("bodies", k, " is there twice");
+        }
+    }
+    for (std::size_t k = 0; k < state.bodies.size(); ++k) {
+        if (isBonded(state, state.bodies[k])) return elementOf("bodies", k, ".fragment is bonded in another body");
     }
     return std::nullopt;
 }
@@ -198,6 +283,7 @@ Fault completeState(const PlayScene& scene, SessionState& state) {
     if (Fault fault = verifyMaterials(scene, state)) return fault;
     DamagedAssets assets;
     if (Fault fault = prepareDamage(scene, state, assets)) return fault;
+    if (Fault fault = completeStructures(scene, state)) return fault;
     if (Fault fault = completeBodies(scene, assets, state)) return fault;
     if (Fault fault = verifyToldImpacts(state)) return fault;
     return verifyPending(scene, state);

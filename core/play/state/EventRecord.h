@@ -41,18 +41,18 @@ struct EventRecord {
     std::uint64_t step = 0;  // after which it holds
     EventKind kind = EventKind::Impact;
     std::uint32_t body = 0;         // its number
-    std::uint32_t other = kNone;    // number of the one that it touched; kNone: none
+    std::uint32_t other = kNone;    // number of the one that it touched, or came off (detached); kNone: none
     Id instance = 0;                // 0: the ground, or thrown
     std::string fragment;           // its path in the asset, "5.17.1"; empty for the whole
     Vec3 point{0.0, 0.0, 0.0};      // m, in the world
-    Vec3 normal{0.0, 0.0, 0.0};     // impact: from `other` into `body`; broken: from the impactor into it
-    double impulse = 0.0;           // N·s, along the normal; broken: what broke it
+    Vec3 normal{0.0, 0.0, 0.0};     // from `other` into `body`
+    double impulse = 0.0;           // N·s, along the normal; bonds: what they took; broken: what broke it
     double speed = 0.0;             // m/s, of the approach, before solving
-    double energy = 0.0;            // J: lost by both bodies (impact), or in the break (broken)
+    double energy = 0.0;            // J: lost by both bodies (impact), or in the break (bonds, broken)
     double area = 0.0;              // m²: of the faces that a break opened
     double mass = 0.0;              // kg: of what came free, came to rest or is gone
-    std::uint32_t count = 0;        // fragments that came free
-    std::array<Id, 2> materials{};  // of both bodies; broken: of the body, and of the fresh faces. 0: none
+    std::uint32_t count = 0;        // fragments that came free; bonds: those that broke
+    std::array<Id, 2> materials{};  // of both bodies; of a break: of the body, and of the fresh faces. 0: none
     Box3 box;                       // m: of what changed, in the world
     RemovalReason reason = RemovalReason::None;
     bool operator==(const EventRecord&) const = default;

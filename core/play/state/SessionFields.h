@@ -145,11 +145,12 @@ void visitFields(Self& self, Visit& visit) {
 
 template <FieldsOf<InstanceDamage> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
-    auto& [kind, bake, cut, broken] = self;
+    auto& [kind, bake, cut, broken, partial] = self;
     visit("kind", kind);
     visit("bake", bake);
     visit("cut", cut);
     visit("broken", broken);
+    visit("partialDamage", partial);
 }
 
 template <FieldsOf<PlayBody> Self, class Visit>
@@ -165,7 +166,7 @@ void visitFields(Self& self, Visit& visit) {
     visit("isUnbreakable", isUnbreakable);
     visit("restCentre", restCentre);
     visit("structure", structure);
-    visit("nodes", nodes);
+    visit("bondedNodes", nodes);
     visit("isHeld", isHeld);
     visit("collapseStep", collapseStep);
 }

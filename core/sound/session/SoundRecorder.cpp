@@ -54,8 +54,9 @@ SoundCue breakCue(const Session& session, const EventRecord& broken) {
 std::vector<SoundCue> cuesOf(const Session& session) {
     std::vector<SoundCue> cues;
     for (const EventRecord& record : session.events().told.records) {
-        if (record.kind != EventKind::Impact && record.kind != EventKind::Broken) continue;
-        cues.push_back(record.kind == EventKind::Impact ? impactCue(session, record) : breakCue(session, record));
+        const bool isImpact = record.kind == EventKind::Impact;
+        if (!isImpact && record.kind != EventKind::Bonds && record.kind != EventKind::Broken) continue;
+        cues.push_back(isImpact ? impactCue(session, record) : breakCue(session, record));
         cues.back().time = static_cast<double>(session.stepsDone()) * session.stepLength();
     }
     return cues;

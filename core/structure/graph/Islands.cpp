@@ -3,6 +3,7 @@
 #include "core/base/Assert.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace rubble {
 namespace {
@@ -21,11 +22,14 @@ std::vector<std::uint32_t> parentsOf(const BondGraph& graph, std::span<const Bon
         std::uint32_t root = parents[node] = node;
         for (const BondLink& link : graph.linksOf(node)) {
             // Nodes ascend: a bond is met for the second time at its larger node, when both are known.
-            if (link.node >= node || damage[link.bond] == kBroken || parents[link.node] == kNone) continue;
-            const std::uint32_t other = rootOf(parents, link.node);
+            if (link.node >= node || damage[link.bond] == kBroken) continue;
+            const std::uint32_t parent = parents[link.node];
+            if (parent == root || parent == kNone) continue;  // most neighbours have the root as their parent
+            const std::uint32_t other = rootOf(parents, parent);
             parents[std::max(root, other)] = std::min(root, other);
             root = std::min(root, other);
         }
+        parents[node] = root;
     }
     return parents;
 }
@@ -35,32 +39,52 @@ bool hasAnchor(const BondGraph& graph, std::span<const BondDamage> damage, std::
         graph.linksOf(node), [&](const BondLink& link) { return link.node == kNone && damage[link.bond] != kBroken; });
 }
 
+/// Numbers the islands by smallest node: replaces each given node's parent by its island, and counts their nodes.
+/// Runs of nodes of one island are counted at once.
+void numberIslands(std::span<std::uint32_t> parents, std::span<const std::uint32_t> nodes,
+                   std::vector<std::uint32_t>& counts) {
+    std::uint32_t current = 0, run = 0;
+    for (const std::uint32_t node : nodes) {
+        const std::uint32_t parent = parents[node];
+        const bool isSmallest = parent == node;
+        if (isSmallest) counts.push_back(0);
+        // A parent is a smaller node, so its island is known.
+        const std::uint32_t island = isSmallest ? static_cast<std::uint32_t>(counts.size() - 1) : parents[parent];
+        parents[node] = island;
+        if (island != current) {
+            counts[current] += std::exchange(run, 0u);
+            current = island;
+        }
+        ++run;
+    }
+    if (run > 0) counts[current] += run;
+}
+
 }  // namespace
 
 Islands islandsOf(const BondGraph& graph, std::span<const BondDamage> damage, std::span<const std::uint32_t> nodes) {
     RUBBLE_ASSERT(damage.size() == graph.bonds.size());
-    std::vector<std::uint32_t> parents = parentsOf(graph, damage, nodes);
+    std::vector<std::uint32_t> islandOf = parentsOf(graph, damage, nodes);
     Islands islands;
-    std::vector<std::uint32_t> islandOf(nodes.size());
-    islands.firstNode.push_back(0);
-    // A parent is a smaller node, so its island is known: from here on `parents` holds islands.
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-        const std::uint32_t node = nodes[k];
-        const bool isSmallest = parents[node] == node;
-        if (isSmallest) islands.firstNode.push_back(0);
-        const auto newest = static_cast<std::uint32_t>(islands.firstNode.size() - 2);
-        islandOf[k] = parents[node] = isSmallest ? newest : parents[parents[node]];
-        ++islands.firstNode[islandOf[k] + 1];
+    std::vector<std::uint32_t> next;
+    numberIslands(islandOf, nodes, next);
+    islands.firstNode.resize(next.size() + 1);
+    for (std::size_t island = 0; island < next.size(); ++island) {
+        islands.firstNode[island + 1] = islands.firstNode[island] + next[island];
+        next[island] = islands.firstNode[island];
     }
-    const std::size_t count = islands.firstNode.size() - 1;
-    for (std::size_t island = 1; island <= count; ++island) islands.firstNode[island] += islands.firstNode[island - 1];
     islands.nodes.resize(nodes.size());
-    islands.anchoredFlags.assign(count, 0);
-    std::vector<std::uint32_t> next(islands.firstNode.begin(), islands.firstNode.end() - 1);
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-        islands.nodes[next[islandOf[k]]++] = nodes[k];
-        if (islands.anchoredFlags[islandOf[k]] == 0 && hasAnchor(graph, damage, nodes[k]))
-            islands.anchoredFlags[islandOf[k]] = 1;
+    islands.anchoredFlags.assign(next.size(), 0);
+    for (std::size_t k = 0; k < nodes.size();) {
+        const std::uint32_t island = islandOf[nodes[k]];
+        std::uint32_t place = next[island];
+        bool isAnchored = islands.anchoredFlags[island] != 0;
+        for (; k < nodes.size() && islandOf[nodes[k]] == island; ++k) {
+            islands.nodes[place++] = nodes[k];
+            isAnchored = isAnchored || hasAnchor(graph, damage, nodes[k]);
+        }
+        next[island] = place;
+        islands.anchoredFlags[island] = isAnchored ? 1 : 0;
     }
     return islands;
 }

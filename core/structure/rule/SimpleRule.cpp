@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace rubble {
 namespace {
@@ -19,6 +20,7 @@ struct LoadedBond {
     std::uint32_t bond = 0;
     double fraction = 0.0;     // of the impulse
     double utilization = 0.0;  // at the full impulse
+    double distance = 0.0;     // m
 };
 
 double utilizationOf(double load, double capacity) {
@@ -40,21 +42,30 @@ struct StruckBody {
         return ownerOfNode[joined.first] == owner && (joined.second == kNone || ownerOfNode[joined.second] == owner);
     }
     /// The distance of a bond's centroid from the nearest point, m.
-    double distanceOf(std::uint32_t bond) const {
+    double distanceOf(Vec3 centroid) const {
         double least = kInfinite;
-        for (const Vec3& point : points) least = std::min(least, glm::distance(point, graph.bonds[bond].centroid));
+        for (const Vec3& point : points) least = std::min(least, glm::distance(point, centroid));
         return least;
     }
-    /// The least distance of an unbroken bond, m.
-    double leastDistance() const {
-        double least = kInfinite;
+    /// The nodes that are hit, ascending.
+    std::vector<std::uint32_t> struckNodes() const {
+        std::vector<std::uint32_t> nodes;
         for (const Vec3& point : points) {
-            graph.centroids.visitNear(point, [&](std::uint32_t bond) {
-                if (holds(bond)) least = std::min(least, glm::distance(point, graph.bonds[bond].centroid));
-                return least;
-            });
+            std::uint32_t nearest = kNone;
+            double least = kInfinite;
+            for (std::uint32_t node = 0; node < ownerOfNode.size(); ++node) {
+                if (ownerOfNode[node] != owner) continue;
+                const Vec3 arm = graph.centres[node] - point;
+                if (const double square = glm::dot(arm, arm); square < least) {
+                    least = square;
+                    nearest = node;
+                }
+            }
+            if (nearest != kNone) nodes.push_back(nearest);
         }
-        return least;
+        std::ranges::sort(nodes);
+        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+        return nodes;
     }
 };
 
@@ -62,19 +73,33 @@ std::vector<LoadedBond> loadedBonds(const StruckBody& body, std::span<const doub
                                     double impulse) {
     constexpr double kMargin = 1.0 + 1e-9;  // for the rounding of boxes
     std::vector<LoadedBond> loaded;
-    const double least = body.leastDistance();
-    if (least == kInfinite) return loaded;
+    const auto add = [&](std::uint32_t bond, double distance, double fraction) {
+        const double utilization = utilizationOf(impulse * fraction, capacities[bond]);
+        if (utilization >= rule.damageFrom) loaded.push_back({bond, fraction, utilization, distance});
+    };
+    const std::vector<std::uint32_t> struck = body.struckNodes();
+    const auto isStruck = [&](std::uint32_t bond) {
+        const Bond& joined = body.graph.bonds[bond];
+        return std::ranges::binary_search(struck, joined.first) || std::ranges::binary_search(struck, joined.second);
+    };
+    for (const std::uint32_t node : struck) {
+        for (const BondLink& link : body.graph.linksOf(node)) {
+            const bool isSecond = link.node < node && std::ranges::binary_search(struck, link.node);
+            if (body.holds(link.bond) && !isSecond)
+                add(link.bond, body.distanceOf(body.graph.bonds[link.bond].centroid), 1.0);
+        }
+    }
     Box3 box;
     for (const Vec3& point : body.points) box.include(point);
-    const Vec3 farthest{(rule.radius + least) * kMargin};
-    body.graph.centroids.visitOverlapping({box.min - farthest, box.max + farthest}, [&](std::uint32_t bond) {
-        if (!body.holds(bond)) return;
-        const double fraction = loadFraction(rule, body.distanceOf(bond) - least);
-        const double utilization = utilizationOf(impulse * fraction, capacities[bond]);
-        if (utilization >= rule.damageFrom) loaded.push_back({bond, fraction, utilization});
-    });
+    const Vec3 farthest{rule.radius * kMargin};
+    body.graph.centroids.visitOverlapping(
+        {box.min - farthest, box.max + farthest}, [&](std::uint32_t bond, const Box3& centroid) {
+            // The tree has centroids in order of visits; those beyond the radius need not be read from the bonds.
+            const double distance = body.distanceOf(centroid.min), fraction = loadFraction(rule, distance);
+            if (fraction > 0.0 && body.holds(bond) && !isStruck(bond)) add(bond, distance, fraction);
+        });
     std::ranges::sort(loaded, [](const LoadedBond& a, const LoadedBond& b) {
-        return a.utilization != b.utilization ? a.utilization > b.utilization : a.bond < b.bond;
+        return std::tuple(-a.utilization, a.distance, a.bond) < std::tuple(-b.utilization, b.distance, b.bond);
     });
     return loaded;
 }

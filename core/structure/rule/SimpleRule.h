@@ -37,22 +37,21 @@ double loadFraction(const SimpleRule& rule, double distance);
 
 /// Breaks and damages bonds of a body by a hit.
 ///
-/// Of the unbroken bonds between nodes of `owner` and from them to anchors, those are loaded whose centroids are at
-/// most the radius farther from the nearest point of the hit than the nearest of these bonds is. So a hit in the middle
-/// of a fragment larger than the radius loads the bonds nearest to it, with the whole impulse, and any fragment can be
-/// broken off. Bonds that never break count as nearest, too: they shield those behind them.
+/// The fragments that are hit, those whose centres are nearest to its points, give the whole impulse to each of their
+/// bonds: any fragment can be broken off. The bonds around them are loaded by their distance from the nearest point, as
+/// loadFraction() says. Only unbroken bonds between nodes of `owner`, and from them to anchors, count.
 ///
-/// In order of utilization, impulse * loadFraction() / capacity, largest first, ties by index, each bond takes from
-/// what is left of the impulse J:
+/// In order of utilization, impulse * fraction / capacity, largest first, ties by distance, then index, each bond takes
+/// from what is left of the impulse J:
 ///
-///     U = J * loadFraction() / capacity                  none below damageFrom
+///     U = J * fraction / capacity                     none below damageFrom
 ///     increase of damage = 1                          if U >= 1: the bond breaks
 ///                        = (U - damageFrom) / (1 - damageFrom), rounded down to a multiple of 1/255
 ///     impulse taken = capacity * increase             of a damaged bond: of what was left of it
 ///
 /// Damage accumulates over hits; at 1 the bond breaks. `capacities`: N·s for each bond, >= 0; infinite: it never
-/// breaks. `damage`: of each bond. The result does not depend on the order of bonds but by those ties. O(log n) in the
-/// bonds of the graph, and O(m log m) in those within the radius.
+/// breaks. `damage`: of each bond. The result does not depend on the order of bonds but by those ties. O(n) in the
+/// nodes, and O(m log m) in the bonds within the radius.
 HitOutcome applyHit(const BondGraph& graph, std::span<const double> capacities, const SimpleRule& rule,
                     const BondHit& hit, std::span<const std::uint32_t> ownerOfNode, std::uint32_t owner,
                     std::span<BondDamage> damage);

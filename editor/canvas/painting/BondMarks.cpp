@@ -1,6 +1,6 @@
 #include "editor/canvas/painting/BondMarks.h"
 
-#include "core/structure/strength/BondStrength.h"
+#include "core/structure/strength/BondCapacities.h"
 #include "core/structure/strength/StrengthMap.h"
 #include "editor/canvas/painting/FragmentEdges.h"
 

@@ -58,7 +58,6 @@ QToolButton* EventFilterBar::makeKind(EventKind kind) {
     button->setObjectName(iconNameOf(kind));
     button->setCheckable(true);
     button->setChecked(true);
-    button->setVisible(kind != EventKind::Bonds && kind != EventKind::Detached);  // no asset has bonds
     connect(button, &QToolButton::toggled, this, [this, kind](bool isOn) {
         EventFilter filter = m_filter;
         filter.kinds[static_cast<std::size_t>(kind)] = isOn;

@@ -81,8 +81,7 @@ void BondSection::buildImpulse() {
         source, tr("Set Source of Bond Strength"),
         [](const Asset& asset) { return asset.bonding.impulsePerArea ? kEnteredImpulse : kImpulseOfMaterial; },
         [this](Asset& asset, Id entered) {
-            const double known =
-                bondImpulseOf(asset, materialOf(asset)).value_or(rangeOf(ProjectNumber::BondImpulse).defaultValue);
+            const double known = bondImpulseOf(asset, materialOf(asset));
             asset.bonding.impulsePerArea = entered == kEnteredImpulse ? std::optional(known) : std::nullopt;
         });
     m_impulse =
@@ -92,9 +91,7 @@ void BondSection::buildImpulse() {
     m_impulse->setFormat(Units::impulsesPerArea());
     m_form.bind(
         m_impulse, tr("Set Impulse per Area"),
-        [this](const Asset& asset) {
-            return bondImpulseOf(asset, materialOf(asset)).value_or(rangeOf(ProjectNumber::BondImpulse).defaultValue);
-        },
+        [this](const Asset& asset) { return bondImpulseOf(asset, materialOf(asset)); },
         [](Asset& asset, double entered) { asset.bonding.impulsePerArea = entered; });
     m_derivation = new QLabel;
     m_derivation->setObjectName("bondDerivation");
@@ -203,7 +200,8 @@ void BondSection::addStrokeRow(BondBrush brush, const QString& label, const QStr
 /// Shows where a derived impulse comes from, or lets it be typed.
 void BondSection::showImpulse(const Asset& asset) {
     const Material& material = materialOf(asset);
-    const bool isDerived = !asset.bonding.impulsePerArea, isKnown = bondImpulseOf(asset, material).has_value();
+    const bool isDerived = !asset.bonding.impulsePerArea;
+    const bool isKnown = !isDerived || derivedBondImpulse(asset, material).has_value();
     m_impulse->setEnabled(!isDerived);
     setRowVisible(m_impulse, isKnown);
     m_derivation->setVisible(isDerived);

@@ -19,9 +19,9 @@ struct Loss {
 /// What was lost of a document; `recovered` holds the hashes of what is on the disk or was restored. Nothing if the
 /// last state is among these, if it was an unchanged project without a file, or if the document was closed.
 ///
-/// No allowance is made for a busy machine: a backup is due when the event loop has run twice after the interval without
-/// one being written, once to start writing it and once to note that it is. The thread that writes may have to wait for
-/// a processor; how long the event loop was held up is measured on its own.
+/// No allowance is made for a busy machine: a backup is due when the event loop has run twice after the interval
+/// without one being written, once to start writing it and once to note that it is. The thread that writes may have
+/// to wait for a processor; how long the event loop was held up is measured on its own.
 std::optional<Loss> lossOf(const Journal& journal, const JournaledDocument& document,
                            const std::set<std::string>& recovered);
 

@@ -1,4 +1,6 @@
 #include "editor/commands/Resizing.h"
+
+#include "core/geometry/polygon/PolygonFaults.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
 
@@ -24,6 +26,17 @@ private slots:
         const auto overrides = resized(asset, {4.0, 2.0, 1.0}).pattern.layers[0].overrides;
         QCOMPARE(overrides[0].position, Vec2(2.0, 1.0));
         QVERIFY(overrides[1].isDeleted && overrides[1].position == Vec2(0.0, 0.0));
+    }
+    /// The outline that seeds were scattered in before another one was entered may be much larger or smaller.
+    void outlineOfScatterThatBecomesTooThinIsDropped() {
+        Asset asset = boxAsset(2, 3, UniformScatter{});
+        asset.prism.outline = {{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}, {}};
+        asset.pattern.layers[0].scatteredIn = Polygon{{{0.0, 0.0}, {1e-55, 0.0}, {1e-55, 1.0}, {0.0, 1.0}}, {}};
+        for (const double width : {1e-3, 1e3, 1e-4, 1.0, 1e-5}) {
+            asset = resized(asset, {width, 1.0, 0.5});
+            const std::optional<Polygon>& kept = asset.pattern.layers[0].scatteredIn;
+            QVERIFY(!kept || validated(Polygon(*kept)).hasValue());
+        }
     }
     void scalesStrokesAndHeightsOfBonds() {
         Asset asset = boxAsset(2, 3, PlacedSeeds{});

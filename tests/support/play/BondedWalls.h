@@ -11,9 +11,9 @@ inline constexpr const char* kWall = "wall";
 inline Project bondedWall(std::uint32_t pieces = 300, double impulsePerArea = 100.0) {
     Project project;
     const Id stone = addMaterial(project, {.name = "stone", .density = 2000.0});
-    const Id wall =
-        addAsset(project, {.name = kWall, .material = stone, .prism = {{rectangle({-2.0, -1.5}, {2.0, 1.5}), {}}, 0.25}},
-                 {UniformScatter{.count = pieces}});
+    const Id wall = addAsset(
+        project, {.name = kWall, .material = stone, .prism = {{rectangle({-2.0, -1.5}, {2.0, 1.5}), {}}, 0.25}},
+        {UniformScatter{.count = pieces}});
     project.assets[0].breakAs = BreakAs::Bonded;
     project.assets[0].bonding.impulsePerArea = impulsePerArea;
     addInstance(project, wall, kWall, {.position = {0.0, 1.5, 0.0}});

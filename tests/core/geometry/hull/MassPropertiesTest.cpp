@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace rubble;
 
@@ -94,6 +95,15 @@ private slots:
         QVERIFY(std::abs(sum.volume - 2.0) < 1e-15);
         QVERIFY(glm::distance(sum.centre, Vec3(1.0, 0.5, 0.5)) < 1e-15);
         QVERIFY(largestDifference(sum.inertia, whole.inertia) < 1e-14);
+    }
+    void someOfSeveralBodiesCombine() {
+        const MassProperties bodies[] = {massOf(extruded(rectangleOfSize(0.5, 1.0), 0.0, 1.0)),
+                                         massOf(extruded(rectangleOfSize(9.0, 9.0), 0.0, 1.0)),
+                                         massOf(extruded(rectangleOfSize(1.5, 1.0, {0.5, 0.0}), 0.0, 1.0))};
+        const MassProperties some = combined(bodies, std::vector<std::uint32_t>{2, 0});
+        const MassProperties same = combined(std::vector{bodies[2], bodies[0]});
+        QVERIFY(some.volume == same.volume && some.centre == same.centre && some.inertia == same.inertia);
+        QCOMPARE(combined(bodies, {}).volume, 0.0);
     }
     void prismAndPolytopeAgreeOnRandomTriangles() {
         const std::uint64_t seed = 5;

@@ -105,6 +105,11 @@ private slots:
                     if (!isApart) expected.push_back(k);
                 }
                 tree.visitOverlapping(around, [&](std::uint32_t item) { found.push_back(item); });
+                std::vector<std::uint32_t> withBoxes;
+                tree.visitOverlapping(around, [&](std::uint32_t item, const Box3& box) {
+                    if (box.min == boxes[item].min && box.max == boxes[item].max) withBoxes.push_back(item);
+                });
+                QCOMPARE(withBoxes, found);
                 std::ranges::sort(found);
                 QCOMPARE(found, expected);
             }

@@ -6,6 +6,7 @@
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/play/BondedWalls.h"
 #include "tests/support/play/Damages.h"
 #include "tests/support/play/RandomShots.h"
 #include "tests/support/play/SealedStates.h"
@@ -27,6 +28,10 @@ std::vector<std::shared_ptr<const PlayScene>> demoScenes() {
         scenes.push_back(
             test::playSceneOf(*loadProject(std::string(RUBBLE_SOURCE_DIR "/projects/") + name + ".rubble")));
     }
+    Project bonded = test::bondedWall(120);
+    bonded.assets[0].levels = {{.pattern = test::patternOf(bonded, {UniformScatter{.count = 3}})}};
+    bonded.assets[0].bonding.span = 1.0;
+    scenes.push_back(test::playSceneOf(bonded));
     return scenes;
 }
 
@@ -62,6 +67,14 @@ std::string stateFault(const Result<Session>& session) { return session ? std::s
 class StateFileTest : public QObject {
     Q_OBJECT
 private slots:
+    /// Saved by the version before bonds.
+    void readsStatesOfVersion1() {
+        const auto scene = test::playSceneOf(*loadProject(RUBBLE_SOURCE_DIR "/projects/pane.rubble"));
+        Result<Session> session = loadState(RUBBLE_SOURCE_DIR "/tests/data/states/pane-version-1.rubblestate", scene);
+        QVERIFY2(session.hasValue(), stateFault(session).c_str());
+        QCOMPARE(session->stepsDone(), std::uint64_t{60});
+        QCOMPARE(session->hash().hex(), std::string("7a8e36ac9d77b6fc92354b776c83fe79"));
+    }
     void goesOnAsIfItHadNeverBeenSaved() {
         constexpr int kSeed = 23;
         qInfo("seed %d", kSeed);

@@ -59,6 +59,18 @@ private slots:
         QCOMPARE((*shape)->minWidth, 1.0f);
         QVERIFY((*shape)->inverseInertia == exact->inverseInertia);
     }
+    void remainingHullsStayInPlace() {
+        const std::shared_ptr<const Shape> whole = *makeShape(twoCubes());
+        const std::shared_ptr<const Shape> shape = remainingShape(*whole, std::vector<std::uint32_t>{1});
+        QCOMPARE(shape->hulls.size(), std::size_t{1});
+        QVERIFY(shape->hulls[0].hull == whole->hulls[1].hull && shape->hulls[0].offset == whole->hulls[1].offset);
+        QVERIFY(shape->owner == whole->owner);
+        QVERIFY(shape->mass.centre == whole->mass.centre && shape->mass.volume == whole->mass.volume);
+        QVERIFY(shape->inverseInertia == whole->inverseInertia);
+        QCOMPARE(shape->boundingRadius, whole->boundingRadius);
+        QVERIFY(shape->extents == whole->extents);
+        QCOMPARE(shape->minWidth, whole->minWidth);
+    }
     void compoundWithoutPartsIsRefused() {
         const auto shape = compoundShape({}, massOf(boxOf(Vec3(1.0))), nullptr);
         QVERIFY(!shape);

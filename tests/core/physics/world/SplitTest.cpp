@@ -104,6 +104,31 @@ private slots:
         QVERIFY(ends[0].asleep && ends[1].asleep);
         for (const BodyState& end : ends) QVERIFY(std::abs(end.centre.y - 0.5 * kSide) < 1e-4);  // they lie flat
     }
+    void remainderOfAHeldWallActsAsItsCompound() {
+        const Wall wall = wallOf(6, 4);
+        const std::vector<std::uint32_t> all = numbersUpTo(wall.count());
+        std::vector<std::uint32_t> kept = all;
+        std::erase_if(kept, [](std::uint32_t k) { return k == 8 || k == 9; });
+        std::vector<ContentHash> hashes;
+        for (const bool isCompound : {true, false}) {
+            World world;
+            addGround(world);
+            const BodyId body = addWall(world, wall, BodyKind::Static);
+            static_cast<void>(*world.addBody({.shape = boxShape(Vec3(0.3)), .pose = {{0.1, 1.3, 0.0}}}));
+            world.step(kSplitStep);
+            const Shape& whole = world.shape(body);
+            std::vector<CompoundPart> places;
+            for (const std::uint32_t k : kept) places.push_back({wall.brick.get(), wall.centres[k]});
+            SplitPart held = wall.part(kept);
+            held.kind = BodyKind::Static;
+            held.shape = isCompound ? *compoundShape(places, whole.mass, wall.brick) : remainingShape(whole, kept);
+            QVERIFY(world.split(body, std::vector{held, wall.part({8, 9})}).hasValue());
+            for (int k = 0; k < 60; ++k) world.step(kSplitStep);
+            QCOMPARE(faultOf(world), QString());
+            hashes.push_back(world.hash());
+        }
+        QVERIFY(hashes[0] == hashes[1]);
+    }
     void heldWallWithAHoleStaysWhereItIs() {
         World world;
         addGround(world);

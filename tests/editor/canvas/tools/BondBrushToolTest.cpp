@@ -1,6 +1,6 @@
 #include "editor/canvas/tools/BondBrushTool.h"
 
-#include "core/structure/strength/BondStrength.h"
+#include "core/structure/strength/BondCapacities.h"
 #include "editor/document/EnteredFragment.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Canvas.h"

@@ -10,14 +10,6 @@
 
 namespace rubble {
 
-/// The impulse that breaks a bond by its area where neither it nor the strength of the material is known, N·s/m²:
-/// that of a strength of 1 MPa for kDefaultContactTime, about that of plaster or lean mortar.
-inline constexpr double kDefaultImpulsePerArea = 1000.0;
-
-/// The impulse that breaks a bond of an asset by its area, N·s/m²: as entered, or the tensile strength times the
-/// asset's contact time (kDefaultContactTime if it has none), or kDefaultImpulsePerArea.
-double impulsePerArea(const Asset& asset, const Material& material);
-
 /// The factor of the strength of a level's bonds: Level::bondStrength of the settings by which the fracture's parent is
 /// fractured; 1 for the fragments of the whole.
 double levelStrength(const Asset& asset, const Bake& bake, std::uint32_t fracture);
@@ -29,7 +21,7 @@ double levelStrength(const Asset& asset, const Bake& bake, std::uint32_t fractur
 ///    edges. Transparent pixels give 1, half transparent ones the mean of 1 and their factor.
 double strengthAt(const Asset& asset, Vec2 point);
 
-/// The impulse that breaks each bond of a fracture of a bake, N·s: impulsePerArea() * area * levelStrength() *
+/// The impulse that breaks each bond of a fracture of a bake, N·s: bondImpulseOf() * area * levelStrength() *
 /// strengthAt() the centroid * `factor`, such as Instance::bondStrength. Infinite between two fragments that
 /// neverBreaking() has, and between such a fragment and an anchor. `bonds`: those of bondsOf(), in the asset's frame.
 std::vector<double> bondCapacities(const Asset& asset, const Material& material, const Bake& bake,

@@ -1,5 +1,5 @@
-// Tests core/structure/strength/BondStrength.cpp and core/structure/strength/StrengthMap.cpp.
-#include "core/structure/strength/BondStrength.h"
+// Tests core/structure/strength/BondCapacities.cpp and core/structure/strength/StrengthMap.cpp.
+#include "core/structure/strength/BondCapacities.h"
 
 #include "core/structure/strength/StrengthMap.h"
 #include "tests/support/TestProgram.h"
@@ -53,19 +53,9 @@ bool areNear(const std::vector<double>& values, const std::vector<double>& expec
 
 }  // namespace
 
-class BondStrengthTest : public QObject {
+class BondCapacitiesTest : public QObject {
     Q_OBJECT
 private slots:
-    void impulsePerAreaIsEnteredOrOfTheMaterial() {
-        Asset asset = fourFragments();
-        const Material stone{.tensileStrength = 3e6};
-        QCOMPARE(impulsePerArea(asset, stone), 200.0);
-        asset.bonding.impulsePerArea.reset();
-        QCOMPARE(impulsePerArea(asset, stone), 3000.0);  // over the default millisecond
-        asset.contactTime = 0.002;
-        QCOMPARE(impulsePerArea(asset, stone), 6000.0);
-        QCOMPARE(impulsePerArea(asset, Material{}), kDefaultImpulsePerArea);
-    }
     void capacityIsByArea() {
         // Bonds of 1 m x 0.5 m.
         QVERIFY(areNear(capacitiesOf(fourFragments()), {100.0, 100.0, 100.0}));
@@ -208,5 +198,5 @@ private slots:
     }
 };
 
-RUBBLE_TEST(BondStrengthTest)
-#include "BondStrengthTest.moc"
+RUBBLE_TEST(BondCapacitiesTest)
+#include "BondCapacitiesTest.moc"

@@ -1,7 +1,7 @@
-#include "core/structure/strength/BondStrength.h"
+#include "core/structure/strength/BondCapacities.h"
 
 #include "core/asset/project/FragmentLevels.h"
-#include "core/asset/strength/Threshold.h"
+#include "core/asset/strength/BondStrength.h"
 #include "core/structure/strength/BondPainting.h"
 #include "core/structure/strength/StrengthMap.h"
 
@@ -22,12 +22,6 @@ bool joinsUnbreakable(const Bond& bond, const std::vector<bool>& isUnbreakable) 
 
 }  // namespace
 
-double impulsePerArea(const Asset& asset, const Material& material) {
-    if (asset.bonding.impulsePerArea) return *asset.bonding.impulsePerArea;
-    if (!material.tensileStrength) return kDefaultImpulsePerArea;
-    return *material.tensileStrength * asset.contactTime.value_or(kDefaultContactTime);
-}
-
 double levelStrength(const Asset& asset, const Bake& bake, std::uint32_t fracture) {
     const BakedFracture& baked = bake.fractures[fracture];
     if (baked.parent == kNone) return 1.0;
@@ -41,7 +35,7 @@ std::vector<double> bondCapacities(const Asset& asset, const Material& material,
                                    std::uint32_t fracture, std::span<const Bond> bonds, double factor) {
     const StrengthMap map(asset);
     const std::vector<bool> isUnbreakable = neverBreaking(asset, bake, fracture);
-    const double perArea = impulsePerArea(asset, material) * levelStrength(asset, bake, fracture) * factor;
+    const double perArea = bondImpulseOf(asset, material) * levelStrength(asset, bake, fracture) * factor;
     std::vector<double> capacities;
     capacities.reserve(bonds.size());
     for (const Bond& bond : bonds) {

@@ -1,0 +1,148 @@
+#include "core/play/breaking/Splitting.h"
+
+#include "core/play/session/Session.h"
+#include "tests/support/TestProgram.h"
+#include "tests/support/play/BondedWalls.h"
+
+#include <algorithm>
+
+using namespace rubble;
+
+namespace {
+
+/// A portal of bricks: two piers of 0.5 x 2 m, 3 m apart, and a lintel of 4 x 0.5 m on them.
+Project portal(double span, double delay) {
+    Project project = test::bondedWall(1, 1e4);
+    Asset& asset = project.assets[0];
+    asset.prism.outline.outer = {{-2.0, -1.25}, {-1.5, -1.25}, {-1.5, 0.75}, {1.5, 0.75},
+                                 {1.5, -1.25},  {2.0, -1.25},  {2.0, 1.25},  {-2.0, 1.25}};
+    asset.pattern = test::patternOf(project, {UniformScatter{.count = 60}});
+    asset.bonding.span = span;
+    asset.bonding.collapseDelay = delay;
+    project.instances[0].pose.position = {0.0, 1.25, 0.0};
+    return project;
+}
+
+/// Breaks the bonds of the left pier's lower half.
+void breakLeftFoot(Session& session) {
+    const auto& [id, structure] = *session.scene().structures.begin();
+    InstanceDamage damage = session.damage().at(id);
+    const auto isOfFoot = [&, graph = &structure->graph](std::uint32_t node) {
+        return node != kNone && graph->centres[node].x < -1.5 && graph->centres[node].y < -0.25;
+    };
+    for (std::uint32_t k = 0; k < structure->graph.bondCount(); ++k) {
+        const Bond& bond = structure->graph.bonds[k];
+        if (isOfFoot(bond.first) || isOfFoot(bond.second)) damage.broken[k] = true;
+    }
+    if (const Status applied = session.apply({{id, damage}}); !applied) qFatal("%s", applied.error().message.c_str());
+}
+
+}  // namespace
+
+class SplittingTest : public QObject {
+    Q_OBJECT
+private slots:
+    void portalWithoutOnePierStandsByAnyConnection() {
+        Session session = test::sessionOf(portal(0.0, 0.0));
+        breakLeftFoot(session);
+        for (int k = 0; k < 200; ++k) session.step();
+        QVERIFY(test::wallOf(session).isHeld);
+        QVERIFY(test::wallOf(session).nodes.size() > 30);
+    }
+    void portalWithoutOnePierLosesWhatIsBeyondTheSpan() {
+        Session session = test::sessionOf(portal(1.5, 0.0));
+        for (int k = 0; k < 30; ++k) session.step();
+        QVERIFY(session.damage().begin()->second.isIntact());  // 1.5 m from either pier: it stands
+        breakLeftFoot(session);
+        session.step();
+        const PlayBody& held = test::wallOf(session);
+        for (const std::uint32_t node : held.nodes) {
+            const double x = session.scene().structures.begin()->second->graph.centres[node].x;
+            QVERIFY2(!held.isHeld || x > -1.0, QByteArray::number(x));  // fragments are up to a metre wide
+        }
+        for (int k = 0; k < 300; ++k) session.step();
+        std::size_t standing = 0;
+        for (const PlayBody& body : session.bodies()) standing += body.isHeld ? body.nodes.size() : 0;
+        QVERIFY(standing > 8 && standing < 40);
+    }
+    void collapseWaitsForItsDelay() {
+        Session session = test::sessionOf(portal(1.5, 0.5));
+        breakLeftFoot(session);
+        session.step();
+        const auto heldNodes = [&] {
+            std::size_t held = 0;
+            for (const PlayBody& body : session.bodies()) held += body.isHeld ? body.nodes.size() : 0;
+            return held;
+        };
+        const std::size_t before = heldNodes();
+        for (int k = 0; k < 29; ++k) {
+            session.step();
+            QCOMPARE(heldNodes(), before);
+        }
+        session.step();  // half a second after the hit
+        QVERIFY(heldNodes() < before);
+        QVERIFY(!session.events().splits.empty());
+        QCOMPARE(session.events().splits.front().impactorNumber, kNone);
+    }
+    void smallIslandsFallApart() {
+        Project project = test::bondedWall();
+        for (const std::uint32_t least : {1u, 1000u}) {
+            project.assets[0].bonding.minimumIsland = least;
+            Session session = test::sessionOf(project);
+            test::addInput(session, ShotInput{"ball", test::ballAtWall({1.7, 2.7})});
+            for (int k = 0; k < 120; ++k) session.step();
+            const bool hasIslands = std::ranges::any_of(
+                session.bodies(), [](const PlayBody& body) { return body.isDebris() && body.nodes.size() > 1; });
+            if (least > 1) QVERIFY(!hasIslands);
+        }
+    }
+    void wallThatLosesItsFootFalls() {
+        Project project = test::bondedWall(40);
+        Session session = test::sessionOf(project);
+        const PlayStructure& structure = *session.scene().structures.begin()->second;
+        InstanceDamage damage = session.damage().begin()->second;
+        for (std::uint32_t k = 0; k < structure.graph.bondCount(); ++k) {
+            damage.broken[k] = structure.graph.bonds[k].second == kNone;
+        }
+        QVERIFY(session.apply({{project.instances[0].id, damage}}).hasValue());
+        QVERIFY(!test::wallOf(session).isHeld);
+        QVERIFY(session.world().kind(test::wallOf(session).body) == BodyKind::Dynamic);
+        QCOMPARE(session.bodies().size(), std::size_t{2});
+    }
+    void fixedWallInTheAirKeepsItsHeaviestIsland() {
+        Project project = test::bondedWall(40);
+        project.instances[0].isAnchored = false;
+        project.instances[0].isFixed = true;
+        project.instances[0].pose.position.y = 10.0;
+        Session session = test::sessionOf(project);
+        QVERIFY(test::wallOf(session).isHeld);
+        Throw thrown = test::ballAtWall({0.0, 0.0}, 80.0, 20.0);
+        thrown.from.y = thrown.to.y = 10.3;
+        test::addInput(session, ShotInput{"ball", thrown});
+        for (int k = 0; k < 120; ++k) session.step();
+        QVERIFY(test::wallOf(session).isHeld);
+        QVERIFY2(test::wallOf(session).nodes.size() > 20 && session.bodies().size() > 3,
+                 QByteArray::number(test::wallOf(session).nodes.size()));
+    }
+    void fragmentsBreakFurtherByTheirLevel() {
+        Project project = test::bondedWall(12);
+        project.assets[0].levels = {{.pattern = test::patternOf(project, {UniformScatter{.count = 6}})}};
+        Session session = test::sessionOf(project);
+        test::addInput(session, BreakInput{1});
+        session.step();
+        const auto found = std::ranges::find_if(session.bodies(),
+                                                [](const PlayBody& body) { return body.bondedFracture() != nullptr; });
+        QVERIFY(found != session.bodies().end());
+        const std::uint32_t number = found->number, fragment = found->fragment;
+        QVERIFY(fragment != kNone && found->nodes.empty());
+        test::addInput(session, BreakInput{number});
+        session.step();
+        const PlayBody& kept = *session.body(number);
+        QVERIFY(kept.fragment != fragment && kept.nodes.empty());
+        QCOMPARE(session.scene().assets.begin()->second->bake->fragment(kept.fragment).parent, fragment);
+        QCOMPARE(kept.asset->bake->fragment(kept.fragment).level, 1u);
+    }
+};
+
+RUBBLE_TEST(SplittingTest)
+#include "SplittingTest.moc"
