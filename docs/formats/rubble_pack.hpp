@@ -251,8 +251,8 @@ inline std::vector<Island> islandsOf(const Structure& structure, const std::vect
 inline std::vector<std::uint32_t> unsupported(const Structure& structure, const std::vector<Damage>& damage,
                                               const std::vector<std::uint32_t>& body, double span, Vec3 up);
 
-/// Breaks all bonds of some fragments that can break: so what has lost its support comes off, in single fragments, which
-/// do not jam between what stands. Returns the bonds that broke, ascending.
+/// Breaks all bonds of some fragments that can break: so what has lost its support comes off, in single fragments,
+/// which do not jam between what stands. Returns the bonds that broke, ascending.
 inline std::vector<std::uint32_t> breakOff(const Structure& structure, const std::vector<std::uint32_t>& fragments,
                                            std::vector<Damage>& damage);
 

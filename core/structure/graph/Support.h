@@ -15,8 +15,8 @@ namespace rubble {
 /// steps of the path sum to `span` (m; 0: any distance, as Bonding::span) at most. A step is as long as the centres of
 /// its nodes are apart perpendicular to `up` (of length 1). Where the next node stands on the last, so that the normal
 /// of their bond, towards the next, is within 60 degrees of `up`, it is shorter by the sideways part of a rise at 30
-/// degrees from `up`, 0 at least: masonry corbels out so far. So a column stands on its lowest node though it leans, and
-/// a lintel whose middle is more than the span from its supports does not.
+/// degrees from `up`, 0 at least: masonry corbels out so far. So a column stands on its lowest node though it leans,
+/// and a lintel whose middle is more than the span from its supports does not.
 ///
 /// `nodes`: ascending; paths stay among them. `damage`: of each bond. O(n log n) in the nodes and their bonds.
 /// Source: Dijkstra 1959, by (distance, node).
