@@ -251,8 +251,8 @@ inline std::vector<Island> islandsOf(const Structure& structure, const std::vect
 inline std::vector<std::uint32_t> unsupported(const Structure& structure, const std::vector<Damage>& damage,
                                               const std::vector<std::uint32_t>& body, double span, Vec3 up);
 
-/// Breaks the bonds between some fragments, ascending, and all others: so that what has lost its support comes off.
-/// Returns the bonds that broke, ascending.
+/// Breaks all bonds of some fragments that can break: so what has lost its support comes off, in single fragments,
+/// which do not jam between what stands. Returns the bonds that broke, ascending.
 inline std::vector<std::uint32_t> breakOff(const Structure& structure, const std::vector<std::uint32_t>& fragments,
                                            std::vector<Damage>& damage);
 
@@ -976,13 +976,14 @@ inline bool isAnchored(const Structure& structure, const std::vector<Damage>& da
 
 /// The length sideways of a step from a fragment over one of its bonds, m.
 inline double sidewaysStep(const Structure& structure, std::uint32_t bond, std::uint32_t from, const Vec3& up) {
-    constexpr double kStandsOn = 0.5;  // cosine of 60 degrees
+    constexpr double kStandsOn = 0.5;                // cosine of 60 degrees
+    constexpr double kCorbel = 0.57735026918962576;  // tangent of 30 degrees
     const double along = dot(structure.bonds[bond].normal, up);
     const double upwards = structure.ends[bond][0] == from ? along : -along;
-    if (upwards >= kStandsOn) return 0.0;
     const Vec3 apart = minus(structure.centres[otherEnd(structure, bond, from)], structure.centres[from]);
     const double height = dot(apart, up);
-    return length(minus(apart, {height * up.x, height * up.y, height * up.z}));
+    const double sideways = length(minus(apart, {height * up.x, height * up.y, height * up.z}));
+    return upwards >= kStandsOn ? std::max(0.0, sideways - kCorbel * height) : sideways;
 }
 
 inline double loadFraction(const Bonding& rule, double distance) {
@@ -1347,8 +1348,8 @@ inline std::vector<std::uint32_t> breakOff(const Structure& structure, const std
     std::vector<std::uint32_t> broken;
     for (std::uint32_t bond = 0; bond < structure.bonds.size(); ++bond) {
         const auto [first, second] = structure.ends[bond];
-        if (isOff[first] == (second != kNone && isOff[second])) continue;
-        if (damage[bond] == kBroken) continue;
+        if (!isOff[first] && (second == kNone || !isOff[second])) continue;
+        if (damage[bond] == kBroken || !std::isfinite(structure.bonds[bond].capacity)) continue;
         damage[bond] = kBroken;
         broken.push_back(bond);
     }

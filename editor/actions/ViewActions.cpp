@@ -4,6 +4,7 @@
 #include "editor/view3d/SceneView.h"
 #include "editor/views/Views.h"
 #include "editor/widgets/Action.h"
+#include "editor/workspace/Workspace.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QActionGroup>
@@ -23,6 +24,10 @@ ViewActions::ViewActions(Views& views)
     m_menu->addAction(frame);
     addTools();
     addCanvas();
+    for (const QAction* action : m_bondActions) m_bondTips.append(action->toolTip());
+    connect(&views.workspace().selection(), &Selection::assetChanged, this, &ViewActions::updateBondActions);
+    connect(&views.workspace().document(), &Document::changed, this, &ViewActions::updateBondActions);
+    updateBondActions();
     m_menu->addMenu(tr("&3D View"))->addActions(views.scene().actions());
     m_menu->addSeparator();
     addPanes();
@@ -36,7 +41,6 @@ ViewActions::ViewActions(Views& views)
 }
 
 void ViewActions::addTools() {
-    PatternCanvas& canvas = m_views.canvas();
     QMenu* menu = m_menu->addMenu(tr("&Tools"));
     auto* group = new QActionGroup(this);
     const std::pair<CanvasToolKind, ActionDefinition> tools[] = {
@@ -51,20 +55,57 @@ void ViewActions::addTools() {
         {CanvasToolKind::Brush, {"tool-brush", tr("&Brush"), tr("Paint the density of seeds"), QKeySequence("Alt+B")}},
         {CanvasToolKind::Measure,
          {"tool-measure", tr("&Measure"), tr("Measure distances and angles"), QKeySequence("Alt+R")}}};
-    for (const auto& [kind, definition] : tools) {
-        QAction* action = makeAction(this, definition);
-        action->setCheckable(true);
-        action->setChecked(canvas.toolKind() == kind);
-        group->addAction(action);
-        connect(action, &QAction::triggered, &canvas, [&canvas, tool = kind] {
-            canvas.setTool(tool);
-            canvas.setFocus();
-        });
-        connect(&canvas, &PatternCanvas::toolKindChanged, action,
-                [action, tool = kind](CanvasToolKind active) { action->setChecked(active == tool); });
-        m_toolActions.append(action);
-    }
+    for (const auto& [kind, definition] : tools) m_toolActions.append(addTool(*group, kind, definition));
+    addBondBrushes(*group);
     menu->addActions(m_toolActions);
+    menu->addSeparator();
+    menu->addActions(m_bondActions);
+    menu->setToolTipsVisible(true);  // they say why something is disabled
+}
+
+QAction* ViewActions::addTool(QActionGroup& group, CanvasToolKind kind, const ActionDefinition& definition) {
+    PatternCanvas& canvas = m_views.canvas();
+    QAction* action = makeAction(this, definition);
+    action->setCheckable(true);
+    action->setChecked(canvas.toolKind() == kind);
+    group.addAction(action);
+    connect(action, &QAction::triggered, &canvas, [&canvas, kind] {
+        canvas.setTool(kind);
+        canvas.setFocus();
+    });
+    connect(&canvas, &PatternCanvas::toolKindChanged, action,
+            [action, kind](CanvasToolKind active) { action->setChecked(active == kind); });
+    return action;
+}
+
+void ViewActions::addBondBrushes(QActionGroup& group) {
+    const std::pair<CanvasToolKind, ActionDefinition> brushes[] = {
+        {CanvasToolKind::AnchorBrush,
+         {"tool-anchor", tr("&Anchor Brush"), tr("Paint fragments that stay in place, whatever hits them"),
+          QKeySequence("Alt+Shift+A")}},
+        {CanvasToolKind::StrengthBrush,
+         {"tool-strength", tr("S&trength Brush"), tr("Paint where bonds are stronger or weaker"),
+          QKeySequence("Alt+Shift+S")}},
+        {CanvasToolKind::NeverBreaksBrush,
+         {"tool-never-breaks", tr("Ne&ver Breaks Brush"), tr("Paint fragments that never break"),
+          QKeySequence("Alt+Shift+N")}}};
+    for (const auto& [kind, definition] : brushes) m_bondActions.append(addTool(group, kind, definition));
+}
+
+/// Actions on bonds are off where there are none, with a tooltip that says why; their tools end.
+void ViewActions::updateBondActions() {
+    Workspace& workspace = m_views.workspace();
+    const Asset* asset = findAsset(workspace.project(), workspace.selection().asset());
+    const bool isBonded = asset && asset->breakAs == BreakAs::Bonded;
+    const QString reason = asset ? tr("This asset breaks whole. Set \"Break as\" to Bonded in the inspector.")
+                                 : tr("Select an asset that breaks as bonded.");
+    for (qsizetype k = 0; k < m_bondActions.size(); ++k) {
+        QAction* action = m_bondActions[k];
+        action->setToolTip(isBonded ? m_bondTips[k] : m_bondTips[k] + '\n' + reason);
+        if (action->isEnabled() != isBonded) action->setEnabled(isBonded);
+        const bool isTool = action->actionGroup() != nullptr;
+        if (!isBonded && isTool && action->isChecked()) m_views.canvas().setTool(CanvasToolKind::Seeds);
+    }
 }
 
 void ViewActions::addCanvas() {
@@ -73,6 +114,7 @@ void ViewActions::addCanvas() {
     addOverlays();
     menu->addActions(m_canvasActions);
     m_canvasActions.removeLast();  // deeper levels: the tool bar shows what is switched often
+    m_canvasActions.removeOne(m_bondActions.last());
     addColourings(*menu);
     QAction* snap = makeAction(this, {"canvas-snap", tr("S&nap"), tr("Snap to grid and outline; hold Shift to suspend"),
                                       QKeySequence("Alt+S")});
@@ -98,11 +140,14 @@ void ViewActions::addOverlays() {
     addOverlay({"canvas-bonds", tr("&Bonds"), tr("Show the bonds between cells, wider for longer shared edges"),
                 QKeySequence("Alt+9")},
                &CanvasOverlays::hasBonds);
+    m_bondActions.append(addOverlay({"canvas-bond-strengths", tr("Bonds by S&trength"),
+                                     tr("Show the bonds between fragments, coloured by the factor of their strength")},
+                                    &CanvasOverlays::hasBondStrengths));
     addOverlay({"canvas-levels", tr("&Deeper Levels"), tr("Show the fragments of the fragments")},
                &CanvasOverlays::hasDeeperLevels);
 }
 
-void ViewActions::addOverlay(const ActionDefinition& definition, bool CanvasOverlays::*overlay) {
+QAction* ViewActions::addOverlay(const ActionDefinition& definition, bool CanvasOverlays::*overlay) {
     PatternCanvas& canvas = m_views.canvas();
     QAction* action = makeAction(this, definition);
     action->setCheckable(true);
@@ -115,6 +160,7 @@ void ViewActions::addOverlay(const ActionDefinition& definition, bool CanvasOver
     connect(&canvas, &PatternCanvas::overlaysChanged, action,
             [&canvas, action, overlay] { action->setChecked(canvas.overlays().*overlay); });
     m_canvasActions.append(action);
+    return action;
 }
 
 void ViewActions::addColourings(QMenu& menu) {

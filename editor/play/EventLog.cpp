@@ -45,7 +45,7 @@ ImpactStrength strengthOf(const Session& session, const PlayBody& body, double i
 
 void addBreak(const Session& session, const PlayBreak& broken, std::vector<PlayEvent>& events) {
     const auto isIts = [&](const PlayEvent& event) {
-        return event.isBreak() && event.record.body == broken.body.number;
+        return event.record.kind == EventKind::Broken && event.record.body == broken.body.number;
     };
     auto event = std::ranges::find_if(events, isIts);
     if (event == events.end()) {

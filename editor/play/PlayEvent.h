@@ -26,11 +26,9 @@ struct PlayEvent {
     double milliseconds = 0.0;  // of a break: the wall-clock time of the swap
     bool isTold = true;  // false: in the session it is in the sums at most; its energy, mass and materials are unknown
 
-    bool isBreak() const { return record.kind == EventKind::Broken; }
+    bool isBreak() const { return record.kind == EventKind::Broken || record.kind == EventKind::Bonds; }
     /// Whether it has an energy: what settles or is removed has none.
-    bool hasEnergy() const {
-        return isTold && (record.kind == EventKind::Impact || record.kind == EventKind::Bonds || isBreak());
-    }
+    bool hasEnergy() const { return isTold && (record.kind == EventKind::Impact || isBreak()); }
 };
 
 /// What happened in a step.

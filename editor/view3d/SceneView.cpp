@@ -8,6 +8,7 @@
 #include "editor/view3d/ScenePicker.h"
 #include "editor/view3d/TimelinePanel.h"
 #include "editor/view3d/tools/ActionKeys.h"
+#include "editor/view3d/tools/BondPaintTool.h"
 #include "editor/view3d/tools/PlacementTool.h"
 #include "editor/view3d/tools/SurfaceMeasureTool.h"
 #include "editor/view3d/tools/TransformTool.h"
@@ -58,13 +59,16 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
       m_legend(new SceneLegend(m_viewport)),
       m_playView(new PlayView(workspace.play(), *m_viewport)),
       m_measureTool(new SurfaceMeasureTool(*m_viewport)),
+      m_bondPaintTool(new BondPaintTool(workspace, *m_viewport)),
       m_precedingKeys(new ActionKeys(m_viewport)),
       m_picker(new ScenePicker(workspace, *m_viewport)),
       m_timeline(new TimelinePanel(workspace.play())) {
     setFocusProxy(m_viewport);
     setAccessibleRole(*m_viewport, QAccessible::Canvas);
-    m_viewport->setTools({m_measureTool, &m_playView->tool(), m_placementTool, m_transformTool, m_precedingKeys});
-    m_viewport->setOverlayItems({m_transformTool, m_placementTool, m_legend, &m_playView->hud(), m_measureTool});
+    m_viewport->setTools(
+        {m_measureTool, &m_playView->tool(), m_placementTool, m_bondPaintTool, m_transformTool, m_precedingKeys});
+    m_viewport->setOverlayItems(
+        {m_transformTool, m_placementTool, m_legend, &m_playView->hud(), m_measureTool, m_bondPaintTool});
     addViews();
     addSeparator();
     addToggles();

@@ -14,6 +14,7 @@ class QComboBox;
 namespace rubble {
 
 class ActionKeys;
+class BondPaintTool;
 class TransformTool;
 class PlacementTool;
 class PlayView;
@@ -33,6 +34,7 @@ public:
     ViewportWidget& viewport() { return *m_viewport; }
     TransformTool& transformTool() { return *m_transformTool; }
     PlacementTool& placementTool() { return *m_placementTool; }
+    BondPaintTool& bondPaintTool() { return *m_bondPaintTool; }
     SurfaceMeasureTool& measureTool() { return *m_measureTool; }
     ScenePicker& picker() { return *m_picker; }
     void frameAll();
@@ -85,6 +87,7 @@ private:
     SceneLegend* m_legend;
     PlayView* m_playView;
     SurfaceMeasureTool* m_measureTool;
+    BondPaintTool* m_bondPaintTool;
     QAction* m_measureAction = nullptr;
     ActionKeys* m_precedingKeys;
     ScenePicker* m_picker;

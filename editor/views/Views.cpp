@@ -1,6 +1,7 @@
 #include "editor/views/Views.h"
 
 #include "editor/background/OverlapWatch.h"
+#include "editor/canvas/tools/BondBrushTool.h"
 #include "editor/canvas/tools/OutlineTool.h"
 #include "editor/canvas/widget/PatternCanvas.h"
 #include "editor/commands/InstanceEdits.h"
@@ -18,6 +19,7 @@
 #include "editor/panels/inspector/Inspector.h"
 #include "editor/view3d/PlayView.h"
 #include "editor/view3d/SceneView.h"
+#include "editor/view3d/tools/BondPaintTool.h"
 #include "editor/view3d/tools/PlacementTool.h"
 #include "editor/view3d/tools/SurfaceMeasureTool.h"
 #include "editor/view3d/tools/TransformTool.h"
@@ -122,6 +124,21 @@ void Views::connectViews() {
     connect(&m_workspace.play(), &PlayController::stateChanged, this, &Views::updatePlayState);
     connect(&m_workspace.file(), &DocumentFile::noted, this, &Views::addNotes);
     connect(m_scene, &SceneView::failed, this, &Views::showRefusal);
+    connectBondBrushes();
+}
+
+/// A brush of the canvas paints in the 3D view, too, with the same settings.
+void Views::connectBondBrushes() {
+    BondBrushTool& inCanvas = m_canvas->bondBrushTool();
+    BondPaintTool& inScene = m_scene->bondPaintTool();
+    connect(m_canvas, &PatternCanvas::toolKindChanged, &inScene,
+            [&inScene](CanvasToolKind kind) { inScene.setOn(isBondBrush(kind)); });
+    connect(&inCanvas, &BondBrushTool::settingsChanged, &inScene,
+            [&inCanvas, &inScene] { inScene.setSettings(inCanvas.settings()); });
+    connect(&inScene, &BondPaintTool::settingsChanged, &inCanvas,
+            [&inCanvas, &inScene] { inCanvas.setSettings(inScene.settings()); });
+    connect(&inScene, &BondPaintTool::strokeChanged, m_canvas, &PatternCanvas::showStroke);
+    connect(&inScene, &BondPaintTool::statusMessage, this, &Views::statusMessage);
 }
 
 void Views::addDocks() {

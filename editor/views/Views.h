@@ -107,6 +107,7 @@ private:
     void addDocks();
     void addProblemDock();
     void connectViews();
+    void connectBondBrushes();
     void updateBakeMessages(Id asset);
     void showOutlineTool();
     void focusUnderPointer(QWidget& view) const;

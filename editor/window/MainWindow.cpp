@@ -167,6 +167,8 @@ void MainWindow::addToolBars() {
     QToolBar* play = add("bar-play", tr("Play"), m_playActions->toolbarActions());
     QToolBar* tools = add("bar-tools", tr("Tools"), m_viewActions->toolActions());
     add("bar-canvas", tr("Canvas"), m_viewActions->canvasActions());
+    m_bondBar = add("bar-bonds", tr("Bonds"), m_viewActions->bondActions());
+    connect(m_viewActions->bondActions().front(), &QAction::enabledChanged, this, &MainWindow::updateBondBar);
     m_labelledToolBars = {play, tools};
 }
 
@@ -254,7 +256,7 @@ bool MainWindow::closeWithoutSaving() {
 void MainWindow::showProject() {
     m_pages->setCurrentWidget(&m_views->panes());
     for (QToolBar* bar : m_toolBars) bar->show();
-    updateToolButtonStyle();
+    updateBondBar();
 }
 
 void MainWindow::showStatus(const QString& sentence) { statusBar()->showMessage(sentence, kStatusMilliseconds); }
@@ -318,6 +320,13 @@ void MainWindow::dropEvent(QDropEvent* event) {
     QMetaObject::invokeMethod(this, open, Qt::QueuedConnection);
 }
 
+/// The bar takes the room of texts, so it is shown only where there is something to paint.
+void MainWindow::updateBondBar() {
+    m_bondBar->setVisible(!isPristine() && m_viewActions->bondActions().front()->isEnabled());
+    m_labelledWidth = 0;
+    if (!isPristine()) updateToolButtonStyle();
+}
+
 /// The most used tool buttons show texts if the window is wide enough.
 void MainWindow::updateToolButtonStyle() {
     const auto setStyle = [this](Qt::ToolButtonStyle style) {
@@ -325,7 +334,9 @@ void MainWindow::updateToolButtonStyle() {
     };
     if (m_labelledWidth == 0) {
         setStyle(Qt::ToolButtonTextBesideIcon);
-        for (const QToolBar* bar : m_toolBars) m_labelledWidth += bar->sizeHint().width();
+        for (const QToolBar* bar : m_toolBars) {
+            if (!bar->isHidden()) m_labelledWidth += bar->sizeHint().width();
+        }
     }
     setStyle(width() >= m_labelledWidth ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
 }

@@ -73,6 +73,7 @@ private:
     void fitToScreen();
     void connectWorkspace();
     void showProject();
+    void updateBondBar();
     void updateToolButtonStyle();
     void applyPreferences();
     void updateTitle();
@@ -92,6 +93,7 @@ private:
     VideoActions* m_videoActions = nullptr;
     PlayActions* m_playActions = nullptr;
     QList<QToolBar*> m_toolBars;
+    QToolBar* m_bondBar = nullptr;        // one of m_toolBars
     QList<QToolBar*> m_labelledToolBars;  // those of play and tools, which show texts if there is room
     int m_labelledWidth = 0;              // pixels that all toolbars need with texts
     bool m_isBlocked = false;             // by a dialog or a task

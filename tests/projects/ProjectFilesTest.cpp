@@ -3,6 +3,7 @@
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Arcade.h"
 #include "tests/support/asset/House.h"
 #include "tests/support/asset/Pane.h"
 #include "tests/support/asset/WallWithOpenings.h"
@@ -19,6 +20,7 @@ private slots:
     void filesMatchTheBuiltProjects_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<Project>("built");
+        QTest::newRow("arcade") << "arcade.rubble" << test::arcade();
         QTest::newRow("house") << "house.rubble" << test::house();
         QTest::newRow("pane") << "pane.rubble" << test::pane();
         QTest::newRow("wall with openings") << "wall-with-openings.rubble" << test::wallWithOpenings();

@@ -121,11 +121,14 @@ private:
     }
 
     Status play(SheetEntry& entry, const TaskContext& task) const {
-        const Result<std::shared_ptr<const PlayAsset>> ready = playAsset(entry.asset, entry.bake, task);
+        Asset asset = entry.asset;
+        if (m_shared->project.damage.isThesis) asset.breakAs = BreakAs::Whole;
+        const Result<std::shared_ptr<const PlayAsset>> ready = playAsset(asset, entry.bake, task);
         if (!ready) return ready.error();
         auto scene = std::make_shared<PlayScene>(*m_shared);
         scene->project = projectWith(scene->project, entry.asset);
         scene->assets[{entry.asset.id}] = *ready;
+        addStructures(*scene);
         Result<Session> session = start(entry, std::move(scene));
         if (!session) return session.error();
         const auto moved = std::make_shared<Session>(std::move(*session));

@@ -32,10 +32,18 @@ Project isolated(const Project& project, Id asset) {
     return scene;
 }
 
+/// A bonded asset as if all of its bonds broke at once.
+std::shared_ptr<const PlayAsset> breakingWhole(const PlayAsset& asset) {
+    auto whole = std::make_shared<PlayAsset>(asset);
+    whole->isBonded = false;
+    for (PlaySolid& fragment : whole->fragments) fragment.neverBreaks = false;
+    return whole;
+}
+
 Result<Session> started(const Project& project, const std::shared_ptr<const PlayAsset>& asset) {
     auto scene = std::make_shared<PlayScene>();
     scene->project = project;
-    scene->assets[{asset->bake->asset}] = asset;
+    scene->assets[{asset->bake->asset}] = asset->isBonded ? breakingWhole(*asset) : asset;
     return Session::start(std::move(scene), {.sleeping = false, .hasDestruction = false, .checksEnergy = false});
 }
 

@@ -58,11 +58,11 @@ std::vector<std::uint32_t> unsupportedOf(const SessionParts& parts, const PlayBo
     return unsupportedNodes(structure.graph, state.damage, nodes, structure.span, *up);
 }
 
-/// Breaks the bonds between what has support and what has none.
+/// Breaks all bonds of what has no support: in one piece it would jam between what stands.
 void breakUnsupported(StructureState& state, std::span<const std::uint32_t> unsupported,
                       std::vector<std::uint32_t>& broken) {
-    const auto hasSupport = [&](const BondLink& link) { return !std::ranges::binary_search(unsupported, link.node); };
-    breakBonds(state, unsupported, hasSupport, broken);
+    const auto canBreak = [&](const BondLink& link) { return std::isfinite(state.structure->capacities[link.bond]); };
+    breakBonds(state, unsupported, canBreak, broken);
 }
 
 double volumeOf(const PlayStructure& structure, std::span<const std::uint32_t> nodes) {
@@ -230,8 +230,9 @@ void replaceBody(const SessionParts& parts, const PlayBody& before, std::span<co
         } else {
             state.bodies.push_back(after[k]);
             state.events.born.push_back(after[k]);
-            freed.push_back(after[k].number);
         }
+        const bool wasFree = k == 0 && !before.isHeld;
+        if (!after[k].isHeld && !wasFree) freed.push_back(after[k].number);
     }
 }
 

@@ -20,10 +20,10 @@ struct BrokenBonds {
 
 /// Splits bodies whose bonds have broken into their islands, in the given order: the heaviest island keeps the body's
 /// number, those with anchors stay in place, the others move as they did in the body. Islands with fewer nodes than
-/// PlayStructure::minimumIsland fall apart. What has lost its support loses its bonds at once, or in a later step, see
-/// PlayStructure::collapseDelay. What comes off a held body within the impactor's bounding radius of the point that was
-/// hit is pushed together: the hole guides it, where its parts would jam if they were pushed one by one. True if any
-/// body came free.
+/// PlayStructure::minimumIsland fall apart. What has lost its support loses all of its bonds at once, or in a later
+/// step, see PlayStructure::collapseDelay. What comes off a held body within the impactor's bounding radius of the
+/// point that was hit is pushed together: the hole guides it, where its parts would jam if they were pushed one by
+/// one. True if any body came free.
 bool splitBodies(const SessionParts& parts, std::vector<BrokenBonds> broken);
 
 /// Breaks the bonds of what lost its support and has to come off in this step. True if any did.

@@ -200,7 +200,7 @@ EventRecord bondsRecord(const SessionParts& parts, std::uint32_t body) {
 /// A body that came off another one.
 EventRecord detachedRecord(const SessionParts& parts, const PlayBody& freed, std::uint32_t from) {
     EventRecord record = recordOf(parts, EventKind::Detached, freed);
-    record.other = from;
+    if (from != freed.number) record.other = from;  // else the heaviest island, which was held
     record.point = parts.world.state(freed.body).centre;
     record.mass = parts.world.mass(freed.body);
     record.count = freed.nodes.empty() ? 1 : static_cast<std::uint32_t>(freed.nodes.size());

@@ -42,9 +42,12 @@ Status checkAssets(const PlayScene& scene) {
     return success();
 }
 
-/// Prepares the structures of bonded assets and instances.
+}  // namespace
+
 void addStructures(PlayScene& scene) {
     const Project& project = scene.project;
+    scene.assetStructures.clear();
+    scene.structures.clear();
     for (const auto& [variant, ready] : scene.assets) {
         if (!ready->isBonded) continue;
         const Asset asset = variantOf(*findAsset(project, variant.asset), variant.variant);
@@ -65,8 +68,6 @@ void addStructures(PlayScene& scene) {
             instanceStructure(*whole->second, asset, *findMaterial(project, asset.material), instance, surroundings);
     }
 }
-
-}  // namespace
 
 std::shared_ptr<const PlayStructure> structureIn(const PlayScene& scene, const PlayOrigin& origin,
                                                  std::uint32_t fragment) {

@@ -16,6 +16,9 @@ struct PlayScene {
     std::vector<Diagnostic> diagnostics;  // of all assets, each message with the asset's name
 };
 
+/// Prepares the structures of bonded assets and instances, anew where an asset of the scene was replaced.
+void addStructures(PlayScene& scene);
+
 /// The structure of the whole (kNone) or a fragment of an origin; null if it has no bonds.
 std::shared_ptr<const PlayStructure> structureIn(const PlayScene& scene, const PlayOrigin& origin,
                                                  std::uint32_t fragment);

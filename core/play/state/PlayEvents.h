@@ -47,7 +47,7 @@ struct PlaySplit {
     Vec3 normal{0.0, 0.0, 0.0};        // from the impactor into the body
     std::uint32_t bonds = 0;           // that broke
     double area = 0.0;                 // m²: of the faces that they open, of both sides
-    std::vector<std::uint32_t> freed;  // numbers of the bodies that came off, ascending
+    std::vector<std::uint32_t> freed;  // numbers of the bodies that came free, ascending
 };
 
 /// A body that was removed in a step.

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -12,7 +13,8 @@
 namespace rubble {
 namespace {
 
-constexpr double kStandsOn = 0.5;  // cosine of 60 degrees: of the angle between a bond's normal and up
+constexpr double kStandsOn = 0.5;                // cosine of 60 degrees: of the angle between a bond's normal and up
+constexpr double kCorbel = 0.57735026918962576;  // tangent of 30 degrees
 constexpr double kUnreached = std::numeric_limits<double>::infinity();
 constexpr double kNotGiven = -1.0;
 
@@ -20,9 +22,9 @@ constexpr double kNotGiven = -1.0;
 double sidewaysStep(const BondGraph& graph, std::uint32_t from, BondLink link, Vec3 up) {
     const Bond& bond = graph.bonds[link.bond];
     const double upwards = glm::dot(bond.first == from ? bond.normal : -bond.normal, up);
-    if (upwards >= kStandsOn) return 0.0;
     const Vec3 apart = graph.centres[link.node] - graph.centres[from];
-    return glm::length(apart - glm::dot(apart, up) * up);
+    const double rise = glm::dot(apart, up), sideways = glm::length(apart - rise * up);
+    return upwards >= kStandsOn ? std::max(0.0, sideways - kCorbel * rise) : sideways;
 }
 
 /// Distances from the nearest anchor by node, m; those of nodes that are not given stay below zero.

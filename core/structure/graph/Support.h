@@ -13,9 +13,10 @@ namespace rubble {
 ///
 /// A node is supported if a path of unbroken bonds leads to it from a node with an unbroken bond to an anchor, and the
 /// steps of the path sum to `span` (m; 0: any distance, as Bonding::span) at most. A step is as long as the centres of
-/// its nodes are apart perpendicular to `up` (of length 1), or 0 where the next node stands on the last: where the
-/// normal of their bond, towards the next, is within 60 degrees of `up`. So a column stands on its lowest node however
-/// it leans, and a lintel whose middle is more than the span from its supports does not.
+/// its nodes are apart perpendicular to `up` (of length 1). Where the next node stands on the last, so that the normal
+/// of their bond, towards the next, is within 60 degrees of `up`, it is shorter by the sideways part of a rise at 30
+/// degrees from `up`, 0 at least: masonry corbels out so far. So a column stands on its lowest node though it leans,
+/// and a lintel whose middle is more than the span from its supports does not.
 ///
 /// `nodes`: ascending; paths stay among them. `damage`: of each bond. O(n log n) in the nodes and their bonds.
 /// Source: Dijkstra 1959, by (distance, node).

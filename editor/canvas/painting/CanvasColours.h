@@ -12,8 +12,10 @@ struct CanvasColours {
     QColor background, minorGrid, grid, axis, label;
     QColor cell, cellEdge, outline, halo;  // `cell`: for cells without a colouring
     QColor triangle, circle, wholeVoronoi, bond;
-    QColor edgeOnScale, triangleOnScale;  // over cells coloured by a scale from dark to light
-    QColor added, gone, moved, reshaped;  // since an earlier state; safe for red-green colour blindness
+    QColor edgeOnScale, triangleOnScale;       // over cells coloured by a scale from dark to light
+    QColor anchored, neverBreaks;              // marks of fragments and bonds
+    QColor weakBond, neutralBond, strongBond;  // a scale; safe for red-green colour blindness
+    QColor added, gone, moved, reshaped;       // since an earlier state; safe for red-green colour blindness
     QColor accent, hover, fault, measure, panel, panelEdge, text;
 };
 CanvasColours canvasColours(const QPalette& palette);

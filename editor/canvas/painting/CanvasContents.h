@@ -1,6 +1,7 @@
 #pragma once
 
 #include "editor/background/ComparedAsset.h"
+#include "editor/canvas/painting/BondMarks.h"
 #include "editor/canvas/painting/MovedCells.h"
 #include "editor/document/FragmentSelection.h"
 #include "editor/widgets/numbers/Units.h"
@@ -19,6 +20,7 @@ struct CanvasContents {
     std::shared_ptr<const MovedPart> moved;          // changed since; null if nothing did
     std::vector<std::array<Vec2, 2>> surroundings;   // edges around the entered fragment, m
     std::vector<std::array<Vec2, 2>> deeperEdges;    // of deeper levels, m; empty if they are not shown
+    std::shared_ptr<const BondMarks> bondMarks;      // null: the asset breaks whole, or has no fragments yet
     std::shared_ptr<const Partition> shrunk;         // the pieces less the gap; null: there is none, or not known yet
     CanvasOverlays overlays;
     Units units;                   // of the legend and of labels

@@ -11,10 +11,11 @@ struct CanvasOverlays {
     bool hasGrid = true;
     bool hasCells = true;
     bool hasSeeds = true;
-    bool hasTriangles = false;     // of the Delaunay triangulation, and the circumcircle of the hovered one
-    bool hasWholeVoronoi = false;  // cell edges beyond the outline
-    bool hasBonds = false;         // lines between neighbouring cells, as wide as the shared edge is long
-    bool hasDeeperLevels = false;  // edges of the fragments of the fragments
+    bool hasTriangles = false;      // of the Delaunay triangulation, and the circumcircle of the hovered one
+    bool hasWholeVoronoi = false;   // cell edges beyond the outline
+    bool hasBonds = false;          // lines between neighbouring cells, as wide as the shared edge is long
+    bool hasBondStrengths = false;  // bonds of an asset that breaks as bonded, coloured by their strength
+    bool hasDeeperLevels = false;   // edges of the fragments of the fragments
     bool hasLegend = true;
     CellColouring colouring = CellColouring::Fragment;
     bool operator==(const CanvasOverlays&) const = default;

@@ -1,6 +1,7 @@
 #include "editor/canvas/painting/LegendPainting.h"
 
 #include "core/asset/project/FragmentColours.h"
+#include "editor/canvas/painting/BondMarkPainting.h"
 #include "editor/canvas/painting/ChangePainting.h"
 #include "editor/canvas/painting/LabelPainting.h"
 #include "editor/widgets/ColourConversion.h"
@@ -82,17 +83,19 @@ public:
             addLine(colours.wholeVoronoi, CanvasLegendTexts::tr("Voronoi diagram, unclipped"));
         if (contents.overlays.hasBonds)
             addLine(colours.bond, CanvasLegendTexts::tr("bonds (width: length of the shared edge)"));
+        if (contents.overlays.hasCells && contents.bondMarks) addBondMarks(*contents.bondMarks);
         if (contents.overlays.hasCells && !contents.hidden.isEmpty()) addHatch();
     }
 
     QRectF area(const QFont& font, const CanvasView& view) const {
-        if (m_rows.empty() && !hasScale()) return {};
+        const int scales = static_cast<int>(hasScale()) + static_cast<int>(hasBondScale());
+        if (m_rows.empty() && scales == 0) return {};
         const QFontMetricsF metrics(legendFont(font));
-        double width = hasScale() ? kScaleWidth : 0.0;
+        double width = scales > 0 ? kScaleWidth : 0.0;
         for (const Row& row : m_rows) {
             width = std::max(width, kSampleWidth + metrics.horizontalAdvance(row.text));
         }
-        const double height = kRowHeight * static_cast<double>(m_rows.size()) + (hasScale() ? kScaleHeight : 0.0);
+        const double height = kRowHeight * static_cast<double>(m_rows.size()) + kScaleHeight * scales;
         const QSizeF size(std::ceil(width) + 2.0 * kLegendPadding, height + 2.0 * kLegendPadding);
         return {
             QPointF(view.size.width() - size.width() - kEdgeMargin, view.size.height() - size.height() - kEdgeMargin),
@@ -115,7 +118,12 @@ public:
                              Qt::AlignVCenter, row.text);
             top += kRowHeight;
         }
-        if (hasScale()) paintScale(painter, QRectF(panel.left() + kLegendPadding, top, width, kScaleHeight));
+        QRectF scale(panel.left() + kLegendPadding, top, width, kScaleHeight);
+        if (hasScale()) {
+            paintScale(painter, scale);
+            scale.translate(0.0, kScaleHeight);
+        }
+        if (hasBondScale()) paintBondScale(painter, scale);
         painter.restore();
         return panel;
     }
@@ -129,6 +137,10 @@ private:
     bool hasScale() const {
         const CellColouring colouring = m_contents.colouring();
         return m_contents.overlays.hasCells && colouring != CellColouring::None && colouring != CellColouring::Fragment;
+    }
+
+    bool hasBondScale() const {
+        return m_contents.overlays.hasCells && m_contents.bondMarks && m_contents.bondMarks->showsStrengths;
     }
 
     void addChanges(const ComparedAsset& compared) {
@@ -210,6 +222,20 @@ private:
                           CanvasLegendTexts::tr("hidden fragment")});
     }
 
+    void addBondMarks(const BondMarks& marks) {
+        const auto hasAny = [](const std::vector<bool>& pieces) {
+            return std::ranges::find(pieces, true) != pieces.end();
+        };
+        if (hasAny(marks.isAnchored)) {
+            m_rows.push_back({[this](QPainter& painter, QPointF at) { paintAnchorSymbol(painter, at, m_colours); },
+                              CanvasLegendTexts::tr("anchored")});
+        }
+        if (hasAny(marks.neverBreaks)) {
+            m_rows.push_back({[this](QPainter& painter, QPointF at) { paintShieldSymbol(painter, at, m_colours); },
+                              CanvasLegendTexts::tr("never breaks")});
+        }
+    }
+
     void paintPanel(QPainter& painter, const QRectF& panel) const {
         QColor fill = m_colours.panel;
         fill.setAlpha(235);
@@ -221,16 +247,8 @@ private:
 
     void paintScale(QPainter& painter, const QRectF& area) const {
         const CellColouring colouring = m_contents.overlays.colouring;
-        painter.setPen(m_colours.text);
-        painter.drawText(area, Qt::AlignTop | Qt::AlignLeft, scaleTitle(colouring));
-        const QRectF bar(area.left(), area.top() + 16.0, area.width(), 9.0);
-        QLinearGradient ramp(bar.topLeft(), bar.topRight());
-        for (int stop = 0; stop <= 10; ++stop) ramp.setColorAt(stop / 10.0, toQColor(rampColour(stop / 10.0)));
-        painter.setBrush(ramp);
-        painter.setPen(QPen(m_colours.panelEdge, 1.0));
-        painter.drawRect(bar);
-        painter.setPen(m_colours.text);
-        const QRectF ends(area.left(), bar.bottom() + 1.0, area.width(), 16.0);
+        const QRectF ends =
+            paintBar(painter, area, scaleTitle(colouring), [](double place) { return toQColor(rampColour(place)); });
         const auto& [least, most] = m_contents.range;
         if (least == most) {
             painter.drawText(ends, Qt::AlignHCenter | Qt::AlignTop,
@@ -239,6 +257,36 @@ private:
         }
         painter.drawText(ends, Qt::AlignLeft | Qt::AlignTop, scaleText(colouring, least, m_contents));
         painter.drawText(ends, Qt::AlignRight | Qt::AlignTop, scaleText(colouring, most, m_contents));
+    }
+
+    /// The factors of bonds, on a logarithmic scale around 1.
+    void paintBondScale(QPainter& painter, const QRectF& area) const {
+        const auto colour = [this](double place) {
+            return bondColour(kWeakestShown * std::pow(kStrongestShown / kWeakestShown, place), m_colours);
+        };
+        const QRectF ends = paintBar(painter, area, CanvasLegendTexts::tr("Strength of bonds"), colour);
+        const auto paint = [&](Qt::Alignment side, const QString& text, double factor) {
+            painter.drawText(ends, static_cast<int>((side | Qt::AlignTop).toInt()),
+                             text.arg(QLocale().toString(factor)));
+        };
+        paint(Qt::AlignLeft, CanvasLegendTexts::tr("≤ %1"), kWeakestShown);
+        paint(Qt::AlignHCenter, CanvasLegendTexts::tr("× %1"), 1.0);
+        paint(Qt::AlignRight, CanvasLegendTexts::tr("≥ %1"), kStrongestShown);
+    }
+
+    /// Paints the title and the bar of a scale; returns the area of the numbers below it.
+    QRectF paintBar(QPainter& painter, const QRectF& area, const QString& title,
+                    const std::function<QColor(double)>& colour) const {
+        painter.setPen(m_colours.text);
+        painter.drawText(area, Qt::AlignTop | Qt::AlignLeft, title);
+        const QRectF bar(area.left(), area.top() + 16.0, area.width(), 9.0);
+        QLinearGradient ramp(bar.topLeft(), bar.topRight());
+        for (int stop = 0; stop <= 10; ++stop) ramp.setColorAt(stop / 10.0, colour(stop / 10.0));
+        painter.setBrush(ramp);
+        painter.setPen(QPen(m_colours.panelEdge, 1.0));
+        painter.drawRect(bar);
+        painter.setPen(m_colours.text);
+        return {area.left(), bar.bottom() + 1.0, area.width(), 16.0};
     }
 
     const CanvasContents& m_contents;

@@ -14,9 +14,6 @@ namespace rubble {
 
 namespace {
 
-constexpr double kMinRadius = 3.0;  // pixels
-constexpr double kMaxRadius = 400.0;
-constexpr double kRadiusFactor = 1.25;  // per key press
 constexpr double kStrengthStep = 0.1;
 constexpr double kDenserThanPieces = 4.0;  // fragments half as long and wide where a new picture is densest
 constexpr double kFewestPieces = 20.0;     // assumed of an outline in a few pieces
@@ -118,7 +115,7 @@ void BrushTool::paintTo(const CanvasPointer& pointer) {
     const PatternLayer* target = layer();
     const DenseWhere dense = target ? std::get<DensityImage>(target->parameters).dense : DenseWhere::Dark;
     const bool isErasing = m_isErasing != pointer.modifiers.testFlag(Qt::ShiftModifier);
-    const Brush brush{m_radiusPixels / m_state.view.scale, m_strength, valueOf(dense, isErasing)};
+    const Brush brush{radiusPixels() / m_state.view.scale, m_strength, valueOf(dense, isErasing)};
     GreyImage picture = m_painting->picture ? *m_painting->picture : uniformImage(box, valueOf(dense, true));
     picture = painted(std::move(picture), box, m_painting->last, pointer.metres, brush);
     m_painting->last = pointer.metres;
@@ -160,7 +157,12 @@ void BrushTool::release(const CanvasPointer&) {
 }
 
 void BrushTool::setRadiusPixels(double radius) {
-    m_radiusPixels = std::clamp(radius, kMinRadius, kMaxRadius);
+    m_size.setRadiusPixels(radius);
+    emit changed();
+}
+
+void BrushTool::stepSize(double steps) {
+    m_size.step(steps);
     emit changed();
 }
 
@@ -171,8 +173,8 @@ void BrushTool::setStrength(double strength) {
 
 bool BrushTool::key(const QKeyEvent& event) {
     switch (event.key()) {
-        case Qt::Key_BracketLeft: setRadiusPixels(m_radiusPixels / kRadiusFactor); return true;
-        case Qt::Key_BracketRight: setRadiusPixels(m_radiusPixels * kRadiusFactor); return true;
+        case Qt::Key_BracketLeft: stepSize(-1.0); return true;
+        case Qt::Key_BracketRight: stepSize(1.0); return true;
         case Qt::Key_Comma: setStrength(m_strength - kStrengthStep); return true;
         case Qt::Key_Period: setStrength(m_strength + kStrengthStep); return true;
         case Qt::Key_X:
@@ -184,7 +186,7 @@ bool BrushTool::key(const QKeyEvent& event) {
 }
 
 bool BrushTool::controlWheel(double notches) {
-    setRadiusPixels(m_radiusPixels * std::pow(kRadiusFactor, notches));
+    stepSize(notches);
     return true;
 }
 
@@ -232,14 +234,10 @@ void BrushTool::paint(QPainter& painter, const CanvasColours& colours) const {
     if (!m_state.displayedAsset()) return;
     paintPicture(painter, colours);
     if (!m_pointer) return;
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setBrush(Qt::NoBrush);
     const bool isErasing = m_isErasing != m_pointer->modifiers.testFlag(Qt::ShiftModifier);
-    for (const double radius : {m_radiusPixels, m_radiusPixels / 2.0}) {
-        painter.setPen(QPen(colours.halo, 3.0));
-        painter.drawEllipse(m_pointer->pixels, radius, radius);
-        painter.setPen(QPen(isErasing ? colours.text : colours.fault, 1.5, isErasing ? Qt::DashLine : Qt::SolidLine));
-        painter.drawEllipse(m_pointer->pixels, radius, radius);
+    for (const double part : {1.0, 0.5}) {
+        m_size.paintRing(painter, m_pointer->pixels, part, isErasing ? colours.text : colours.fault, colours.halo,
+                         isErasing);
     }
 }
 
@@ -252,8 +250,8 @@ QString BrushTool::hint() const {
 }
 
 void BrushTool::fillMenu(QMenu& menu, const CanvasPointer&) {
-    menu.addAction(tr("Increase Brush &Size"), this, [this] { setRadiusPixels(m_radiusPixels * kRadiusFactor); });
-    menu.addAction(tr("&Decrease Brush Size"), this, [this] { setRadiusPixels(m_radiusPixels / kRadiusFactor); });
+    menu.addAction(tr("Increase Brush &Size"), this, [this] { stepSize(1.0); });
+    menu.addAction(tr("&Decrease Brush Size"), this, [this] { stepSize(-1.0); });
     menu.addSeparator();
     menu.addAction(tr("Increase S&trength"), this, [this] { setStrength(m_strength + kStrengthStep); });
     menu.addAction(tr("Decrease Stren&gth"), this, [this] { setStrength(m_strength - kStrengthStep); });

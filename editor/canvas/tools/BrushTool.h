@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/fracture/kinds/DensityImage.h"
+#include "editor/canvas/tools/BrushSize.h"
 #include "editor/canvas/tools/CanvasTool.h"
 #include "editor/commands/ImageBrush.h"
 
@@ -33,7 +34,7 @@ public:
     QString hint() const override;
     void fillMenu(QMenu& menu, const CanvasPointer& pointer) override;
 
-    double radiusPixels() const { return m_radiusPixels; }
+    double radiusPixels() const { return m_size.radiusPixels(); }
     void setRadiusPixels(double radius);
     double strength() const { return m_strength; }
     void setStrength(double strength);
@@ -60,11 +61,12 @@ private:
     /// The outline whose bounding box the image covers.
     const Polygon& imageOutline() const;
     double seedsPerArea(const PatternLayer* target) const;
+    void stepSize(double steps);
     void paintTo(const CanvasPointer& pointer);
     void push(std::shared_ptr<const GreyImage> picture);
     void paintPicture(QPainter& painter, const CanvasColours& colours) const;
 
-    double m_radiusPixels = 30.0;
+    BrushSize m_size;
     double m_strength = 0.4;
     bool m_isErasing = false;
     std::optional<Painting> m_painting;

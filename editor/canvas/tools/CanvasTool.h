@@ -27,7 +27,10 @@ struct CanvasState {
     std::shared_ptr<const Asset> fragment;           // the entered one, see fragmentAsAsset(); null if not known
     Units units;                                     // of displayed quantities
     bool isSnapping = false;
-    bool isPushing = false;  // an edit of a tool is being applied
+    std::optional<BondStroke> stroke;  // being painted, in the asset's plane
+    Vec2 fragmentOffset{0.0};          // of the entered fragment's frame in the asset's plane, m; 0: none is entered
+    bool showsStrengths = false;       // of bonds, as the tool needs
+    bool isPushing = false;            // an edit of a tool is being applied
 
     /// The active asset; null if there is none.
     const Asset* asset() const { return findAsset(document.project(), selection.asset()); }

@@ -15,6 +15,7 @@ void CanvasContentsUpdater::setOverlays(const CanvasOverlays& overlays) {
     refreshShapes();
     refreshDepths();
     refreshMovedPart();
+    refreshBonds();
     m_backingStore.invalidateAll();
 }
 
@@ -22,6 +23,7 @@ void CanvasContentsUpdater::setCompared(std::shared_ptr<const ComparedAsset> com
     if (compared == m_compared) return;
     m_compared = std::move(compared);
     refreshComparison();
+    refreshBonds();
     m_backingStore.invalidateAll();
 }
 
@@ -33,6 +35,7 @@ void CanvasContentsUpdater::refreshAll() {
     refreshPattern();
     refreshShapes();
     refreshDepths();
+    refreshBonds();
     m_backingStore.invalidateAll();
 }
 
@@ -64,6 +67,7 @@ void CanvasContentsUpdater::refreshPattern() {
     refreshShapes();
     m_movedCells = m_contents.pattern ? std::make_unique<MovedCells>(m_contents.pattern) : nullptr;
     computeMovedPart();
+    refreshBonds();
     if (!before || !m_contents.pattern || range != m_contents.range || !isLocal()) {
         m_backingStore.invalidateAll();
     } else if (*shown != *m_contents.asset()) {  // otherwise it is painted already
@@ -86,6 +90,36 @@ void CanvasContentsUpdater::refreshFragments() {
     refreshSurroundings();
     refreshShapes();
     if (m_contents.overlays.colouring == CellColouring::Level) refreshDepths();
+    refreshBonds();
+}
+
+void CanvasContentsUpdater::refreshBonds() {
+    const Asset* asset = m_state.asset();
+    const bool isMarked = asset && asset->breakAs == BreakAs::Bonded && !m_contents.compared;
+    if (isMarked) refreshBondMarker();
+    if (!isMarked || !m_bondMarker) {
+        m_contents.bondMarks = nullptr;
+        m_bondKey.reset();
+        return;
+    }
+    BondKey key{asset->bonding, m_bondMarker->levelStrengthIn(*asset),
+                m_contents.overlays.hasBondStrengths || m_state.showsStrengths};
+    if (m_state.stroke) key.bonding.strokes.push_back(*m_state.stroke);
+    if (key == m_bondKey) return;
+    Asset shown = *asset;
+    shown.bonding = key.bonding;
+    m_contents.bondMarks = std::make_shared<const BondMarks>(m_bondMarker->marks(shown, key.showsStrengths));
+    m_bondKey = std::move(key);
+}
+
+/// The fragments whose bonds are marked: those of the displayed pattern.
+void CanvasContentsUpdater::refreshBondMarker() {
+    const std::shared_ptr<const BakedAsset> baked = m_state.bakes.find(m_state.selection.asset());
+    if (m_bondMarker && baked == m_bondBake && m_contents.pattern == m_bondPattern) return;
+    m_bondBake = baked;
+    m_bondPattern = m_contents.pattern;
+    m_bondMarker = baked && m_contents.pattern ? BondMarker::of(baked->bake, *m_contents.pattern) : nullptr;
+    m_bondKey.reset();
 }
 
 void CanvasContentsUpdater::refreshSurroundings() {

@@ -31,6 +31,8 @@ public:
     void refreshMovedPart();
     /// Updates what depends on the fragments: the surroundings of an entered one, and the number of levels below each.
     void refreshFragments();
+    /// The marks of an asset that breaks as bonded, with the stroke that is being painted.
+    void refreshBonds();
 
 private:
     void refreshSurroundings();
@@ -38,6 +40,7 @@ private:
     void refreshDepths();
     void refreshComparison();
     DrawablePattern::Range scale() const;
+    void refreshBondMarker();
     void computeMovedPart();
     bool isLocal() const;
     Box2 movedBox(const MovedPart* part) const;
@@ -46,7 +49,18 @@ private:
     CanvasContents m_contents;
     CanvasBackingStore m_backingStore;
     std::shared_ptr<const ComparedAsset> m_compared;  // of the whole asset; null: none
-    std::unique_ptr<MovedCells> m_movedCells;         // of the pattern in m_contents
+    /// What the bond marks depend on, besides the pattern and the bake.
+    struct BondKey {
+        Bonding bonding;  // with the stroke
+        double levelStrength = 1.0;
+        bool showsStrengths = false;
+        bool operator==(const BondKey&) const = default;
+    };
+    std::optional<BondKey> m_bondKey;              // of m_contents.bondMarks
+    std::shared_ptr<const BakedAsset> m_bondBake;  // of m_bondMarker, as m_bondPattern
+    std::shared_ptr<const DrawablePattern> m_bondPattern;
+    std::unique_ptr<BondMarker> m_bondMarker;  // null: there are no fragments of the pattern
+    std::unique_ptr<MovedCells> m_movedCells;  // of the pattern in m_contents
 };
 
 }  // namespace rubble

@@ -1,11 +1,10 @@
 #include "editor/canvas/widget/PatternCanvas.h"
 
+#include "editor/canvas/painting/BondMarkPainting.h"
 #include "editor/canvas/painting/HighlightPainting.h"
 #include "editor/canvas/painting/LegendPainting.h"
 #include "editor/canvas/painting/RulerPainting.h"
-#include "editor/canvas/tools/BrushTool.h"
 #include "editor/canvas/tools/CrackLineTool.h"
-#include "editor/canvas/tools/MeasureTool.h"
 #include "editor/canvas/tools/OutlineTool.h"
 #include "editor/canvas/tools/SeedTool.h"
 #include "editor/canvas/widget/AccessibleCanvas.h"
@@ -40,12 +39,8 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
       m_updater(m_state),
       m_breadcrumb(new Breadcrumb(this)),
       m_colours(canvasColours(palette())),
-      m_outlineTool(std::make_unique<OutlineTool>(m_state)),
-      m_seedTool(std::make_unique<SeedTool>(m_state)),
-      m_crackLineTool(std::make_unique<CrackLineTool>(m_state)),
-      m_brushTool(std::make_unique<BrushTool>(m_state)),
-      m_measureTool(std::make_unique<MeasureTool>(m_state)),
-      m_tool(m_seedTool.get()) {
+      m_tools(m_state),
+      m_tool(&m_tools.seeds()) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
@@ -85,8 +80,7 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
         m_updater.refreshFragments();
         update();
     });
-    for (CanvasTool* tool : std::initializer_list<CanvasTool*>{
-             m_outlineTool.get(), m_seedTool.get(), m_crackLineTool.get(), m_brushTool.get(), m_measureTool.get()}) {
+    for (CanvasTool* tool : m_tools.all()) {
         connect(tool, &CanvasTool::changed, this, &PatternCanvas::updateTool);
         connect(tool, &CanvasTool::statusMessage, this, &PatternCanvas::statusMessage);
     }
@@ -110,16 +104,9 @@ void PatternCanvas::setTool(CanvasToolKind kind) {
     if (kind == m_toolKind) return;
     m_tool->cancel();
     m_toolKind = kind;
-    switch (kind) {
-        case CanvasToolKind::Outline: m_tool = m_outlineTool.get(); break;
-        case CanvasToolKind::Seeds:
-        case CanvasToolKind::PlaceSeeds: m_tool = m_seedTool.get(); break;
-        case CanvasToolKind::CrackLines: m_tool = m_crackLineTool.get(); break;
-        case CanvasToolKind::Brush: m_tool = m_brushTool.get(); break;
-        case CanvasToolKind::Measure: m_tool = m_measureTool.get(); break;
-    }
-    m_seedTool->setPlacing(kind == CanvasToolKind::PlaceSeeds);
+    m_tool = &m_tools.prepare(kind);
     updateTool();
+    refit();
     emit toolKindChanged(kind);
 }
 
@@ -184,6 +171,12 @@ void PatternCanvas::setCompared(std::shared_ptr<const ComparedAsset> compared) {
     update();
 }
 
+void PatternCanvas::showStroke(const BondStroke* stroke) {
+    m_state.stroke = stroke ? std::optional(*stroke) : std::nullopt;
+    m_updater.refreshBonds();
+    update();
+}
+
 void PatternCanvas::zoomBy(double factor) { setView(zoomed(m_state.view, factor, rect().center())); }
 
 QString PatternCanvas::hint() const { return m_tool->hint(); }
@@ -197,6 +190,7 @@ void PatternCanvas::applyChanges(const Changes& changes) {
     if (!isOfAsset) return;
     if (!m_state.asset()) refreshAsset();
     m_updater.refreshMovedPart();
+    m_updater.refreshBonds();
     reportOwnPattern(changes);
 }
 
@@ -239,9 +233,12 @@ void PatternCanvas::refreshFragment() {
     const Asset* asset = m_state.asset();
     const FragmentPath& entered = m_state.selection.enteredFragment();
     m_state.fragment = nullptr;
+    m_state.fragmentOffset = Vec2(0.0);
     if (asset && !entered.empty()) {
-        if (std::optional<FragmentSolid> solid = fragmentSolid(m_state.bakes, asset->id, entered))
+        if (std::optional<FragmentSolid> solid = fragmentSolid(m_state.bakes, asset->id, entered)) {
+            m_state.fragmentOffset = solid->offset;
             m_state.fragment = std::make_shared<const Asset>(fragmentAsAsset(*asset, entered, std::move(solid->prism)));
+        }
     }
     m_breadcrumb->setPath(asset ? nameText(asset->name) : QString(), entered);
 }
@@ -257,6 +254,7 @@ void PatternCanvas::reportOwnPattern(const Changes& changes) {
 }
 
 void PatternCanvas::updateTool() {
+    m_updater.refreshBonds();
     setCursor(m_panFrom ? Qt::ClosedHandCursor : m_isSpaceHeld ? Qt::OpenHandCursor : m_tool->cursor());
     emit hintChanged(m_tool->hint());
     update();
@@ -272,6 +270,7 @@ QImage PatternCanvas::picture(QSize pixels) {
     const double ratio = std::min(static_cast<double>(pixels.width()) / std::max(1, width()),
                                   static_cast<double>(pixels.height()) / std::max(1, height()));
     const CanvasView view = m_state.view;
+    m_tool->leave();
     const auto pointer = std::exchange(m_pointer, std::nullopt);
     const std::uint32_t hovered = std::exchange(m_hovered, kNone);
     m_state.view.size = QSizeF(pixels) / ratio;
@@ -290,6 +289,7 @@ QImage PatternCanvas::picture(QSize pixels) {
 
 /// Paints what is above the contents.
 void PatternCanvas::paintOverlays(QPainter& painter) const {
+    paintBondMarks(painter, m_state.view, contents(), m_colours);
     paintHighlights(painter);
     std::array<QRectF, 2> panels;
     if (contents().overlays.hasLegend) panels[0] = paintLegend(painter, m_state.view, contents(), m_colours);
@@ -298,7 +298,7 @@ void PatternCanvas::paintOverlays(QPainter& painter) const {
     if (showsFragmentLabel()) {
         paintFragmentLabel(painter, contents(), m_hovered, m_pointer->pixels, panels, m_state.view, m_colours);
     }
-    if (const QString message = m_state.placeholder(); !message.isEmpty() && !m_outlineTool->isDrawing()) {
+    if (const QString message = m_state.placeholder(); !message.isEmpty() && !m_tools.outline().isDrawing()) {
         paintMessage(painter, message, m_state.view, m_colours,
                      m_state.asset() ? m_colours.fault : m_colours.panelEdge);
     }
@@ -324,8 +324,8 @@ void PatternCanvas::paintHighlights(QPainter& painter) const {
 /// Whether to label the hovered piece: not while drawing, measuring or dragging.
 bool PatternCanvas::showsFragmentLabel() const {
     if (m_hovered == kNone || !contents().pattern || !m_pointer || !contents().overlays.hasCells) return false;
-    return m_toolKind != CanvasToolKind::Measure && m_toolKind != CanvasToolKind::Brush &&
-           !m_outlineTool->isDrawing() && !m_crackLineTool->isDrawing() && !m_panFrom && !m_isPressed;
+    return m_toolKind != CanvasToolKind::Measure && !isBrush(m_toolKind) && !m_tools.outline().isDrawing() &&
+           !m_tools.crackLines().isDrawing() && !m_panFrom && !m_isPressed;
 }
 
 CanvasPointer PatternCanvas::pointerAt(QPointF pixels, Qt::KeyboardModifiers modifiers) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "editor/canvas/widget/CanvasContentsUpdater.h"
+#include "editor/canvas/widget/CanvasTools.h"
 
 #include <QWidget>
 
@@ -8,14 +9,7 @@ class QAccessibleInterface;
 
 namespace rubble {
 
-class BrushTool;
-class MeasureTool;
-class OutlineTool;
 class Breadcrumb;
-class SeedTool;
-class CrackLineTool;
-
-enum class CanvasToolKind { Outline, Seeds, PlaceSeeds, CrackLines, Brush, Measure };
 
 /// Shows the pattern of the active asset, or of its entered fragment, in the plane, with tools to edit outline, seeds
 /// and cracks. Only what changed is repainted. While seeds are dragged, the cells around them are updated at once; the
@@ -28,11 +22,12 @@ public:
 
     CanvasToolKind toolKind() const { return m_toolKind; }
     void setTool(CanvasToolKind kind);
-    OutlineTool& outlineTool() { return *m_outlineTool; }
-    SeedTool& seedTool() { return *m_seedTool; }
-    CrackLineTool& crackLineTool() { return *m_crackLineTool; }
-    BrushTool& brushTool() { return *m_brushTool; }
-    MeasureTool& measureTool() { return *m_measureTool; }
+    OutlineTool& outlineTool() { return m_tools.outline(); }
+    SeedTool& seedTool() { return m_tools.seeds(); }
+    CrackLineTool& crackLineTool() { return m_tools.crackLines(); }
+    BrushTool& brushTool() { return m_tools.brush(); }
+    BondBrushTool& bondBrushTool() { return m_tools.bondBrush(); }
+    MeasureTool& measureTool() { return m_tools.measure(); }
 
     const CanvasOverlays& overlays() const { return contents().overlays; }
     void setOverlays(const CanvasOverlays& overlays);
@@ -52,6 +47,9 @@ public:
 
     /// Shows the changes since an earlier state in place of the cells' colours; null shows the colours again.
     void setCompared(std::shared_ptr<const ComparedAsset> compared);
+
+    /// Shows the marks of a stroke that is painted elsewhere, in the plane of the active asset; null: none is.
+    void showStroke(const BondStroke* stroke);
 
     /// The context menu's actions for selected fragments, in addition to those of the tool.
     void setFragmentActions(const QList<QAction*>& actions) { m_fragmentActions = actions; }
@@ -136,11 +134,7 @@ private:
     std::vector<SavedView> m_savedViews;  // of the ancestors of m_displayedFragment
     bool m_hasOwnPattern = false;         // the entered fragment
     CanvasColours m_colours;
-    std::unique_ptr<OutlineTool> m_outlineTool;
-    std::unique_ptr<SeedTool> m_seedTool;
-    std::unique_ptr<CrackLineTool> m_crackLineTool;
-    std::unique_ptr<BrushTool> m_brushTool;
-    std::unique_ptr<MeasureTool> m_measureTool;
+    CanvasTools m_tools;
     CanvasToolKind m_toolKind = CanvasToolKind::Seeds;
     CanvasTool* m_tool = nullptr;  // of m_toolKind
 

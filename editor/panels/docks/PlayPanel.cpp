@@ -187,10 +187,14 @@ void PlayPanel::refreshSummary() {
     }
     const std::optional<PlayFrame>& frame = m_controller.frame();
     const std::span<const EventRef> breaks = m_controller.events().breaks(frame ? frame->step : 0);
-    std::uint64_t fragments = 0;
-    for (const EventRef& broken : breaks) fragments += broken->record.count;
+    std::uint64_t fragments = 0, bonds = 0;
+    for (const EventRef& broken : breaks) {
+        (broken->record.kind == EventKind::Bonds ? bonds : fragments) += broken->record.count;
+    }
     QStringList parts;
-    if (!breaks.empty()) parts << tr("Breaks: %L1").arg(breaks.size()) << tr("Fragments: %L1").arg(fragments);
+    if (!breaks.empty()) parts << tr("Breaks: %L1").arg(breaks.size());
+    if (fragments > 0) parts << tr("Fragments: %L1").arg(fragments);
+    if (bonds > 0) parts << tr("Broken bonds: %L1").arg(bonds);
     if (breaks.empty()) parts << tr("Nothing has broken.");
     parts << countText();
     m_summary->setText(parts.join(QStringLiteral(" · ")));

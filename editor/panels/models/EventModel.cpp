@@ -42,7 +42,8 @@ std::optional<double> valueOf(const PlayEvent& event, int column) {
         case EventModel::kEnergy: return event.hasEnergy() ? std::optional(record.energy) : std::nullopt;
         case EventModel::kMass: return known(record.mass);
         case EventModel::kCount: return known(static_cast<double>(record.count));
-        case EventModel::kCost: return event.isBreak() ? std::optional(event.milliseconds) : std::nullopt;
+        case EventModel::kCost:
+            return event.record.kind == EventKind::Broken ? std::optional(event.milliseconds) : std::nullopt;
         default: return std::nullopt;
     }
 }

@@ -282,13 +282,13 @@ private slots:
         for (std::uint32_t k = 0; k < damage.size(); ++k) {
             const Bond& bond = both.ours->graph.bonds[k];
             const bool leaves =
-                std::ranges::binary_search(off, bond.first) != std::ranges::binary_search(off, bond.second);
+                std::ranges::binary_search(off, bond.first) || std::ranges::binary_search(off, bond.second);
             QCOMPARE(std::ranges::binary_search(broken, k), leaves && k != 2);
             QCOMPARE(damage[k] == kBroken, leaves || k == 2);
         }
         for (const rubble_pack::Island& island : rubble_pack::islandsOf(both.theirs, damage, both.theirs.fragments)) {
             const bool isOff = std::ranges::binary_search(off, island.fragments.front());
-            QVERIFY(!isOff || std::ranges::includes(off, island.fragments));
+            QVERIFY(!isOff || island.fragments.size() == 1);
             QVERIFY(!isOff || !island.isAnchored);
         }
     }

@@ -59,6 +59,16 @@ private slots:
             QVERIFY(std::ranges::count(told, EventKind::Broken, &EventRecord::kind) >= 1);
         }
     }
+    void variantsOfBondedAssetsBreakAlongTheirBonds() {
+        Project project = stage(400.0);
+        project.assets[0].breakAs = BreakAs::Bonded;
+        project.assets[0].bonding.impulsePerArea = 10.0;
+        for (const SheetEntry& entry : entriesOf(orderOf(project, 3, true))) {
+            QVERIFY(entry.session && !entry.fault);
+            const std::span<const EventRecord> told = entry.history.between(0, 30);
+            QVERIFY(std::ranges::count(told, EventKind::Bonds, &EventRecord::kind) > 0);
+        }
+    }
     void firstVariantPlaysAsTheProject() {
         const Project project = stage();
         Session session = sessionOf(project);

@@ -1,6 +1,7 @@
 #include "core/play/analysis/SwapAudit.h"
 
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Arcade.h"
 #include "tests/support/asset/House.h"
 #include "tests/support/asset/Pane.h"
 #include "tests/support/asset/RandomAssets.h"
@@ -67,6 +68,7 @@ class SwapAuditTest : public QObject {
 private slots:
     void demoProjectsSwapCleanly_data() {
         QTest::addColumn<Project>("project");
+        QTest::newRow("arcade, whose bonds break at once") << test::arcade();
         QTest::newRow("house") << test::house();
         QTest::newRow("pane") << test::pane();
         QTest::newRow("wall with openings") << test::wallWithOpenings();
@@ -76,6 +78,7 @@ private slots:
         for (const SwapAudit& audit : auditsOf(project)) {
             tell(audit);
             QVERIFY2(audit.isClean(), joined(audit).c_str());
+            QVERIFY(audit.fragments >= 2);
         }
     }
     void allPatternsSwapCleanly() {

@@ -2,9 +2,11 @@
 
 #include "core/base/Random.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Arcade.h"
 #include "tests/support/asset/House.h"
 #include "tests/support/asset/Pane.h"
 #include "tests/support/asset/WallWithOpenings.h"
+#include "tests/support/play/BondedWalls.h"
 #include "tests/support/play/Sessions.h"
 
 #include <set>
@@ -44,7 +46,10 @@ const std::vector<Scene>& scenes() {
         std::vector<Scene> made;
         const auto add = [&](const std::string& name, Project project) {
             // What is held in place gains potential energy when it breaks, and what is removed takes its energy along.
-            for (Instance& instance : project.instances) instance.isFixed = false;
+            for (Instance& instance : project.instances) {
+                instance.isFixed = false;
+                instance.isAnchored = false;
+            }
             project.debris = {};
             made.push_back({name, test::playSceneOf(project)});
         };
@@ -53,6 +58,9 @@ const std::vector<Scene>& scenes() {
         add("house", test::house());
         add("pane", test::pane());
         add("wall", test::wallWithOpenings());
+        add("bonded wall", test::bondedWall(150));
+        made.push_back({"anchored wall", test::playSceneOf(test::bondedWall(150))});
+        made.push_back({"arcade", test::playSceneOf(test::arcade())});
         return made;
     }();
     return all;
@@ -87,6 +95,20 @@ double lostInFlight(const Session& session) {
 double energyOf(const World& world) {
     const Momenta momenta = world.momenta();
     return momenta.kinetic + momenta.potential;
+}
+
+/// The potential energy of what came off held bodies in the last step, which have none as long as they are held, J.
+double gainedByDetaching(const Session& session) {
+    double gained = 0.0;
+    for (const PlaySplit& split : session.events().splits) {
+        if (!split.body.isHeld) continue;
+        for (const std::uint32_t number : split.freed) {
+            const BodyId body = session.body(number)->body;
+            gained -=
+                session.world().mass(body) * glm::dot(session.world().gravity(), session.world().state(body).centre);
+        }
+    }
+    return gained;
 }
 
 /// The sum of the sizes of all energies in a report, J.
@@ -203,17 +225,18 @@ private slots:
             Session& session = *started;
             addInput(session, ShotInput{"shot", randomThrow(random)});
             session.step();
-            const double before = energyOf(session.world());
-            double told = 0.0, flight = 0.0;
-            std::set<std::uint32_t> broken;
+            double before = energyOf(session.world()), told = 0.0, flight = 0.0;
+            std::set<std::uint32_t> broken, detached;
             for (int step = 0; step < 150; ++step) {
                 session.step();
                 const EventReport& report = session.events().told;
                 told += report.energy();
                 flight += lostInFlight(session);
+                before += gainedByDetaching(session);
                 QVERIFY2(faultOf(report, 16).empty(), faultOf(report, 16).c_str());
                 for (const EventRecord& record : report.records) {
                     if (record.kind == EventKind::Broken) QVERIFY(broken.insert(record.body).second);
+                    if (record.kind == EventKind::Detached) QVERIFY(detached.insert(record.body).second);
                 }
             }
             const double lost = before - energyOf(session.world()) - flight;
@@ -223,6 +246,36 @@ private slots:
             QVERIFY2(error < 0.01, QByteArray::number(error));
         }
         qInfo("at worst %.2g of the energy", worst);
+    }
+    void whatComesOffIsToldOnce() {
+        Project project = test::bondedWall();
+        project.events.maxRecords = 1000;
+        Session session = sessionOf(project);
+        std::set<std::uint32_t> detached;
+        std::uint32_t bonds = 0;
+        for (int shot = 0; shot < 12; ++shot) {
+            addInput(session, ShotInput{"ball", test::ballAtWall({-1.6 + 0.3 * shot, 0.6 + 0.15 * shot})});
+            for (int step = 0; step < 40; ++step) {
+                session.step();
+                for (const EventRecord& record : session.events().told.records) {
+                    if (record.kind == EventKind::Bonds) {
+                        bonds += record.count;
+                        QVERIFY(record.area > 0.0 && !record.box.isEmpty());
+                    }
+                    if (record.kind != EventKind::Detached) continue;
+                    QVERIFY(detached.insert(record.body).second);
+                    QVERIFY(record.mass > 0.0 && record.count >= 1);
+                }
+            }
+        }
+        std::set<std::uint32_t> debris;
+        for (const PlayBody& body : session.bodies()) {
+            if (body.isDebris() && !body.isHeld) debris.insert(body.number);
+        }
+        QVERIFY(debris.size() > 40);
+        QVERIFY(std::ranges::includes(detached, debris));
+        std::ptrdiff_t broken = std::ranges::count(session.damage().begin()->second.broken, true);
+        QCOMPARE(static_cast<std::ptrdiff_t>(bonds), broken);
     }
     void strongestAreTold() {
         for (const std::uint32_t most : {1u, 2u, 4u, 16u}) {

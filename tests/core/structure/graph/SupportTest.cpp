@@ -48,10 +48,13 @@ Nodes relaxedUnsupported(const BondGraph& graph, std::span<const BondDamage> dam
             }
             const Vec3 apart = graph.centres[bond.second] - graph.centres[bond.first];
             const double sideways = glm::length(apart - glm::dot(apart, kUp) * kUp);
+            const double corbel = 0.57735026918962576;  // tangent of 30 degrees
+            const double upwards = std::max(0.0, sideways - corbel * apart.y);
+            const double downwards = std::max(0.0, sideways + corbel * apart.y);
             if (distances[bond.first] < 1e300)
-                lower(bond.second, distances[bond.first] + (bond.normal.y >= 0.5 ? 0.0 : sideways));
+                lower(bond.second, distances[bond.first] + (bond.normal.y >= 0.5 ? upwards : sideways));
             if (distances[bond.second] < 1e300)
-                lower(bond.first, distances[bond.second] + (bond.normal.y <= -0.5 ? 0.0 : sideways));
+                lower(bond.first, distances[bond.second] + (bond.normal.y <= -0.5 ? downwards : sideways));
         }
     }
     Nodes list;
@@ -73,6 +76,9 @@ private slots:
         std::vector<Bond> bonds{test::anchorBelow(centres, 0)};
         for (std::uint32_t k = 1; k < 10; ++k) bonds.push_back(test::bondBetween(centres, k - 1, k));
         QCOMPARE(unsupported(bondGraph(centres, bonds), 0.01), Nodes{});
+        for (Vec3& centre : centres) centre.x *= 2.0;  // 45 degrees: a step is 1 m less 0.577 m
+        QCOMPARE(unsupported(bondGraph(centres, bonds), 1.1), (Nodes{3, 4, 5, 6, 7, 8, 9}));
+        for (Vec3& centre : centres) centre.x *= 0.5;
         for (std::size_t k = 1; k < bonds.size(); ++k) bonds[k].normal = {1.0, 0.0, 0.0};  // beside each other
         QCOMPARE(unsupported(bondGraph(centres, bonds), 1.1), (Nodes{3, 4, 5, 6, 7, 8, 9}));
     }

@@ -1,0 +1,266 @@
+#include "editor/view3d/tools/BondPaintTool.h"
+
+#include "core/structure/strength/BondCapacities.h"
+#include "editor/workspace/Workspace.h"
+#include "viewport/scene/SurfacePicking.h"
+#include "viewport/widget/ViewportWidget.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rubble {
+
+namespace {
+
+constexpr double kMinPaintRadius = 3.0;  // points, as all lengths here
+constexpr double kMaxPaintRadius = 400.0;
+constexpr double kRadiusPerStep = 1.25;
+constexpr double kAnglePerWheelStep = 120.0;  // of QWheelEvent::angleDelta()
+constexpr double kMarkRadius = 4.0;
+constexpr int kPaintAlpha = 110;  // of the stroke that is being painted, of 255
+const QColor kPaintUnderline(10, 14, 20, 190);
+const QColor kAnchorPaint(63, 214, 228);
+const QColor kNeverBreaksPaint(211, 165, 255);
+const QColor kWeakPaint(255, 149, 80);
+const QColor kNeutralPaint(230, 228, 222);
+const QColor kStrongPaint(127, 176, 255);
+
+QColor colourOf(const BondBrushSettings& settings) {
+    switch (settings.brush) {
+        case BondBrush::Anchor: return kAnchorPaint;
+        case BondBrush::Strength:
+            return settings.strength == 1.0 ? kNeutralPaint : settings.strength < 1.0 ? kWeakPaint : kStrongPaint;
+        case BondBrush::NeverBreaks: break;
+    }
+    return kNeverBreaksPaint;
+}
+
+/// Where a body of an asset would be if it were not exploded.
+Vec3 assembled(const RenderScene& scene, const SurfaceHit& hit) { return hit.point - explodeOffset(scene, hit.body); }
+
+void paintMark(QPainter& painter, QPointF at, const QColor& colour) {
+    painter.setPen(QPen(kPaintUnderline, 2.0));
+    painter.setBrush(colour);
+    painter.drawEllipse(at, kMarkRadius, kMarkRadius);
+}
+
+}  // namespace
+
+BondPaintTool::BondPaintTool(Workspace& workspace, ViewportWidget& viewport)
+    : ViewportTool(&viewport), m_workspace(workspace), m_viewport(viewport) {
+    connect(&workspace.document(), &Document::changed, this, [this](const Changes& changes) {
+        if (m_isPressed && (changes.isUndoOrRedo || changes.touches(Part::Asset))) end();
+        if (m_isOn) emit changed();
+    });
+    connect(&workspace.selection(), &Selection::assetChanged, this, [this] { end(); });
+}
+
+void BondPaintTool::setOn(bool isOn) {
+    if (isOn == m_isOn) return;
+    m_isOn = isOn;
+    m_pointer.reset();
+    end();
+}
+
+void BondPaintTool::setSettings(const BondBrushSettings& settings) {
+    if (settings == m_settings) return;
+    m_settings = settings;
+    emit changed();
+    emit settingsChanged();
+}
+
+const Asset* BondPaintTool::asset() const {
+    const Asset* asset = m_isOn && !m_workspace.play().isInPlay() ? m_workspace.asset() : nullptr;
+    return asset && asset->breakAs == BreakAs::Bonded ? asset : nullptr;
+}
+
+std::optional<SurfaceHit> BondPaintTool::hitAt(QPointF pixel) const {
+    return surfaceHit(m_viewport.scene(), m_viewport.rayAt(pixel));
+}
+
+std::optional<BondPaintTool::Place> BondPaintTool::placeAt(QPointF pixel) const {
+    const std::optional<SurfaceHit> hit = hitAt(pixel);
+    if (!hit || !asset()) return std::nullopt;
+    const RenderScene& scene = m_viewport.scene();
+    const PickId& pick = scene.picks[hit->body];
+    if (pick.asset != asset()->id) return std::nullopt;
+    const Instance* instance = findInstance(m_workspace.project(), pick.instance);
+    if (instance && instance->isLocked) return std::nullopt;
+    const Pose pose = instance ? instance->pose : Pose{};
+    const Vec3 local = glm::conjugate(pose.orientation) * (assembled(scene, *hit) - pose.position);
+    const Ray ray = m_viewport.rayAt(pixel), beside = m_viewport.rayAt(pixel + QPointF(1.0, 0.0));
+    const Vec3 there = beside.at(glm::distance(ray.from, hit->point));
+    return Place{Vec2{local}, glm::distance(hit->point, there)};
+}
+
+bool BondPaintTool::erases(Qt::KeyboardModifiers modifiers) const {
+    return m_settings.isErasing != modifiers.testFlag(Qt::ShiftModifier);
+}
+
+/// Elsewhere than on the active asset, a press is for the view.
+bool BondPaintTool::press(const QMouseEvent& event) {
+    if (!asset() || event.button() != Qt::LeftButton || event.modifiers().testFlag(Qt::AltModifier)) return false;
+    if (!placeAt(event.position())) return false;
+    m_isErasing = erases(event.modifiers());
+    if (m_isErasing && !hasStrokes(*asset(), m_settings.brush)) {
+        emit statusMessage(tr("There are no strokes of this brush to erase."));
+        return true;
+    }
+    m_isPressed = true;
+    paintTo(event.position());
+    return true;
+}
+
+/// Leads the stroke to the point of the asset under the pointer, if there is one.
+void BondPaintTool::paintTo(QPointF pixel) {
+    const std::optional<Place> place = placeAt(pixel);
+    if (!place) return;
+    if (!m_path) {
+        BondBrushSettings settings = m_settings;
+        settings.isErasing = m_isErasing;
+        m_path.emplace(settings, m_radiusPixels * place->metresPerPixel);
+    }
+    m_path->extend(place->point);
+    m_drawn.push_back(pixel);
+    emit changed();
+    emit strokeChanged(&m_path->stroke());
+}
+
+bool BondPaintTool::move(const QMouseEvent& event) {
+    if (!asset()) return false;
+    m_pointer = m_isPressed || placeAt(event.position()) ? std::optional(event.position()) : std::nullopt;
+    if (m_isPressed) paintTo(event.position());
+    emit changed();
+    return m_isPressed;
+}
+
+bool BondPaintTool::release(const QMouseEvent& event) {
+    if (!m_isPressed || event.button() != Qt::LeftButton) return false;
+    const std::optional<BondStrokePath> path = m_path;
+    end();
+    if (path && asset()) m_workspace.document().push(paintStroke(*asset(), path->stroke()));
+    return true;
+}
+
+/// Ends the stroke without a change.
+void BondPaintTool::end() {
+    const bool wasPainting = std::exchange(m_isPressed, false);
+    m_path.reset();
+    m_drawn.clear();
+    emit changed();
+    if (wasPainting) emit strokeChanged(nullptr);
+}
+
+bool BondPaintTool::cancel() {
+    if (!m_isPressed) return false;
+    end();
+    return true;
+}
+
+void BondPaintTool::leave() {
+    m_pointer.reset();
+    emit changed();
+}
+
+void BondPaintTool::setRadiusPixels(double radius) {
+    m_radiusPixels = std::clamp(radius, kMinPaintRadius, kMaxPaintRadius);
+    emit changed();
+}
+
+bool BondPaintTool::wheel(const QWheelEvent& event) {
+    if (!asset() || !event.modifiers().testFlag(Qt::ControlModifier)) return false;
+    setRadiusPixels(m_radiusPixels * std::pow(kRadiusPerStep, event.angleDelta().y() / kAnglePerWheelStep));
+    return true;
+}
+
+/// The keys of the brushes in the canvas.
+bool BondPaintTool::overridesShortcut(const QKeyEvent& event) const {
+    if (!asset() || event.modifiers() != Qt::NoModifier) return false;
+    switch (event.key()) {
+        case Qt::Key_BracketLeft:
+        case Qt::Key_BracketRight:
+        case Qt::Key_X: return true;
+        case Qt::Key_Comma:
+        case Qt::Key_Period: return m_settings.brush == BondBrush::Strength;
+        case Qt::Key_Escape: return m_isPressed;
+        default: return false;
+    }
+}
+
+bool BondPaintTool::keyPress(const QKeyEvent& event) {
+    if (!overridesShortcut(event)) return false;
+    BondBrushSettings settings = m_settings;
+    switch (event.key()) {
+        case Qt::Key_BracketLeft: setRadiusPixels(m_radiusPixels / kRadiusPerStep); break;
+        case Qt::Key_BracketRight: setRadiusPixels(m_radiusPixels * kRadiusPerStep); break;
+        case Qt::Key_Comma: settings.strength = nextBrushStrength(settings.strength, -1); break;
+        case Qt::Key_Period: settings.strength = nextBrushStrength(settings.strength, 1); break;
+        case Qt::Key_Escape: cancel(); break;
+        default: settings.isErasing = !settings.isErasing;
+    }
+    setSettings(settings);
+    return true;
+}
+
+/// The fragments of a bake that are anchored or never break, with the stroke that is being painted.
+const std::vector<bool>& BondPaintTool::markedFragments(const std::shared_ptr<const Bake>& bake) const {
+    Asset shown = *asset();
+    if (m_path) shown.bonding.strokes.push_back(m_path->stroke());
+    if (m_marks.bake == bake && m_marks.brush == m_settings.brush && m_marks.bonding == shown.bonding)
+        return m_marks.isMarked;
+    m_marks = {bake, m_settings.brush, shown.bonding, std::vector<bool>(bake->fragmentCount(), false)};
+    for (std::uint32_t fracture = 0; fracture < bake->fractures.size(); ++fracture) {
+        const std::uint32_t first = bake->fractures[fracture].first;
+        if (m_settings.brush == BondBrush::Anchor) {
+            for (const std::uint32_t k : anchoredFragments(shown, *bake, fracture)) m_marks.isMarked[first + k] = true;
+        } else {
+            const std::vector<bool> never = neverBreaking(shown, *bake, fracture);
+            for (std::uint32_t k = 0; k < never.size(); ++k) m_marks.isMarked[first + k] = never[k];
+        }
+    }
+    return m_marks.isMarked;
+}
+
+/// Marks the fragments of the base variant that are anchored or never break.
+void BondPaintTool::paintMarks(QPainter& painter) const {
+    const auto baked = m_workspace.bakes().find(asset()->id);
+    if (!baked || !baked->bake || m_settings.brush == BondBrush::Strength) return;
+    const std::vector<bool>& isMarked = markedFragments(baked->bake);
+    const RenderScene& scene = m_viewport.scene();
+    for (std::uint32_t body = 0; body < scene.picks.size(); ++body) {
+        const PickId& pick = scene.picks[body];
+        const Instance* instance = findInstance(m_workspace.project(), pick.instance);
+        const bool isBase = !instance || instance->variant == 0;
+        if (pick.asset != asset()->id || !isBase || pick.fragment >= isMarked.size()) continue;
+        if (!isMarked[pick.fragment] || (scene.appearances[body].marks & kHidden) != 0) continue;
+        const Vec3 centre = scene.origin + Vec3(glm::vec3(scene.poses[body].position)) + explodeOffset(scene, body);
+        if (const std::optional<QPointF> at = m_viewport.pointOf(centre)) paintMark(painter, *at, colourOf(m_settings));
+    }
+}
+
+void BondPaintTool::paint(QPainter& painter, QSize) const {
+    if (!asset()) return;
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintMarks(painter);
+    painter.setBrush(Qt::NoBrush);
+    const bool isErasing = m_isPressed ? m_isErasing : m_settings.isErasing;
+    const QColor colour = isErasing ? kNeutralPaint : colourOf(m_settings);
+    if (!m_drawn.empty()) {
+        QPolygonF line(m_drawn.begin(), m_drawn.end());
+        if (line.size() == 1) line.push_back(line.front());
+        QColor fill = colour;
+        fill.setAlpha(kPaintAlpha);
+        painter.setPen(QPen(fill, 2.0 * m_radiusPixels, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.drawPolyline(line);
+    }
+    if (!m_pointer) return;
+    painter.setPen(QPen(kPaintUnderline, 4.0));
+    painter.drawEllipse(*m_pointer, m_radiusPixels, m_radiusPixels);
+    painter.setPen(QPen(colour, 2.0, isErasing ? Qt::DashLine : Qt::SolidLine));
+    painter.drawEllipse(*m_pointer, m_radiusPixels, m_radiusPixels);
+}
+
+}  // namespace rubble
+
+#include "moc_BondPaintTool.cpp"
