@@ -28,12 +28,13 @@ AssetModel projectileModel(const Polytope& hull, const SceneOptions& options) {
     return model;
 }
 
-/// The state of one of the scene bodies that a body is: its frame is that of its fragment.
-BodyState ofPart(BodyState state, const PlayBody& body, std::size_t part) {
-    if (!isPartial(body)) return state;
+/// Calls visit(fragment, offset) for each solid that a body consists of: itself, or the fragments that are bonded in it.
+/// kNone: the whole. `offset`, m, is that of the solid's frame in the body's.
+template <class Visit>
+void forEachSolid(const PlayBody& body, const Visit& visit) {
+    if (!isPartial(body)) return visit(body.fragment, Vec3(0.0));
     const std::uint32_t first = body.asset->fractureOf(body.fragment)->first;
-    state.pose.position += state.pose.orientation * body.asset->fragments[first + body.nodes[part]].offset;
-    return state;
+    for (const std::uint32_t node : body.nodes) visit(first + node, body.asset->fragments[first + node].offset);
 }
 
 /// The pose of a body, shrunk by `fade` in [0, 1].
@@ -115,17 +116,15 @@ std::size_t SessionSceneBuilder::modelOf(const Slot& slot) {
     return m_models.size() - 1;
 }
 
-/// The scene bodies that a body is: one, or those of the fragments that it consists of. None without a slot.
-std::vector<std::uint32_t> SessionSceneBuilder::sceneIndicesOf(const PlayBody& body) const {
-    if (body.origin >= m_slots.size()) return {};
-    for (const Slot& slot : m_slots[body.origin]) {
-        if (slot.asset != body.asset || slot.hull != body.hull || slot.first == kNone) continue;
-        if (!isPartial(body)) return {body.fragment == kNone ? slot.first : slot.first + body.fragment + 1};
-        std::vector<std::uint32_t> indices = fragmentsOf(body);
-        for (std::uint32_t& index : indices) index += slot.first + 1;
-        return indices;
-    }
-    return {};
+/// The slot of a body's asset or hull; null if it has none yet.
+const SessionSceneBuilder::Slot* SessionSceneBuilder::slotOf(const PlayBody& body) const {
+    if (body.origin >= m_slots.size()) return nullptr;
+    const Slots& slots = m_slots[body.origin];
+    const auto isIts = [&](const Slot& slot) {
+        return slot.asset == body.asset && slot.hull == body.hull && slot.first != kNone;
+    };
+    const auto found = std::ranges::find_if(slots, isIts);
+    return found != slots.end() ? &*found : nullptr;
 }
 
 /// Writes the bodies' poses; false if a body has no slot yet.
@@ -133,14 +132,17 @@ bool SessionSceneBuilder::writePoses(const Session& session, RenderScene& scene)
     for (BodyAppearance& appearance : scene.appearances) appearance.marks = kHidden;
     for (const PlayBody& body : session.bodies()) {
         if (body.role == PlayRole::Ground) continue;
-        const std::vector<std::uint32_t> indices = sceneIndicesOf(body);
-        if (indices.empty()) return false;
+        const Slot* const slot = slotOf(body);
+        if (slot == nullptr) return false;
         const BodyState state = session.world().state(body.body);
         const double fade = session.fadeOf(body);
-        for (std::size_t k = 0; k < indices.size(); ++k) {
-            scene.poses[indices[k]] = poseOf(ofPart(state, body, k), fade, scene.origin);
-            scene.appearances[indices[k]].marks = 0;
-        }
+        forEachSolid(body, [&](std::uint32_t fragment, Vec3 offset) {
+            BodyState solid = state;
+            solid.pose.position += solid.pose.orientation * offset;
+            const std::uint32_t index = slot->first + (fragment == kNone ? 0 : fragment + 1);
+            scene.poses[index] = poseOf(solid, fade, scene.origin);
+            scene.appearances[index].marks = 0;
+        });
     }
     return true;
 }
@@ -173,9 +175,11 @@ std::vector<BodyTint> SessionSceneBuilder::tintsOf(const Session& session) const
     for (const PlayBody& body : session.bodies()) {
         if (body.role == PlayRole::Ground) continue;
         const bool isAsleep = session.world().state(body.body).asleep;
-        for (const std::uint32_t index : sceneIndicesOf(body)) {
+        const std::uint32_t first = slotOf(body)->first;
+        forEachSolid(body, [&](std::uint32_t fragment, Vec3) {
+            const std::uint32_t index = first + (fragment == kNone ? 0 : fragment + 1);
             tints.push_back({index, body.number, body.body, isAsleep});
-        }
+        });
     }
     return tints;
 }
@@ -223,7 +227,10 @@ void SessionSceneBuilder::addOverlays(const Session& session, RenderScene& scene
     }
     const std::vector<BodyTint> tints = tintsOf(session);
     if (m_overlays.hasBoxes) {
-        for (const BodyTint& body : tints) addBodyBox(scene, session.world().box(body.id), body.body);
+        for (std::size_t k = 0; k < tints.size(); ++k) {  // of several fragments of a body, the first
+            if (k > 0 && tints[k].number == tints[k - 1].number) continue;
+            addBodyBox(scene, session.world().box(tints[k].id), tints[k].body);
+        }
     }
     for (const BodyTint& body : tints) {
         scene.appearances[body.body].outside = m_layout.appearances[body.body].outside;
@@ -284,7 +291,7 @@ void SessionSceneBuilder::layOut(const Session& session) {
             addSlot(session, origin, {.asset = m_scene->assets.at({playOrigin.asset, playOrigin.variant})});
     }
     for (const PlayBody& body : session.bodies()) {
-        if (body.role == PlayRole::Ground || !sceneIndicesOf(body).empty()) continue;
+        if (body.role == PlayRole::Ground || slotOf(body) != nullptr) continue;
         addSlot(session, body.origin, {.asset = body.asset, .hull = body.hull});
     }
     applyColours();

@@ -62,7 +62,7 @@ private:
 
     std::shared_ptr<RenderScene> freeScene();
     std::shared_ptr<RenderScene> posedScene(const Session& session);
-    std::vector<std::uint32_t> sceneIndicesOf(const PlayBody& body) const;
+    const Slot* slotOf(const PlayBody& body) const;
     bool writePoses(const Session& session, RenderScene& scene) const;
     void addOverlays(const Session& session, RenderScene& scene);
     void addToldDust(const Session& session, RenderScene& scene) const;

@@ -4,6 +4,7 @@
 
 #include "core/asset/project/FragmentColours.h"
 #include "tests/support/files/TestImages.h"
+#include "tests/support/play/BondedWalls.h"
 #include "tests/support/play/Sessions.h"
 
 using namespace rubble;
@@ -118,6 +119,30 @@ private slots:
         QVERIFY(drawn.session.bodies().back().fragment >= 4);
         QCOMPARE(faultOf(*after, drawn.session), QString());
         QCOMPARE(geometriesOf(*after), geometriesOf(*before));
+    }
+    void bondedBodiesShowTheirFragments() {
+        Drawn drawn(test::bondedWall(60));
+        const auto before = drawn.scene();
+        QCOMPARE(shownBodies(*before), std::vector<std::uint32_t>{0});  // the whole
+        addInput(drawn.session, ShotInput{"ball", test::ballAtWall()});
+        const auto after = drawn.sceneAtStep(60);
+        const PlayAsset& asset = test::onlyAsset(*drawn.played);
+        const PlayBody& wall = test::wallOf(drawn.session);
+        QVERIFY(wall.nodes.size() > 30 && wall.nodes.size() < 60);
+        std::size_t ofWall = 0, fragments = 0;
+        for (const std::uint32_t k : shownBodies(*after)) {
+            const PlayBody* const body = bodyOf(drawn.session, after->picks[k]);
+            QVERIFY(body != nullptr);
+            if (body->asset == nullptr) continue;
+            ++fragments;
+            if (body != &wall) continue;
+            ++ofWall;
+            const Vec3 place = Vec3(0.0, 1.5, 0.0) + asset.fragments[after->picks[k].fragment].offset;
+            QVERIFY(glm::distance(Vec3(after->poses[k].position), place - after->origin) < 1e-5);
+        }
+        QCOMPARE(ofWall, wall.nodes.size());
+        QCOMPARE(fragments, asset.fragments.size());
+        QCOMPARE(geometriesOf(*after).front(), geometriesOf(*before).front());
     }
     void projectilesAreAdded() {
         Project project = floatingBlock(5);
