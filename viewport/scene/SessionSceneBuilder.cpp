@@ -28,7 +28,7 @@ AssetModel projectileModel(const Polytope& hull, const SceneOptions& options) {
     return model;
 }
 
-/// Calls visit(fragment, offset) for each solid that a body consists of: itself, or the fragments that are bonded in it.
+/// Calls visit(fragment, offset) for each solid of a body: itself, or the fragments that are bonded in it.
 /// kNone: the whole. `offset`, m, is that of the solid's frame in the body's.
 template <class Visit>
 void forEachSolid(const PlayBody& body, const Visit& visit) {

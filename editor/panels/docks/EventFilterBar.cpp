@@ -6,7 +6,7 @@
 #include "editor/widgets/ProjectRange.h"
 #include "editor/widgets/appearance/EventAppearance.h"
 
-#include <QGridLayout>
+#include <QBoxLayout>
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -29,10 +29,18 @@ EventFilterBar::EventFilterBar(QWidget* parent)
       m_energy(new NumberField),
       m_material(new QComboBox),
       m_reset(panelButton({}, tr("Show All"), tr("Show all events"), this)),
-      m_rows(new QGridLayout(this)) {
-    m_rows->setContentsMargins(kSpacing, 2, kSpacing, 2);
-    m_rows->setSpacing(kSpacing);
+      m_first(new QHBoxLayout),
+      m_second(new QHBoxLayout) {
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(kSpacing, 2, kSpacing, 2);
+    rows->setSpacing(kSpacing);
+    for (QHBoxLayout* row : {m_first, m_second}) {
+        row->setSpacing(kSpacing);
+        rows->addLayout(row);
+    }
     makeFields();
+    m_first->addWidget(m_kinds);
+    m_first->addWidget(m_text, 1);
     m_reset->setObjectName("event-show-all");
     m_reset->setEnabled(false);
     connect(m_reset, &QToolButton::clicked, this, [this] {
@@ -107,15 +115,9 @@ void EventFilterBar::makeFields() {
 
 void EventFilterBar::arrange(bool isNarrow) {
     m_isNarrow = isNarrow;
-    for (QWidget* field : std::initializer_list<QWidget*>{m_kinds, m_text, m_energy, m_material, m_reset}) {
-        m_rows->removeWidget(field);
-    }
-    m_rows->addWidget(m_kinds, 0, 0);
-    m_rows->addWidget(m_text, 0, 1, 1, isNarrow ? 2 : 1);
-    m_rows->addWidget(m_energy, isNarrow ? 1 : 0, isNarrow ? 0 : 2);
-    m_rows->addWidget(m_material, isNarrow ? 1 : 0, isNarrow ? 1 : 3);
-    m_rows->addWidget(m_reset, isNarrow ? 1 : 0, isNarrow ? 2 : 4);
-    m_rows->setColumnStretch(1, 1);
+    const std::initializer_list<QWidget*> fields{m_energy, m_material, m_reset};
+    for (QWidget* field : fields) (isNarrow ? m_second : m_first)->addWidget(field);
+    m_second->setStretchFactor(m_material, 1);
 }
 
 void EventFilterBar::resizeEvent(QResizeEvent* event) {

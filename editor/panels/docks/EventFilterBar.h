@@ -6,7 +6,7 @@
 #include <QWidget>
 
 class QComboBox;
-class QGridLayout;
+class QHBoxLayout;
 class QLineEdit;
 class QToolButton;
 
@@ -47,7 +47,8 @@ private:
     NumberField* m_energy;
     QComboBox* m_material;
     QToolButton* m_reset;
-    QGridLayout* m_rows;
+    QHBoxLayout* m_first;
+    QHBoxLayout* m_second;  // empty if the bar is wide
     bool m_isNarrow = false;
 };
 

@@ -20,7 +20,7 @@ private slots:
         row("wall and ground hit each other", EventKind::Impact, "ground");
         row("wall was hit", EventKind::Impact, "");
         row("3 bond(s) of wall broke", EventKind::Bonds, "", 3);
-        row("A part of wall came free", EventKind::Detached, "");
+        row("wall came off", EventKind::Detached, "");
         row("wall broke into 40 fragment(s)", EventKind::Broken, "", 40);
         row("wall broke into 40 fragment(s), hit by box", EventKind::Broken, "box", 40);
         row("wall came to rest", EventKind::Settled, "");
