@@ -71,12 +71,17 @@ std::optional<GizmoHandle> constrainedHandle(int key, bool isPlane, bool isRotat
 TransformTool::TransformTool(Workspace& workspace, ViewportWidget& viewport)
     : ViewportTool(&viewport), m_workspace(workspace), m_viewport(viewport) {
     connect(&workspace.document(), &Document::changed, this, [this](const Changes& changes) {
-        // The starting state of the drag is gone.
-        if (m_drag && (changes.isUndoOrRedo || changes.isEverything || movable() != m_drag->instances)) m_drag.reset();
-        emit changed();
+        if (m_drag && (changes.isUndoOrRedo || changes.isEverything)) finish();  // its starting state is gone
+        endIfOthersAreSelected();
     });
-    connect(&workspace.selection(), &Selection::instancesChanged, this, &TransformTool::changed);
-    connect(&workspace.selection(), &Selection::subjectChanged, this, &TransformTool::changed);
+    // At once: a drag must not find out by its own next change, in the middle of it.
+    connect(&workspace.selection(), &Selection::instancesChanged, this, &TransformTool::endIfOthersAreSelected);
+    connect(&workspace.selection(), &Selection::subjectChanged, this, &TransformTool::endIfOthersAreSelected);
+}
+
+void TransformTool::endIfOthersAreSelected() {
+    if (m_drag && movable() != m_drag->instances) return finish();
+    emit changed();
 }
 
 void TransformTool::setOn(bool isOn) {

@@ -84,6 +84,7 @@ private:
     void applyTyped();
     void constrain(GizmoHandle handle, Qt::KeyboardModifiers modifiers);
     void finish();
+    void endIfOthersAreSelected();
 
     Workspace& m_workspace;
     ViewportWidget& m_viewport;

@@ -125,6 +125,27 @@ private slots:
         QTest::keyClick(&viewport(), Qt::Key_Return);
         QVERIFY(std::abs(findInstance(project(), 11)->pose.orientation.y - std::sqrt(0.5)) < 1e-12);
     }
+    void otherSelectionEndsADrag_data() {
+        QTest::addColumn<bool>("isOtherKind");
+        QTest::newRow("another instance") << false;
+        QTest::newRow("an asset") << true;
+    }
+    void otherSelectionEndsADrag() {
+        QFETCH(const bool, isOtherKind);
+        select({11});
+        const Vec3 before = placeOf(11);
+        const QPoint at = viewport().rect().center();
+        moveTo(at);
+        QTest::keyClick(&viewport(), Qt::Key_G);
+        QVERIFY(gizmo().isDragging());
+        if (isOtherKind)
+            window().workspace().selection().setSubject(Part::Asset);
+        else
+            select({12});
+        QVERIFY(!gizmo().isDragging());
+        moveTo(at + QPoint(50, 10));
+        QCOMPARE(placeOf(11), before);
+    }
     void keysGoToTheViewUnderThePointer() {
         auto* tree = window().findChild<ProjectTree*>();
         tree->view().setFocus();
