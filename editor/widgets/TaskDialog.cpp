@@ -31,6 +31,8 @@ TaskDialog::TaskDialog(const QString& label, QWidget* parent)
     setValue(0);
 }
 
+void TaskDialog::done(int /*result*/) { emit canceled(); }
+
 void TaskDialog::runAndWait(const std::function<void(const TaskContext&)>& task) {
     TaskContext context;
     context.threads = availableProcessors();

@@ -18,6 +18,9 @@ class TaskDialog : public QProgressDialog {
 public:
     TaskDialog(const QString& label, QWidget* parent);
 
+    /// Cancels the task instead: hidden, the dialog would let its window be closed while the task uses it.
+    void done(int result) override;
+
     /// Returns what `task` returns, a Result; outOfMemory() where memory runs out. Cancel is signalled to the task by
     /// its TaskContext.
     template <class Outcome>

@@ -69,6 +69,26 @@ private slots:
         QVERIFY(wasOnScreen);
         QVERIFY(!QApplication::activeModalWidget());
     }
+    void closedDialogBlocksTheWindowUntilTheTaskEnds_data() {
+        QTest::addColumn<bool>("isClosed");
+        QTest::newRow("closed") << true;
+        QTest::newRow("rejected") << false;
+    }
+    void closedDialogBlocksTheWindowUntilTheTaskEnds() {
+        QFETCH(const bool, isClosed);
+        QPushButton button("Close");
+        button.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&button, kPatience));
+        bool wasVisible = false, wasCancelled = false;
+        runTask(button, std::chrono::milliseconds(400), [&](TaskDialog& dialog) {
+            for (int time = 0; time < 2; ++time) isClosed ? static_cast<void>(dialog.close()) : dialog.reject();
+            wasVisible = dialog.isVisible() && QApplication::activeModalWidget() == &dialog;
+            wasCancelled = dialog.wasCanceled();
+        });
+        QVERIFY(wasVisible);
+        QVERIFY(wasCancelled);
+        QVERIFY(!QApplication::activeModalWidget());
+    }
 };
 
 RUBBLE_TEST_WITH(TaskDialogTest, QApplication)
