@@ -1,8 +1,8 @@
 #pragma once
 
-#include "editor/canvas/tools/BrushSize.h"
 #include "editor/canvas/tools/CanvasTool.h"
 #include "editor/commands/BondStrokes.h"
+#include "editor/widgets/BrushSize.h"
 
 #include <optional>
 

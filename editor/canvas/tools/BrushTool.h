@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/fracture/kinds/DensityImage.h"
-#include "editor/canvas/tools/BrushSize.h"
 #include "editor/canvas/tools/CanvasTool.h"
 #include "editor/commands/ImageBrush.h"
+#include "editor/widgets/BrushSize.h"
 
 #include <QImage>
 

@@ -86,8 +86,8 @@ void AssetPage::buildAsset(Section& section) {
         [](Asset& asset, const QString& entered) { asset.name = entered.trimmed().toStdString(); });
     m_material = section.addRow(tr("Material"), new QComboBox, tr("Material of the asset"));
     m_form.bind(m_material, tr("Set Material"), &Asset::material);
-    buildThreshold(section);
     buildBreakAs(section);
+    buildThreshold(section);
     auto* scale =
         section.addRow(tr("Inside UVs"), new NumberField, tr("Texture repeats per metre on fracture surfaces"));
     scale->setFormat(Units::perMetre());
@@ -178,8 +178,16 @@ void AssetPage::listSources() {
     setItems(*m_sources, sources);
 }
 
-/// Shows the formula of a derived threshold, or lets the threshold be typed.
+/// Shows the formula of a derived threshold, or lets the threshold be typed. Bonds have strengths instead, which follow
+/// from the contact time unless they are entered.
 void AssetPage::showThreshold(const Asset& asset) {
+    const bool isBonded = asset.breakAs == BreakAs::Bonded;
+    m_asset->setRowVisible(m_threshold, !isBonded);
+    m_asset->setRowVisible(m_sources, !isBonded);
+    if (isBonded) {
+        m_derivation->hide();
+        return m_asset->setRowVisible(m_contactTime, !asset.bonding.impulsePerArea);
+    }
     const Material& material = *findMaterial(m_document.project(), asset.material);
     const bool isDerived = derivedThreshold(asset, material).has_value();
     m_threshold->setEnabled(!isDerived);

@@ -121,11 +121,12 @@ void FragmentSection::refresh() {
     if (m_selection.fragments().isEmpty()) return;
     const std::vector<BreakingFragment> fragments = selected();
     const bool doBreak = !fragments.empty();
-    m_isOwn->setVisible(doBreak);
-    setRowVisible(m_threshold, doBreak);
+    const bool areBonded = !selectedBonded().empty();
+    m_isOwn->setVisible(doBreak && !areBonded);
+    setRowVisible(m_threshold, doBreak && !areBonded);
     m_note->setText(doBreak ? tr("%Ln selected fragment(s) break further.", nullptr, static_cast<int>(fragments.size()))
                             : tr("None of the selected fragments breaks further. Fracture them, or add a level."));
-    m_neverBreaks->setVisible(!selectedBonded().empty());
+    m_neverBreaks->setVisible(areBonded);
     m_bondedForm.refresh();
     if (!doBreak) return;
     m_form.refresh();

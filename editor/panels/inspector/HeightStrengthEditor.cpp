@@ -1,58 +1,41 @@
 #include "editor/panels/inspector/HeightStrengthEditor.h"
 
-#include "editor/panels/inspector/NumberDelegate.h"
 #include "editor/widgets/Buttons.h"
 #include "editor/widgets/ProjectRange.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QTableView>
 #include <QToolButton>
-#include <QToolTip>
 #include <QVBoxLayout>
-
-#include <algorithm>
 
 namespace rubble {
 
 namespace {
 
-constexpr int kMaxVisibleStrengths = 6;
-constexpr int kStrengthPadding = 8;  // pixels
+constexpr int kMostVisibleStrengths = 6;
 
 }  // namespace
 
 HeightStrengthEditor::HeightStrengthEditor(Document& document, QWidget* parent)
-    : QWidget(parent), m_model(new HeightStrengthModel(document, this)), m_view(new QTableView(this)) {
-    m_view->setModel(m_model);
+    : QWidget(parent), m_model(new HeightStrengthModel(document, this)) {
     const auto prepare = [this](NumberField& field, int column) {
         const bool isHeight = column == HeightStrengthModel::Height;
         if (isHeight) field.setFormat(m_model->units().lengths());
         field.setRange(fieldRange(isHeight ? ProjectNumber::BondStrengthHeight : ProjectNumber::BondStrength));
     };
-    m_view->setItemDelegate(new NumberDelegate(prepare, m_view));
+    m_view = new NumberTable(*m_model, prepare, this);
     m_view->setAccessibleName(tr("Strength by Height"));
     m_view->setToolTip(tr("Multiply the strength of bonds at a height above the lowest point of the outline"));
-    m_view->setTabKeyNavigation(false);
-    m_view->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
-                            QAbstractItemView::AnyKeyPressed);
-    m_view->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    m_view->horizontalHeader()->setHighlightSections(false);
     m_view->verticalHeader()->hide();
-    m_view->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    m_view->verticalHeader()->setDefaultSectionSize(m_view->fontMetrics().height() + kStrengthPadding);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
     layout->addWidget(buttonRow());
     layout->addWidget(m_view);
     connect(m_model, &HeightStrengthModel::modelReset, this, &HeightStrengthEditor::fitHeight);
-    connect(m_model, &HeightStrengthModel::refused, this, [this](const QString& sentence) {
-        const QRect place = m_view->visualRect(m_view->currentIndex());
-        QToolTip::showText(m_view->viewport()->mapToGlobal(place.bottomLeft()), sentence, m_view);
-        emit refused(sentence);
-    });
+    connect(m_model, &HeightStrengthModel::refused, m_view, &NumberTable::showRefusal);
+    connect(m_model, &HeightStrengthModel::refused, this, &HeightStrengthEditor::refused);
     fitHeight();
 }
 
@@ -73,22 +56,16 @@ QWidget* HeightStrengthEditor::buttonRow() {
         m_model->refresh();
         if (added >= 0) m_view->setCurrentIndex(m_model->index(added, HeightStrengthModel::Factor));
     });
-    connect(m_remove, &QToolButton::clicked, this, [this] {
-        std::vector<int> rows;
-        for (const QModelIndex& index : m_view->selectionModel()->selectedIndexes()) rows.push_back(index.row());
-        m_model->removeStrengths(std::move(rows));
-    });
+    connect(m_remove, &QToolButton::clicked, this, [this] { m_model->removeStrengths(m_view->selectedRows()); });
     return row;
 }
 
-/// Fits the height to the rows, up to kMaxVisibleStrengths.
+/// Without a row, the table is hidden.
 void HeightStrengthEditor::fitHeight() {
-    const int rows = std::min(m_model->rowCount(), kMaxVisibleStrengths);
-    const int rowHeight = m_view->verticalHeader()->defaultSectionSize();
-    m_view->setFixedHeight(rows * rowHeight + m_view->horizontalHeader()->sizeHint().height() +
-                           2 * m_view->frameWidth());
-    m_view->setVisible(rows > 0);
-    m_remove->setEnabled(rows > 0);
+    const bool hasRows = m_model->rowCount() > 0;
+    m_view->fitHeight(0, kMostVisibleStrengths);
+    m_view->setVisible(hasRows);
+    m_remove->setEnabled(hasRows);
 }
 
 void HeightStrengthEditor::refresh(Id asset) { m_model->setAsset(asset); }

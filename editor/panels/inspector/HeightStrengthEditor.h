@@ -1,10 +1,10 @@
 #pragma once
 
+#include "editor/panels/inspector/NumberTable.h"
 #include "editor/panels/models/HeightStrengthModel.h"
 
 #include <QWidget>
 
-class QTableView;
 class QToolButton;
 
 namespace rubble {
@@ -16,7 +16,7 @@ class HeightStrengthEditor : public QWidget {
 public:
     explicit HeightStrengthEditor(Document& document, QWidget* parent = nullptr);
 
-    QTableView& view() { return *m_view; }
+    NumberTable& view() { return *m_view; }
     HeightStrengthModel& model() { return *m_model; }
     void setUnits(const Units& units) { m_model->setUnits(units); }
     /// Shows an asset's strengths as they are now.
@@ -30,7 +30,7 @@ private:
     void fitHeight();
 
     HeightStrengthModel* m_model;
-    QTableView* m_view;
+    NumberTable* m_view = nullptr;
     QToolButton* m_remove = nullptr;
 };
 

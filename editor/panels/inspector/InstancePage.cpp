@@ -109,11 +109,12 @@ void InstancePage::buildTransform(Section& section) {
 }
 
 void InstancePage::buildStrength(Section& section) {
-    auto* isOwn = new QCheckBox(tr("Override Threshold"));
-    isOwn->setToolTip(tr("Override the asset's threshold"));
-    section.addWide(isOwn);
+    m_hasThreshold = new QCheckBox(tr("Override Threshold"));
+    m_hasThreshold->setToolTip(tr("Override the asset's threshold"));
+    section.addWide(m_hasThreshold);
     m_form.bind(
-        isOwn, tr("Override Threshold"), [](const Instance& instance) { return instance.threshold.has_value(); },
+        m_hasThreshold, tr("Override Threshold"),
+        [](const Instance& instance) { return instance.threshold.has_value(); },
         [this](Instance& instance, bool isOn) {
             if (!isOn)
                 instance.threshold.reset();
@@ -186,9 +187,12 @@ void InstancePage::refresh() {
     m_instance->setRowVisible(m_name, isOne);
     m_editAsset->setEnabled(m_asset->currentIndex() >= 0);
     m_threshold->setEnabled(std::ranges::all_of(instances, [](const Instance& i) { return i.threshold.has_value(); }));
-    const bool areBonded = std::ranges::any_of(instances, [this](const Instance& i) { return isBonded(i); });
-    m_anchored->setVisible(areBonded);
-    m_strength->setRowVisible(m_bondStrength, areBonded);
+    const auto bonded = std::ranges::count_if(instances, [this](const Instance& i) { return isBonded(i); });
+    const bool doBreakWhole = bonded < std::ssize(instances);
+    m_hasThreshold->setVisible(doBreakWhole);
+    m_strength->setRowVisible(m_threshold, doBreakWhole);
+    m_anchored->setVisible(bonded > 0);
+    m_strength->setRowVisible(m_bondStrength, bonded > 0);
 }
 
 }  // namespace rubble

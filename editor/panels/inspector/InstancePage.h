@@ -41,6 +41,7 @@ private:
     QComboBox* m_asset = nullptr;
     QPushButton* m_editAsset = nullptr;
     std::array<NumberField*, 3> m_position{};
+    QCheckBox* m_hasThreshold = nullptr;
     SliderField* m_threshold = nullptr;
     Section* m_strength;
     QCheckBox* m_anchored = nullptr;

@@ -1,24 +1,18 @@
 #include "editor/panels/inspector/OutlineEditor.h"
 
-#include "editor/panels/inspector/NumberDelegate.h"
 #include "editor/widgets/Buttons.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QHeaderView>
-#include <QTableView>
 #include <QToolButton>
-#include <QToolTip>
 #include <QVBoxLayout>
-
-#include <algorithm>
 
 namespace rubble {
 
 namespace {
 
-constexpr int kMaxVisibleRows = 8;
-constexpr int kRowPadding = 8;  // pixels
+constexpr int kLeastVisiblePoints = 3;
+constexpr int kMostVisiblePoints = 8;
 
 }  // namespace
 
@@ -27,19 +21,10 @@ OutlineEditor::OutlineEditor(Document& document, QWidget* parent)
       m_document(document),
       m_model(new OutlineModel(document, this)),
       m_rings(new QComboBox(this)),
-      m_view(new QTableView(this)) {
-    m_view->setModel(m_model);
-    m_view->setItemDelegate(
-        new NumberDelegate([this](NumberField& field, int) { field.setFormat(m_model->units().lengths()); }, m_view));
+      m_view(new NumberTable(
+          *m_model, [this](NumberField& field, int) { field.setFormat(m_model->units().lengths()); }, this)) {
     m_view->setAccessibleName(tr("Outline Points"));
     m_view->setToolTip(tr("Edit a coordinate to move a point"));
-    m_view->setTabKeyNavigation(false);
-    m_view->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
-                            QAbstractItemView::AnyKeyPressed);
-    m_view->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    m_view->horizontalHeader()->setHighlightSections(false);
-    m_view->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    m_view->verticalHeader()->setDefaultSectionSize(m_view->fontMetrics().height() + kRowPadding);
     m_rings->setAccessibleName(tr("Ring"));
     m_rings->setToolTip(tr("Ring whose points are listed"));
 
@@ -52,12 +37,10 @@ OutlineEditor::OutlineEditor(Document& document, QWidget* parent)
         m_model->setRing(m_asset, static_cast<std::size_t>(row));
         m_removeHole->setEnabled(row > 0);
     });
-    connect(m_model, &OutlineModel::modelReset, this, &OutlineEditor::fitHeight);
-    connect(m_model, &OutlineModel::refused, this, [this](const QString& sentence) {
-        const QRect place = m_view->visualRect(m_view->currentIndex());
-        QToolTip::showText(m_view->viewport()->mapToGlobal(place.bottomLeft()), sentence, m_view);
-        emit refused(sentence);
-    });
+    connect(m_model, &OutlineModel::modelReset, m_view,
+            [this] { m_view->fitHeight(kLeastVisiblePoints, kMostVisiblePoints); });
+    connect(m_model, &OutlineModel::refused, m_view, &NumberTable::showRefusal);
+    connect(m_model, &OutlineModel::refused, this, &OutlineEditor::refused);
 }
 
 QWidget* OutlineEditor::buttonRow() {
@@ -75,13 +58,7 @@ QWidget* OutlineEditor::buttonRow() {
         const int current = m_view->currentIndex().row();
         m_model->insertAfter(current >= 0 ? current : m_model->rowCount() - 1);
     });
-    connect(removePoint, &QToolButton::clicked, this, [this] {
-        std::vector<int> rows;
-        for (const QModelIndex& index : m_view->selectionModel()->selectedIndexes()) rows.push_back(index.row());
-        std::ranges::sort(rows);
-        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-        m_model->removePoints(std::move(rows));
-    });
+    connect(removePoint, &QToolButton::clicked, this, [this] { m_model->removePoints(m_view->selectedRows()); });
     connect(addHole, &QToolButton::clicked, this, [this] {
         if (!m_model->addHole()) return;
         m_rings->setCurrentIndex(m_rings->count() - 1);
@@ -89,14 +66,6 @@ QWidget* OutlineEditor::buttonRow() {
     });
     connect(m_removeHole, &QToolButton::clicked, m_model, &OutlineModel::removeHole);
     return row;
-}
-
-/// Fits the height to the rows, up to kMaxVisibleRows.
-void OutlineEditor::fitHeight() {
-    const int rows = std::clamp(m_model->rowCount(), 3, kMaxVisibleRows);
-    const int rowHeight = m_view->verticalHeader()->defaultSectionSize();
-    m_view->setFixedHeight(rows * rowHeight + m_view->horizontalHeader()->sizeHint().height() +
-                           2 * m_view->frameWidth());
 }
 
 void OutlineEditor::refresh(Id asset) {

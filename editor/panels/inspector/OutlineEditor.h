@@ -1,11 +1,11 @@
 #pragma once
 
+#include "editor/panels/inspector/NumberTable.h"
 #include "editor/panels/models/OutlineModel.h"
 
 #include <QWidget>
 
 class QComboBox;
-class QTableView;
 class QToolButton;
 
 namespace rubble {
@@ -16,7 +16,7 @@ class OutlineEditor : public QWidget {
 public:
     explicit OutlineEditor(Document& document, QWidget* parent = nullptr);
 
-    QTableView& view() { return *m_view; }
+    NumberTable& view() { return *m_view; }
     OutlineModel& model() { return *m_model; }
     void setUnits(const Units& units) { m_model->setUnits(units); }
     /// Shows an asset's outline as it is now.
@@ -27,13 +27,12 @@ signals:
 
 private:
     QWidget* buttonRow();
-    void fitHeight();
 
     Document& m_document;
     Id m_asset = 0;
     OutlineModel* m_model;
     QComboBox* m_rings;
-    QTableView* m_view;
+    NumberTable* m_view;
     QToolButton* m_removeHole = nullptr;
 };
 

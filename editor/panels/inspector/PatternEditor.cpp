@@ -242,8 +242,10 @@ void PatternEditor::showPatternList() {
     m_levelSettings->setVisible(hasLevel);
     if (!hasLevel) return;
     m_form.refresh();
-    m_levelSettings->setRowVisible(m_threshold, levelThreshold(asset).has_value());
-    m_levelSettings->setRowVisible(m_bondStrength, asset.breakAs == BreakAs::Bonded);
+    const bool isBonded = asset.breakAs == BreakAs::Bonded;
+    m_hasThreshold->setVisible(!isBonded);
+    m_levelSettings->setRowVisible(m_threshold, !isBonded && levelThreshold(asset).has_value());
+    m_levelSettings->setRowVisible(m_bondStrength, isBonded);
 }
 
 void PatternEditor::refresh(Id asset, const FragmentPath& enteredFragment) {

@@ -5,20 +5,15 @@
 #include "viewport/scene/SurfacePicking.h"
 #include "viewport/widget/ViewportWidget.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace rubble {
 
 namespace {
 
-constexpr double kMinPaintRadius = 3.0;  // points, as all lengths here
-constexpr double kMaxPaintRadius = 400.0;
-constexpr double kRadiusPerStep = 1.25;
 constexpr double kAnglePerWheelStep = 120.0;  // of QWheelEvent::angleDelta()
-constexpr double kMarkRadius = 4.0;
-constexpr int kPaintAlpha = 110;  // of the stroke that is being painted, of 255
+constexpr double kMarkRadius = 4.0;           // points
+constexpr int kPaintAlpha = 110;              // of the stroke that is being painted, of 255
 const QColor kPaintUnderline(10, 14, 20, 190);
 const QColor kAnchorPaint(63, 214, 228);
 const QColor kNeverBreaksPaint(211, 165, 255);
@@ -119,7 +114,7 @@ void BondPaintTool::paintTo(QPointF pixel) {
     if (!m_path) {
         BondBrushSettings settings = m_settings;
         settings.isErasing = m_isErasing;
-        m_path.emplace(settings, m_radiusPixels * place->metresPerPixel);
+        m_path.emplace(settings, radiusPixels() * place->metresPerPixel);
     }
     m_path->extend(place->point);
     m_drawn.push_back(pixel);
@@ -163,14 +158,14 @@ void BondPaintTool::leave() {
     emit changed();
 }
 
-void BondPaintTool::setRadiusPixels(double radius) {
-    m_radiusPixels = std::clamp(radius, kMinPaintRadius, kMaxPaintRadius);
+void BondPaintTool::stepSize(double steps) {
+    m_size.step(steps);
     emit changed();
 }
 
 bool BondPaintTool::wheel(const QWheelEvent& event) {
     if (!asset() || !event.modifiers().testFlag(Qt::ControlModifier)) return false;
-    setRadiusPixels(m_radiusPixels * std::pow(kRadiusPerStep, event.angleDelta().y() / kAnglePerWheelStep));
+    stepSize(event.angleDelta().y() / kAnglePerWheelStep);
     return true;
 }
 
@@ -192,8 +187,8 @@ bool BondPaintTool::keyPress(const QKeyEvent& event) {
     if (!overridesShortcut(event)) return false;
     BondBrushSettings settings = m_settings;
     switch (event.key()) {
-        case Qt::Key_BracketLeft: setRadiusPixels(m_radiusPixels / kRadiusPerStep); break;
-        case Qt::Key_BracketRight: setRadiusPixels(m_radiusPixels * kRadiusPerStep); break;
+        case Qt::Key_BracketLeft: stepSize(-1.0); break;
+        case Qt::Key_BracketRight: stepSize(1.0); break;
         case Qt::Key_Comma: settings.strength = nextBrushStrength(settings.strength, -1); break;
         case Qt::Key_Period: settings.strength = nextBrushStrength(settings.strength, 1); break;
         case Qt::Key_Escape: cancel(); break;
@@ -251,14 +246,11 @@ void BondPaintTool::paint(QPainter& painter, QSize) const {
         if (line.size() == 1) line.push_back(line.front());
         QColor fill = colour;
         fill.setAlpha(kPaintAlpha);
-        painter.setPen(QPen(fill, 2.0 * m_radiusPixels, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.setPen(QPen(fill, 2.0 * radiusPixels(), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         painter.drawPolyline(line);
     }
     if (!m_pointer) return;
-    painter.setPen(QPen(kPaintUnderline, 4.0));
-    painter.drawEllipse(*m_pointer, m_radiusPixels, m_radiusPixels);
-    painter.setPen(QPen(colour, 2.0, isErasing ? Qt::DashLine : Qt::SolidLine));
-    painter.drawEllipse(*m_pointer, m_radiusPixels, m_radiusPixels);
+    m_size.paintRing(painter, *m_pointer, 1.0, colour, kPaintUnderline, isErasing);
 }
 
 }  // namespace rubble

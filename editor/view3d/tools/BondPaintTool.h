@@ -1,6 +1,7 @@
 #pragma once
 
 #include "editor/commands/BondStrokes.h"
+#include "editor/widgets/BrushSize.h"
 #include "viewport/widget/ViewportTool.h"
 
 #include <memory>
@@ -26,7 +27,7 @@ public:
     void setOn(bool isOn);
     const BondBrushSettings& settings() const { return m_settings; }
     void setSettings(const BondBrushSettings& settings);
-    double radiusPixels() const { return m_radiusPixels; }
+    double radiusPixels() const { return m_size.radiusPixels(); }
 
     bool press(const QMouseEvent& event) override;
     bool move(const QMouseEvent& event) override;
@@ -56,7 +57,7 @@ private:
     bool erases(Qt::KeyboardModifiers modifiers) const;
     void paintTo(QPointF pixel);
     void end();
-    void setRadiusPixels(double radius);
+    void stepSize(double steps);
     const std::vector<bool>& markedFragments(const std::shared_ptr<const Bake>& bake) const;
     void paintMarks(QPainter& painter) const;
 
@@ -71,7 +72,7 @@ private:
     ViewportWidget& m_viewport;
     bool m_isOn = false;
     BondBrushSettings m_settings;
-    double m_radiusPixels = 20.0;
+    BrushSize m_size;                  // lengths on screen in points
     std::optional<QPointF> m_pointer;  // over the active asset
     bool m_isPressed = false;
     bool m_isErasing = false;              // the stroke that is being painted

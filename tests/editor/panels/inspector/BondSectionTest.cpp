@@ -63,6 +63,16 @@ private slots:
         QCOMPARE(desk.document.undoStack().count(), 2);
         QVERIFY(desk.isRestored());
     }
+    void bondedAssetsHaveNoThreshold() {
+        BondDesk desk;
+        const auto isShown = [&](const char* name) { return desk.control<QWidget>(name).isVisible(); };
+        QVERIFY(!isShown("Threshold") && !isShown("Source") && isShown("Contact time"));
+        desk.select("Bond strength", Id{1});  // entered
+        QVERIFY(!isShown("Contact time"));
+        desk.select("Break as", BreakAs::Whole);
+        QVERIFY(isShown("Threshold") && isShown("Source"));
+        QVERIFY(desk.isRestored());
+    }
     void numbersChangeTheBonds() {
         BondDesk desk;
         desk.type("Falloff radius", "0.75");

@@ -91,9 +91,9 @@ private slots:
     void neverBreaksIsForBondedAssetsOnly() {
         FragmentDesk desk;
         desk.select({0, 3});
-        QVERIFY(desk.neverBreaks().isHidden());
+        QVERIFY(desk.neverBreaks().isHidden() && !desk.box().isHidden());
         desk.breakAs(BreakAs::Bonded);
-        QVERIFY(!desk.neverBreaks().isHidden());
+        QVERIFY(!desk.neverBreaks().isHidden() && desk.box().isHidden());
         desk.select({});
         QVERIFY(desk.section.isHidden());
     }

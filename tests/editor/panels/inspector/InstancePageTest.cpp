@@ -62,16 +62,17 @@ private slots:
             }
             qFatal("There is no check box for anchored instances.");
         };
-        QVERIFY(!anchored()->isVisible() && !desk.control<NumberField>("Bond strength").isVisible());
+        const auto hasThreshold = [&] { return desk.control<NumberField>("Threshold").isVisible(); };
+        QVERIFY(!anchored()->isVisible() && !desk.control<NumberField>("Bond strength").isVisible() && hasThreshold());
         desk.selection.setInstances(desk.document.project(), {20});  // of a bonded wall
-        QVERIFY(anchored()->isVisible());
+        QVERIFY(anchored()->isVisible() && !hasThreshold());
         anchored()->click();
         desk.type("Bond strength", "2.5");
         QVERIFY(instances[0].isAnchored && instances[0].bondStrength == 2.5);
         desk.type("Bond strength", "-1");
         QCOMPARE(instances[0].bondStrength, 2.5);
         desk.selection.setInstances(desk.document.project(), {20, 21});
-        QVERIFY(desk.control<NumberField>("Bond strength").isMixed());
+        QVERIFY(desk.control<NumberField>("Bond strength").isMixed() && hasThreshold());
         desk.type("Bond strength", "0.5");
         QVERIFY(instances[0].bondStrength == 0.5 && instances[1].bondStrength == 0.5);
         QCOMPARE(desk.document.undoStack().count(), 3);

@@ -1,4 +1,5 @@
-// Tests editor/panels/inspector/OutlineEditor.cpp and editor/panels/models/OutlineModel.cpp.
+// Tests editor/panels/inspector/OutlineEditor.cpp, editor/panels/inspector/NumberTable.cpp and
+// editor/panels/models/OutlineModel.cpp.
 #include "editor/panels/inspector/OutlineEditor.h"
 
 #include "tests/support/TestProgram.h"

@@ -91,11 +91,12 @@ private slots:
         desk.selection.setAsset(9);
         QTest::mouseClick(&desk.control<QToolButton>("Add Level"), Qt::LeftButton);
         auto& strength = desk.control<SliderField>("Bond strength of level");
-        QVERIFY(!strength.isVisible());
+        auto& hasThreshold = *desk.inspector.page().findChild<QCheckBox*>("override-level-threshold");
+        QVERIFY(!strength.isVisible() && hasThreshold.isVisible());
         Asset bonded = desk.asset();
         bonded.breakAs = BreakAs::Bonded;
         desk.document.push(modify("Break", std::move(bonded)));
-        QVERIFY(strength.isVisible());
+        QVERIFY(strength.isVisible() && !hasThreshold.isVisible());
         strength.field().setFocus();
         strength.field().selectAll();
         QTest::keyClicks(&strength.field(), "3");

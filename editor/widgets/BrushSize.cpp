@@ -1,4 +1,4 @@
-#include "editor/canvas/tools/BrushSize.h"
+#include "editor/widgets/BrushSize.h"
 
 #include <algorithm>
 #include <cmath>

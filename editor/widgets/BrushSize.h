@@ -1,12 +1,12 @@
 #pragma once
 
-#include "editor/canvas/painting/CanvasColours.h"
+#include <QColor>
 
 #include <QPainter>
 
 namespace rubble {
 
-/// The radius of a brush on the canvas, and the rings that show it.
+/// The radius of a brush on the canvas or in the 3D view, and the rings that show it.
 class BrushSize {
 public:
     double radiusPixels() const { return m_radiusPixels; }
