@@ -127,9 +127,10 @@ const SessionSceneBuilder::Slot* SessionSceneBuilder::slotOf(const PlayBody& bod
     return found != slots.end() ? &*found : nullptr;
 }
 
-/// Writes the bodies' poses; false if a body has no slot yet.
+/// Writes the bodies' poses; false if a body has no slot yet. Scenes at rest are equal, whatever they were before.
 bool SessionSceneBuilder::writePoses(const Session& session, RenderScene& scene) const {
     for (BodyAppearance& appearance : scene.appearances) appearance.marks = kHidden;
+    std::ranges::fill(scene.poses, RenderPose());
     for (const PlayBody& body : session.bodies()) {
         if (body.role == PlayRole::Ground) continue;
         const Slot* const slot = slotOf(body);
