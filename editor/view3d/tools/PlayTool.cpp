@@ -3,6 +3,7 @@
 #include "core/asset/project/Ranges.h"
 #include "editor/play/PlayController.h"
 #include "editor/widgets/Action.h"
+#include "editor/widgets/HeldKey.h"
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "viewport/widget/ViewportWidget.h"
 
@@ -123,7 +124,7 @@ bool PlayTool::keyPress(const QKeyEvent& event) {
     if (event.isAutoRepeat()) return true;
     switch (event.key()) {
         case Qt::Key_F:
-            if (m_isPointing) m_chargingSince = m_controller.thread().now();
+            if (m_isPointing && !m_chargingSince) m_chargingSince = m_controller.thread().now();
             break;
         case Qt::Key_H:
             if (m_isPointing) hammerAtPointer();
@@ -141,7 +142,7 @@ bool PlayTool::keyPress(const QKeyEvent& event) {
 
 bool PlayTool::keyRelease(const QKeyEvent& event) {
     if (!m_controller.isInPlay() || event.key() != Qt::Key_F || event.isAutoRepeat()) return false;
-    throwCharged();
+    if (!isHeld(event)) throwCharged();
     return true;
 }
 

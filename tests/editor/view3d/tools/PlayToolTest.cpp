@@ -1,12 +1,16 @@
+// Also of editor/widgets/HeldKey.cpp, which needs X11: the tests of editor/widgets do without.
 #include "editor/view3d/tools/PlayTool.h"
 
+#include "editor/widgets/HeldKey.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/PlayStage.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QApplication>
 #include <QKeyEvent>
+#include <QProcess>
 #include <QSignalSpy>
+#include <QStandardPaths>
 #include <QWheelEvent>
 
 using namespace rubble;
@@ -48,6 +52,34 @@ private slots:
         m_stage->advance(1);
         QVERIFY(m_stage->controller.lastShot());
         QVERIFY(!m_tool->charge());
+    }
+    /// As X11 reports it for a held key, if Qt does not recognize the repetition.
+    void anotherPressDoesNotRestartTheCharge() {
+        m_stage->start();
+        m_tool->enter({320.0, 240.0});
+        m_tool->keyPress(key(Qt::Key_F));
+        m_stage->advance(36);
+        m_tool->keyPress(key(Qt::Key_F));
+        QVERIFY(std::abs(*m_tool->charge() - 0.5) < 1e-9);
+    }
+    void releaseOfAHeldKeyDoesNotThrow() {
+        const QString keyboard = QStandardPaths::findExecutable("xdotool");
+        if (keyboard.isEmpty()) QSKIP("xdotool is not installed");
+        QCOMPARE(heldKeys(), std::vector<quint32>());
+        QCOMPARE(QProcess::execute(keyboard, {"keydown", "f"}), 0);
+        const std::vector<quint32> held = heldKeys();
+        QCOMPARE(held.size(), 1u);
+        m_stage->start();
+        m_tool->enter({320.0, 240.0});
+        m_tool->keyPress(key(Qt::Key_F));
+        m_tool->keyRelease(release(held.front()));
+        m_stage->advance(1);
+        QVERIFY(!m_stage->controller.lastShot() && m_tool->charge());
+        QCOMPARE(QProcess::execute(keyboard, {"keyup", "f"}), 0);
+        QCOMPARE(heldKeys(), std::vector<quint32>());
+        m_tool->keyRelease(release(held.front()));
+        m_stage->advance(1);
+        QVERIFY(m_stage->controller.lastShot() && !m_tool->charge());
     }
     void escapeCancelsTheChargeBeforeItStops() {
         m_stage->start();
@@ -106,6 +138,15 @@ private slots:
     }
 
 private:
+    static QKeyEvent release(quint32 scanCode) {
+        return {QEvent::KeyRelease, Qt::Key_F, Qt::NoModifier, scanCode, 0, 0};
+    }
+    static std::vector<quint32> heldKeys() {
+        std::vector<quint32> held;
+        for (quint32 code = 0; code < 256; ++code)
+            if (isHeld(release(code))) held.push_back(code);
+        return held;
+    }
     static QKeyEvent key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
         return {QEvent::KeyPress, key, modifiers};
     }
