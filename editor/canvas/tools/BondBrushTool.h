@@ -2,7 +2,7 @@
 
 #include "editor/canvas/tools/CanvasTool.h"
 #include "editor/commands/BondStrokes.h"
-#include "editor/widgets/BrushSize.h"
+#include "editor/widgets/input/BrushSize.h"
 
 #include <optional>
 

@@ -3,7 +3,7 @@
 #include "core/fracture/kinds/DensityImage.h"
 #include "editor/canvas/tools/CanvasTool.h"
 #include "editor/commands/ImageBrush.h"
-#include "editor/widgets/BrushSize.h"
+#include "editor/widgets/input/BrushSize.h"
 
 #include <QImage>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "editor/commands/BondStrokes.h"
-#include "editor/widgets/BrushSize.h"
+#include "editor/widgets/input/BrushSize.h"
 #include "viewport/widget/ViewportTool.h"
 
 #include <memory>

@@ -3,7 +3,7 @@
 #include "core/asset/project/Ranges.h"
 #include "editor/play/PlayController.h"
 #include "editor/widgets/Action.h"
-#include "editor/widgets/HeldKey.h"
+#include "editor/widgets/input/HeldKey.h"
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "viewport/widget/ViewportWidget.h"
 

@@ -1,7 +1,7 @@
-// Also of editor/widgets/HeldKey.cpp, which needs X11: the tests of editor/widgets do without.
+// Also of editor/widgets/input/HeldKey.cpp, which needs X11: the tests of editor/widgets do without.
 #include "editor/view3d/tools/PlayTool.h"
 
-#include "editor/widgets/HeldKey.h"
+#include "editor/widgets/input/HeldKey.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/PlayStage.h"
 #include "viewport/widget/ViewportWidget.h"

@@ -1,4 +1,4 @@
-#include "editor/widgets/HeldKey.h"
+#include "editor/widgets/input/HeldKey.h"
 
 #include <QGuiApplication>
 #include <QKeyEvent>

@@ -1,4 +1,4 @@
-#include "editor/widgets/BrushSize.h"
+#include "editor/widgets/input/BrushSize.h"
 
 #include <algorithm>
 #include <cmath>
