@@ -29,7 +29,7 @@ public:
 }  // namespace
 
 Section::Section(const QString& name, const QString& title, QWidget* parent)
-    : QWidget(parent), m_head(new QToolButton(this)), m_body(new QWidget(this)), m_rows(new QFormLayout(m_body)) {
+    : QWidget(parent), m_head(new QToolButton(this)), m_body(new QWidget(this)), m_rows(new QGridLayout(m_body)) {
     setObjectName(name);
     setTitle(title);
     m_head->setVisible(!title.isEmpty());
@@ -45,8 +45,7 @@ Section::Section(const QString& name, const QString& title, QWidget* parent)
     m_rows->setContentsMargins(title.isEmpty() ? QMargins() : QMargins(8, 4, 8, 10));
     m_rows->setVerticalSpacing(6);
     m_rows->setHorizontalSpacing(10);
-    m_rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    m_rows->setRowWrapPolicy(QFormLayout::DontWrapRows);
+    m_rows->setColumnStretch(1, 1);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -71,16 +70,26 @@ void Section::setCollapsed(bool isCollapsed) {
 
 void Section::setRowVisible(QWidget* control, bool isVisible) {
     control->setVisible(isVisible);
-    if (QWidget* label = m_rows->labelForField(control)) label->setVisible(isVisible);
+    if (QLabel* label = m_labels.value(control)) label->setVisible(isVisible);
 }
 
 void Section::setRowLabel(QWidget* control, const QString& label) {
-    if (auto* text = qobject_cast<QLabel*>(m_rows->labelForField(control))) text->setText(label);
+    if (QLabel* text = m_labels.value(control)) text->setText(label);
     control->setAccessibleName(label);
 }
 
+/// The label of a tall control is beside its top.
+void Section::addLabelled(const QString& label, QWidget* control) {
+    auto* text = new QLabel(label);
+    text->setBuddy(control);
+    const bool isTall = control->sizeHint().height() > 2 * text->sizeHint().height();
+    m_rows->addWidget(text, m_rowCount, 0, Qt::AlignLeft | (isTall ? Qt::AlignTop : Qt::AlignVCenter));
+    m_rows->addWidget(control, m_rowCount++, 1);
+    m_labels.insert(control, text);
+}
+
 void Section::nameRow(const QString& label, QWidget* control, const QString& hint) {
-    QWidget* text = m_rows->labelForField(control);
+    QLabel* text = m_labels.value(control);
     text->setToolTip(hint);
     text->setMinimumWidth(fontMetrics().averageCharWidth() * kMinLabelCharacters);
     control->setAccessibleName(label);

@@ -1,6 +1,8 @@
 #pragma once
 
-#include <QFormLayout>
+#include <QGridLayout>
+#include <QHash>
+#include <QLabel>
 #include <QScrollArea>
 #include <QToolButton>
 #include <QWidget>
@@ -20,12 +22,12 @@ public:
     /// Adds a control with its label. The hint becomes the tooltip of both, the label the control's accessible name.
     template <class Control>
     Control* addRow(const QString& label, Control* control, const QString& hint) {
-        m_rows->addRow(label, control);
+        addLabelled(label, control);
         nameRow(label, control, hint);
         return control;
     }
     /// Adds a control as wide as the section.
-    void addWide(QWidget* control) { m_rows->addRow(control); }
+    void addWide(QWidget* control) { m_rows->addWidget(control, m_rowCount++, 0, 1, 2); }
     void setRowVisible(QWidget* control, bool isVisible);
     void setRowLabel(QWidget* control, const QString& label);
 
@@ -33,11 +35,14 @@ public:
     bool isCollapsed() const { return !m_head->isChecked(); }
 
 private:
+    void addLabelled(const QString& label, QWidget* control);
     void nameRow(const QString& label, QWidget* control, const QString& hint);
 
     QToolButton* m_head;
     QWidget* m_body;
-    QFormLayout* m_rows;
+    QGridLayout* m_rows;  // a QFormLayout of Qt 6.4 writes beyond its rows after one of them was hidden
+    int m_rowCount = 0;
+    QHash<QWidget*, QLabel*> m_labels;  // by control
 };
 
 /// A frameless scroll area that scrolls `page` vertically and fits it to its width.

@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QWheelEvent>
@@ -39,6 +40,23 @@ private slots:
         QCOMPARE(label->text(), "Diameter");
         section.setRowVisible(line, false);
         QVERIFY(line->isHidden() && label->isHidden());
+    }
+    /// A QFormLayout of Qt 6.4 keeps the places of rows that are hidden, and writes there, beyond those of the rows that
+    /// are shown, when a text in it wraps: the heap was damaged.
+    void hiddenRowsHaveNoPlace() {
+        Section section("shape", "Shape");
+        auto* wrapped = new QLabel(QString("word ").repeated(100));
+        wrapped->setWordWrap(true);
+        section.addWide(wrapped);
+        std::vector<QLineEdit*> lines;
+        for (int k = 0; k < 10; ++k) lines.push_back(section.addRow(QString::number(k), new QLineEdit, ""));
+        section.resize(300, 100);
+        section.show();
+        const int shown = section.sizeHint().height();
+        for (std::size_t k = 1; k < lines.size(); ++k) section.setRowVisible(lines[k], false);
+        QCoreApplication::sendPostedEvents();  // of the layouts
+        QVERIFY(section.sizeHint().height() < shown - 8 * lines.front()->sizeHint().height());
+        QVERIFY(section.findChildren<QFormLayout*>().isEmpty());
     }
     void wheelScrollsThePanelUnlessTheBoxHasTheFocus() {
         Section section("shape", "Shape");
