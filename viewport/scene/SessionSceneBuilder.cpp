@@ -28,9 +28,8 @@ AssetModel projectileModel(const Polytope& hull, const SceneOptions& options) {
     return model;
 }
 
-/// Calls visit(fragment, offset) for each solid that a body is drawn as: itself or, if some are missing or it is to be
-/// drawn `apart`, the fragments that are bonded in it. kNone: the whole. `offset`, m, is that of the solid's frame in
-/// the body's.
+/// Calls visit(fragment, offset) for each solid that a body is drawn as: itself or, if some are missing or `isApart`,
+/// the fragments that are bonded in it. kNone: the whole. `offset`, m, is that of the solid's frame in the body's.
 template <class Visit>
 void forEachSolid(const PlayBody& body, bool isApart, const Visit& visit) {
     const bool isWhole = !isApart && !isPartial(body);

@@ -7,8 +7,8 @@
 
 namespace rubble {
 
-/// What falls without bodies and fragments, as JSON: names, also of fragments of bonded bodies, masses in kg, times in s.
-/// The session must be the one that was asked.
+/// What falls without bodies and fragments, as JSON: names, also of fragments of bonded bodies, masses in kg, times in
+/// s. The session must be the one that was asked.
 std::string wouldFallJson(const Session& session, std::span<const BodyPart> removed, const Collapse& collapse);
 
 /// Boxes that changed since a step, as JSON, in metres.

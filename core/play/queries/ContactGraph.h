@@ -13,8 +13,8 @@ struct TouchingBody {
     double up = 0.0;         // of the contact normal towards it, in [-1, 1]: 1 if it rests on the other
 };
 
-/// The contacts between all bodies of a world, as a graph of these bodies by their indices. Up is against gravity, which
-/// must not be zero.
+/// The contacts between all bodies of a world, as a graph of these bodies by their indices. Up is against gravity,
+/// which must not be zero.
 class ContactGraph {
 public:
     ContactGraph(std::span<const PlayBody> bodies, const World& world);

@@ -37,8 +37,8 @@ struct Collapse {
 Result<Collapse> wouldFall(const Session& session, std::span<const std::uint32_t> removed);
 
 /// The same where also fragments of bonded bodies may be removed, with all of their bonds. Of a held body come free, as
-/// in play, the islands without an anchor and what is beyond the span, after its collapse delay; that it may find a hold
-/// where it was does not count. Of a body that is not held, the islands are simulated like bodies.
+/// in play, the islands without an anchor and what is beyond the span, after its collapse delay; that it may find a
+/// hold where it was does not count. Of a body that is not held, the islands are simulated like bodies.
 ///
 /// Errors: BadInput also for a fragment that is not bonded in its body.
 Result<Collapse> wouldFall(const Session& session, std::span<const BodyPart> removed);
