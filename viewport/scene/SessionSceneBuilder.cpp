@@ -354,10 +354,8 @@ std::shared_ptr<const RenderScene> SessionSceneBuilder::sceneOf(const Session& s
 const PlayBody* bodyOf(const Session& session, const PickId& pick) {
     const auto isIt = [&](const PlayBody& body) {
         if (body.role == PlayRole::Ground || body.origin != pick.origin) return false;
-        if (!isPartial(body)) return body.fragment == pick.fragment;
-        const std::uint32_t first = body.asset->fractureOf(body.fragment)->first;
-        return pick.fragment != kNone && pick.fragment >= first &&
-               std::ranges::binary_search(body.nodes, pick.fragment - first);
+        if (!isPartial(body) && body.fragment == pick.fragment) return true;
+        return std::ranges::binary_search(bondedFragments(body), pick.fragment);  // also where it is drawn apart
     };
     const auto found = std::ranges::find_if(session.bodies(), isIt);
     return found != session.bodies().end() ? &*found : nullptr;

@@ -139,6 +139,7 @@ private slots:
         shown.step(0);
         QVERIFY(!isShown(0));
         for (std::uint32_t fragment = 0; fragment < 20; ++fragment) QVERIFY(isShown(1 + fragment));
+        QVERIFY(bodyOf(shown.session, shown.moment->picks[6]) == shown.session.body(1));
         const auto colourOf = [&](std::uint32_t fragment) { return shown.moment->appearances[1 + fragment].outside; };
         QCOMPARE(colourOf(0), colourOf(7));
         QVERIFY(colourOf(3) != colourOf(0) && colourOf(5) != colourOf(0) && colourOf(5) != colourOf(3));
