@@ -1,10 +1,10 @@
 #include "editor/play/PlayEngine.h"
 
 #include "core/asset/project/Ranges.h"
+#include "core/play/queries/FragmentAt.h"
 #include "core/play/queries/WouldFall.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <ranges>
 #include <utility>
@@ -298,29 +298,47 @@ void PlayEngine::setForecast(const Throw& thrown, const std::vector<BodyForecast
     m_hasForecast = true;
 }
 
-/// Asks what would fall without the body at the pointer, if that or, for a while, the scene has changed.
+/// The body at the pointer, or the fragment of a bonded one, if it can be removed.
+std::optional<BodyPart> PlayEngine::aimedPart() const {
+    const World& world = session().world();
+    const std::optional<CastHit> hit = m_hasCollapse && m_aim ? firstHit(world, m_aim->ray) : std::nullopt;
+    const PlayBody* body = hit ? session().body(static_cast<std::uint32_t>(world.tag(hit->body))) : nullptr;
+    if (body == nullptr || body->role == PlayRole::Ground) return std::nullopt;
+    BodyPart part{.body = body->number};
+    if (const std::optional<std::uint32_t> fragment = fragmentAt(world, *body, hit->point))
+        part.fragments = {*fragment};
+    return part;
+}
+
+/// Asks what would fall without the body or fragment at the pointer, if that or, for a while, the scene has changed.
 void PlayEngine::forecastCollapse() {
-    const std::optional<CastHit> hit = m_hasCollapse && m_aim ? firstHit(session().world(), m_aim->ray) : std::nullopt;
-    const PlayBody* body = hit ? session().body(static_cast<std::uint32_t>(session().world().tag(hit->body))) : nullptr;
-    if (body == nullptr || body->role == PlayRole::Ground) {
+    std::optional<BodyPart> part = aimedPart();
+    if (!part) {
         m_collapse.reset();
         return m_builder.setCollapse(std::nullopt);
     }
     const std::uint64_t step = session().stepsDone();
     const bool isRecent =
         step >= m_collapseStep && step < m_collapseStep + stepOf(kForecastInterval, session().stepLength());
-    if (m_collapse && m_collapseBody == body->number && isRecent) return;
-    const std::array removed{body->number};
-    const Result<Collapse> collapse = wouldFall(session(), removed);
+    if (m_collapse && m_collapsePart == *part && isRecent) return;
+    const Result<Collapse> collapse = wouldFall(session(), {&*part, 1});
     RUBBLE_ASSERT(collapse.hasValue());
-    m_collapseBody = body->number;
+    m_collapsePart = *part;
     m_collapseStep = step;
-    BodyCollapse shown{.removed = body->number};
-    for (const FallingIsland& island : collapse->islands)
+    BodyCollapse shown{.removed = *part};
+    std::size_t count = 0;
+    for (const FallingIsland& island : collapse->islands) {
         std::ranges::copy(island.bodies, std::back_inserter(shown.falling));
+        std::ranges::copy(island.parts, std::back_inserter(shown.fallingParts));
+        count += island.bodies.size();
+        for (const BodyPart& fallen : island.parts) count += fallen.fragments.size();
+    }
     std::ranges::sort(shown.falling);
-    m_collapse = CollapseForecast{session().nameOf(*body), shown.falling.size(), collapse->mass, collapse->first,
-                                  collapse->last};
+    const PlayBody& body = *session().body(part->body);
+    const std::string name = part->fragments.empty()
+                                 ? session().nameOf(body)
+                                 : fragmentName(body, session().origins()[body.origin], part->fragments.front());
+    m_collapse = CollapseForecast{name, count, collapse->mass, collapse->first, collapse->last};
     m_builder.setCollapse(std::move(shown));
 }
 

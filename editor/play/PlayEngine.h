@@ -84,6 +84,7 @@ private:
     void discardRecordsAfter(std::uint64_t step);
     std::vector<PlayBranch> branches() const;
     void orderForecast(const std::optional<Throw>& thrown);
+    std::optional<BodyPart> aimedPart() const;
     void forecastCollapse();
 
     struct Aim {
@@ -102,7 +103,7 @@ private:
     std::optional<Aim> m_aim;
     bool m_hasCollapse = false;  // the collapse overlay is on
     std::optional<CollapseForecast> m_collapse;
-    std::uint32_t m_collapseBody = 0;      // the number of its body
+    BodyPart m_collapsePart;               // without which it is
     std::uint64_t m_collapseStep = 0;      // of which it is
     bool m_hasHeat = false;                // the heat overlay is on: it shows what the aimed throw will do
     std::optional<Throw> m_forecastThrow;  // of the newest order

@@ -60,10 +60,10 @@ struct GrabbedBody {
     bool isTooHeavy() const { return force < weight; }
 };
 
-/// What would fall without the body at the pointer.
+/// What would fall without the body, or the bonded fragment, at the pointer.
 struct CollapseForecast {
-    std::string name;        // of that body
-    std::size_t bodies = 0;  // that would fall
+    std::string name;        // of that body or fragment
+    std::size_t bodies = 0;  // that would fall, with the fragments
     double mass = 0.0;       // kg, of these
     double first = 0.0;      // s, until the first and the last of them have fallen on what stands below; infinite where
     double last = 0.0;       // there is nothing

@@ -29,6 +29,16 @@ double heatOf(std::span<const BodyHeat> heat, std::uint32_t number) {
     return found != heat.end() && found->body == number ? found->value : 0.0;
 }
 
+bool isIn(const BodyPart& part, const BodyTint& body) {
+    if (part.body != body.number) return false;
+    return part.fragments.empty() || std::ranges::binary_search(part.fragments, body.fragment);
+}
+
+bool isFalling(const BodyCollapse& collapse, const BodyTint& body) {
+    return std::ranges::binary_search(collapse.falling, body.number) ||
+           std::ranges::any_of(collapse.fallingParts, [&](const BodyPart& part) { return isIn(part, body); });
+}
+
 /// Derived from the number of the island's first body, which is unique: the colour stays while that body is in the
 /// island.
 Colour islandColour(std::uint32_t root, const std::vector<std::uint32_t>& numbers) {
@@ -36,6 +46,11 @@ Colour islandColour(std::uint32_t root, const std::vector<std::uint32_t>& number
 }
 
 }  // namespace
+
+bool BodyCollapse::hasPartOf(std::uint32_t body) const {
+    const auto isPart = [&](const BodyPart& part) { return part.body == body && !part.fragments.empty(); };
+    return isPart(removed) || std::ranges::any_of(fallingParts, isPart);
+}
 
 Colour heatColour(double value) {
     return value >= 1.0 ? kBreaks : rampColour(kColdest + (1.0 - kColdest) * std::max(value, 0.0));
@@ -64,9 +79,9 @@ void tintBodies(RenderScene& scene, std::span<const BodyTint> bodies, const Sess
         };
         if (overlays.hasSleep && body.isAsleep) tint(kAsleep);
         if (collapse == nullptr) continue;
-        if (body.number == collapse->removed) {
+        if (isIn(collapse->removed, body)) {
             paint(kRemoved);
-        } else if (std::ranges::binary_search(collapse->falling, body.number)) {
+        } else if (isFalling(*collapse, body)) {
             paint(kBreaks);
         } else {
             tint(kStanding);

@@ -18,6 +18,7 @@ struct BodyTint {
     std::uint32_t number = 0;  // in the session
     BodyId id;
     bool isAsleep = false;
+    std::uint32_t fragment = kNone;  // of its asset's bake; kNone: the whole
 };
 
 /// Colours the bodies of a scene by island or heat, and sleeping ones blue, as the overlays say. `heat`: by ascending

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/play/scene/PlayBody.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -15,7 +17,7 @@ struct PlayOverlays {
     bool hasSleep = false;     // colours sleeping bodies blue
     bool hasHeat = false;      // colours bodies by impact ÷ threshold: see heatColour()
     bool hasHulls = false;     // collision hulls
-    bool hasCollapse = false;  // colours the body at the pointer, and what would fall without it
+    bool hasCollapse = false;  // colours the body at the pointer, and what would fall without it, also fragments
     bool operator==(const PlayOverlays&) const = default;
 };
 
@@ -25,10 +27,14 @@ struct BodyHeat {
     double value = 0.0;
 };
 
-/// A body, and those that would fall if it were removed.
+/// A body or some of its fragments, and what would fall if it were removed.
 struct BodyCollapse {
-    std::uint32_t removed = 0;           // its number
-    std::vector<std::uint32_t> falling;  // numbers, ascending
+    BodyPart removed;
+    std::vector<std::uint32_t> falling;       // numbers, ascending
+    std::vector<BodyPart> fallingParts = {};  // of other bodies, ascending
+
+    /// Whether fragments of a body are shown, and not all of it.
+    bool hasPartOf(std::uint32_t body) const;
 };
 
 inline constexpr double kDeepOverlap = 0.005;  // m: more than resting contacts reach

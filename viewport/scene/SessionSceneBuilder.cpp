@@ -28,13 +28,15 @@ AssetModel projectileModel(const Polytope& hull, const SceneOptions& options) {
     return model;
 }
 
-/// Calls visit(fragment, offset) for each solid of a body: itself, or the fragments that are bonded in it.
-/// kNone: the whole. `offset`, m, is that of the solid's frame in the body's.
+/// Calls visit(fragment, offset) for each solid that a body is drawn as: itself or, if some are missing or `isApart`,
+/// the fragments that are bonded in it. kNone: the whole. `offset`, m, is that of the solid's frame in the body's.
 template <class Visit>
-void forEachSolid(const PlayBody& body, const Visit& visit) {
-    if (!isPartial(body)) return visit(body.fragment, Vec3(0.0));
-    const std::uint32_t first = body.asset->fractureOf(body.fragment)->first;
-    for (const std::uint32_t node : body.nodes) visit(first + node, body.asset->fragments[first + node].offset);
+void forEachSolid(const PlayBody& body, bool isApart, const Visit& visit) {
+    const bool isWhole = !isApart && !isPartial(body);
+    const std::vector<std::uint32_t> fragments = isWhole ? std::vector<std::uint32_t>() : bondedFragments(body);
+    if (fragments.empty()) return visit(body.fragment, Vec3(0.0));
+    const Vec3 frame = frameOf(body);
+    for (const std::uint32_t fragment : fragments) visit(fragment, body.asset->fragments[fragment].offset - frame);
 }
 
 /// The pose of a body, shrunk by `fade` in [0, 1].
@@ -127,6 +129,11 @@ const SessionSceneBuilder::Slot* SessionSceneBuilder::slotOf(const PlayBody& bod
     return found != slots.end() ? &*found : nullptr;
 }
 
+/// Whether the fragments of a bonded body are drawn instead of the body, since some of them are marked.
+bool SessionSceneBuilder::isDrawnApart(const PlayBody& body) const {
+    return m_overlays.hasCollapse && m_collapse && m_collapse->hasPartOf(body.number);
+}
+
 /// Writes the bodies' poses; false if a body has no slot yet. Scenes at rest are equal, whatever they were before.
 bool SessionSceneBuilder::writePoses(const Session& session, RenderScene& scene) const {
     for (BodyAppearance& appearance : scene.appearances) appearance.marks = kHidden;
@@ -137,7 +144,7 @@ bool SessionSceneBuilder::writePoses(const Session& session, RenderScene& scene)
         if (slot == nullptr) return false;
         const BodyState state = session.world().state(body.body);
         const double fade = session.fadeOf(body);
-        forEachSolid(body, [&](std::uint32_t fragment, Vec3 offset) {
+        forEachSolid(body, isDrawnApart(body), [&](std::uint32_t fragment, Vec3 offset) {
             BodyState solid = state;
             solid.pose.position += solid.pose.orientation * offset;
             const std::uint32_t index = slot->first + (fragment == kNone ? 0 : fragment + 1);
@@ -177,9 +184,9 @@ std::vector<BodyTint> SessionSceneBuilder::tintsOf(const Session& session) const
         if (body.role == PlayRole::Ground) continue;
         const bool isAsleep = session.world().state(body.body).asleep;
         const std::uint32_t first = slotOf(body)->first;
-        forEachSolid(body, [&](std::uint32_t fragment, Vec3) {
+        forEachSolid(body, isDrawnApart(body), [&](std::uint32_t fragment, Vec3) {
             const std::uint32_t index = first + (fragment == kNone ? 0 : fragment + 1);
-            tints.push_back({index, body.number, body.body, isAsleep});
+            tints.push_back({index, body.number, body.body, isAsleep, fragment});
         });
     }
     return tints;
@@ -191,14 +198,17 @@ void SessionSceneBuilder::recordImpacts(const Session& session) {
     const double kept = session.stepsDone() == m_previousStep + 1 ? 1.0 - kCoolingRate * session.stepLength() : 0.0;
     for (BodyHeat& heat : m_impacts) heat.value *= kept;
     std::erase_if(m_impacts, [](const BodyHeat& heat) { return heat.value < kCoolestShown; });
-    for (const PlayImpact& impact : session.events().impacts) {
-        const auto hottest = std::ranges::lower_bound(m_impacts, impact.body, {}, &BodyHeat::body);
-        const double value = impact.damage / impact.threshold;
-        if (hottest == m_impacts.end() || hottest->body != impact.body)
-            m_impacts.insert(hottest, {impact.body, value});
+    const auto heatUp = [&](std::uint32_t number, double value) {
+        const auto hottest = std::ranges::lower_bound(m_impacts, number, {}, &BodyHeat::body);
+        if (hottest == m_impacts.end() || hottest->body != number)
+            m_impacts.insert(hottest, {number, value});
         else
             hottest->value = std::max(hottest->value, value);
-    }
+    };
+    // What breaks along bonds stays, and has to cool down: no more than at 1, however hard it was hit.
+    for (const PlayImpact& impact : session.events().impacts)
+        heatUp(impact.body, std::min(impact.damage / impact.threshold, 1.0));
+    for (const PlaySplit& split : session.events().splits) heatUp(split.body.number, 1.0);
 }
 
 void SessionSceneBuilder::record(const Session& session) {
@@ -344,10 +354,8 @@ std::shared_ptr<const RenderScene> SessionSceneBuilder::sceneOf(const Session& s
 const PlayBody* bodyOf(const Session& session, const PickId& pick) {
     const auto isIt = [&](const PlayBody& body) {
         if (body.role == PlayRole::Ground || body.origin != pick.origin) return false;
-        if (!isPartial(body)) return body.fragment == pick.fragment;
-        const std::uint32_t first = body.asset->fractureOf(body.fragment)->first;
-        return pick.fragment != kNone && pick.fragment >= first &&
-               std::ranges::binary_search(body.nodes, pick.fragment - first);
+        if (!isPartial(body) && body.fragment == pick.fragment) return true;
+        return std::ranges::binary_search(bondedFragments(body), pick.fragment);  // also where it is drawn apart
     };
     const auto found = std::ranges::find_if(session.bodies(), isIt);
     return found != session.bodies().end() ? &*found : nullptr;

@@ -63,6 +63,7 @@ private:
     std::shared_ptr<RenderScene> freeScene();
     std::shared_ptr<RenderScene> posedScene(const Session& session);
     const Slot* slotOf(const PlayBody& body) const;
+    bool isDrawnApart(const PlayBody& body) const;
     bool writePoses(const Session& session, RenderScene& scene) const;
     void addOverlays(const Session& session, RenderScene& scene);
     void addToldDust(const Session& session, RenderScene& scene) const;

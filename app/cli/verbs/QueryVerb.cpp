@@ -11,22 +11,26 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace rubble {
 namespace {
 
 constexpr const char* kQueryFooter =
     R"(Simulates a project for --steps, then asks:
-  would-fall      which bodies at rest come free where those of --body are removed, since their support is gone
+  would-fall      which bodies at rest come free where those of --body are removed, since their support is gone;
+                  of a bonded body, also a fragment can be removed, by its name: "wall/3.5"
   changed-boxes   where something moved, broke or came to rest since the step of --since, for navigation meshes
 
-Output of would-fall, in kg and s; first and last tell when falling bodies meet what stays, null for never:
+Output of would-fall, in kg and s; bodies are bodies and fragments; first and last tell when falling ones meet what
+stays, null for never:
   {"step":N,"removed":[s,...],"islands":[{"mass":m,"bodies":[s,...]},...],"mass":m,"first":t,"last":t}
 Output of changed-boxes, in m; boxes that overlap are merged:
   {"since":K,"step":N,"boxes":[{"min":[x,y,z],"max":[x,y,z]},...]}
 
 Examples:
   rubble-cli query house.rubble would-fall --steps 120 --body "front 1.1" --body "front 1.2"
+  rubble-cli query arcade.rubble would-fall --steps 60 --body arcade/3.42
   rubble-cli query house.rubble changed-boxes --steps 600 --since 540 --shot "box at the door")";
 
 struct QueryOptions {
@@ -39,20 +43,34 @@ struct QueryOptions {
     PlayOptions play;
 };
 
-/// The numbers of the bodies with these names, in their order.
-Result<std::vector<std::uint32_t>> bodiesNamed(const Session& session, const std::vector<std::string>& names) {
-    std::vector<std::uint32_t> numbers;
+/// The body with a name, or the one in which the fragment with it is bonded; nothing if there is none.
+std::optional<BodyPart> partNamed(const Session& session, const std::string& name) {
+    const auto found =
+        std::ranges::find_if(session.bodies(), [&](const PlayBody& body) { return session.nameOf(body) == name; });
+    if (found != session.bodies().end()) return BodyPart{.body = found->number};
+    for (const PlayBody& body : session.bodies()) {
+        const PlayOrigin& origin = session.origins()[body.origin];
+        if (!name.starts_with(origin.name + '/')) continue;
+        for (const std::uint32_t fragment : bondedFragments(body)) {
+            if (fragmentName(body, origin, fragment) == name) return BodyPart{body.number, {fragment}};
+        }
+    }
+    return std::nullopt;
+}
+
+/// The bodies and fragments with these names, in their order.
+Result<std::vector<BodyPart>> partsNamed(const Session& session, const std::vector<std::string>& names) {
+    std::vector<BodyPart> parts;
     for (const std::string& name : names) {
-        const auto found =
-            std::ranges::find_if(session.bodies(), [&](const PlayBody& body) { return session.nameOf(body) == name; });
-        if (found == session.bodies().end()) {
-            return Error{ErrorCode::NotFound, "There is no body " + quotedName(name) + " at step " +
+        std::optional<BodyPart> part = partNamed(session, name);
+        if (!part) {
+            return Error{ErrorCode::NotFound, "There is no body or bonded fragment " + quotedName(name) + " at step " +
                                                   std::to_string(session.stepsDone()) +
                                                   "; rubble-cli simulate prints the names of all bodies."};
         }
-        numbers.push_back(found->number);
+        parts.push_back(std::move(*part));
     }
-    return numbers;
+    return parts;
 }
 
 Result<std::string> answer(const QueryOptions& options, Session& session, const CliContext& context,
@@ -60,7 +78,7 @@ Result<std::string> answer(const QueryOptions& options, Session& session, const 
     const auto steps = static_cast<std::uint64_t>(options.steps), since = static_cast<std::uint64_t>(options.since);
     if (options.question == "would-fall") {
         if (const Status played = simulateTo(session, steps, context, task); !played) return played.error();
-        const Result<std::vector<std::uint32_t>> removed = bodiesNamed(session, options.bodies);
+        const Result<std::vector<BodyPart>> removed = partsNamed(session, options.bodies);
         if (!removed) return removed.error();
         const Result<Collapse> collapse = wouldFall(session, *removed);
         if (!collapse) return collapse.error();
@@ -129,7 +147,7 @@ Verb addQuery(CLI::App& program) {
         .required()
         .wholeInRange(ProjectNumber::Step)
         .valueName("N");
-    command.option("--body", options->bodies, "The name of a body to remove; repeatable")
+    command.option("--body", options->bodies, "The name of a body or of a bonded fragment to remove; repeatable")
         .repeatable()
         .valueName("NAME");
     command.option("--since", options->since, "The step since which changes are told (default: 0)")

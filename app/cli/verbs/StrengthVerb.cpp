@@ -17,7 +17,7 @@ constexpr const char* kStrengthFooter =
 its own orientation, or when a body of a given mass and speed hits the centre of its front squarely: off-centre hits do
 less. An asset is free to move, or held in place where its instances are fixed. Prints the impulse of each requirement,
 and for each asset the thresholds that satisfy all of them. If two requirements conflict, prints both and the gap
-between them, and exits with 1.
+between them, and exits with 1; so it does where an asset with requirements breaks along bonds, without a threshold.
 
 Examples:
   rubble-cli strength house.rubble
@@ -30,6 +30,12 @@ struct StrengthOptions {
     int threads = 1;
 };
 
+/// Why the requirements of an asset that breaks along bonds cannot be judged; nothing if it has none.
+std::optional<std::string> faultOfBonded(const Asset& asset) {
+    if (asset.requirements.empty()) return std::nullopt;
+    return "it breaks along bonds, without a threshold, and strength requirements are for assets that break whole.";
+}
+
 Result<std::vector<StrengthReport>> reportsOn(const Project& project, std::span<const Id> assets,
                                               const TaskContext& task) {
     const Result<AssetBakes> bakes = bakesOf(project, assets, task);
@@ -37,6 +43,10 @@ Result<std::vector<StrengthReport>> reportsOn(const Project& project, std::span<
     std::vector<StrengthReport> reports;
     for (const Id id : assets) {
         const Asset& asset = *findAsset(project, id);
+        if (!hasThreshold(project, asset)) {
+            reports.push_back({.asset = asset, .fault = faultOfBonded(asset)});
+            continue;
+        }
         const Result<PlayAsset> whole = wholePlayAsset(asset, bakes->at({id}));
         if (!whole) return whole.error();
         Result<ThresholdInterval> interval = thresholdInterval(project, *whole);
@@ -49,10 +59,11 @@ Result<std::vector<StrengthReport>> reportsOn(const Project& project, std::span<
 /// Returns whether the threshold of an asset satisfies its requirements, and which would.
 std::string verdictOn(const StrengthReport& report) {
     const ThresholdInterval& interval = report.interval;
-    const std::string threshold = "threshold " + impulseText(report.threshold);
+    if (!report.threshold) return report.fault ? "breaks along bonds\n" : "breaks along bonds, no requirements\n";
+    const std::string threshold = "threshold " + impulseText(*report.threshold);
     if (report.asset.requirements.empty()) return threshold + ", no requirements\n";
     if (interval.isEmpty()) return threshold + "; the requirements conflict\n";
-    if (interval.contains(report.threshold)) {
+    if (interval.contains(*report.threshold)) {
         return threshold + ", satisfied: it must be " + intervalText(interval) + "\n";
     }
     return threshold + ", not satisfied: it must be " + intervalText(interval) + "; " +
@@ -62,8 +73,8 @@ std::string verdictOn(const StrengthReport& report) {
 std::string textOf(const StrengthReport& report) {
     std::string text = shownName(report.asset.name) + ": " + verdictOn(report);
     for (std::size_t k = 0; k < report.asset.requirements.size(); ++k) {
-        text += "  " + requirementText(report.asset.requirements[k]) + ": " + impulseText(report.interval.impulses[k]) +
-                "\n";
+        text += "  " + requirementText(report.asset.requirements[k]);
+        text += report.fault ? ": not judged\n" : ": " + impulseText(report.interval.impulses[k]) + "\n";
     }
     return text;
 }
@@ -72,7 +83,9 @@ std::string textOf(const StrengthReport& report) {
 Status statusOf(std::span<const StrengthReport> reports) {
     std::string conflicts;
     for (const StrengthReport& report : reports) {
-        if (const std::optional<std::string> conflict = conflictText(report.asset, report.interval)) {
+        const std::optional<std::string> conflict =
+            report.fault ? report.fault : conflictText(report.asset, report.interval);
+        if (conflict) {
             conflicts += (conflicts.empty() ? "" : "\n") + shownName(report.asset.name) + ": " + *conflict;
         }
     }

@@ -8,10 +8,23 @@
 namespace rubble {
 namespace {
 
-void writeNames(JsonWriter& json, std::string_view key, const Session& session,
-                std::span<const std::uint32_t> numbers) {
-    json.list(key, numbers,
-              [&](JsonWriter& list, std::uint32_t number) { list.text({}, session.nameOf(*session.body(number))); });
+/// Adds the name of a body, or those of its fragments.
+void addNames(const Session& session, const BodyPart& part, std::vector<std::string>& names) {
+    const PlayBody& body = *session.body(part.body);
+    if (part.fragments.empty()) names.push_back(session.nameOf(body));
+    for (const std::uint32_t fragment : part.fragments)
+        names.push_back(fragmentName(body, session.origins()[body.origin], fragment));
+}
+
+void writeNames(JsonWriter& json, std::string_view key, std::span<const std::string> names) {
+    json.list(key, names, [&](JsonWriter& list, const std::string& name) { list.text({}, name); });
+}
+
+std::vector<std::string> namesIn(const Session& session, const FallingIsland& island) {
+    std::vector<std::string> names;
+    for (const std::uint32_t number : island.bodies) addNames(session, {.body = number}, names);
+    for (const BodyPart& part : island.parts) addNames(session, part, names);
+    return names;
 }
 
 /// A time; null for a body that meets nothing.
@@ -21,15 +34,17 @@ void writeTime(JsonWriter& json, std::string_view key, double time) {
 
 }  // namespace
 
-std::string wouldFallJson(const Session& session, std::span<const std::uint32_t> removed, const Collapse& collapse) {
+std::string wouldFallJson(const Session& session, std::span<const BodyPart> removed, const Collapse& collapse) {
     JsonWriter json;
     json.openObject();
     json.wholeNumber("step", session.stepsDone());
-    writeNames(json, "removed", session, removed);
+    std::vector<std::string> names;
+    for (const BodyPart& part : removed) addNames(session, part, names);
+    writeNames(json, "removed", names);
     json.list("islands", collapse.islands, [&](JsonWriter& list, const FallingIsland& island) {
         list.openObject({}, JsonLayout::Inline);
         list.number("mass", island.mass);
-        writeNames(list, "bodies", session, island.bodies);
+        writeNames(list, "bodies", namesIn(session, island));
         list.close();
     });
     json.number("mass", collapse.mass);

@@ -17,7 +17,7 @@ void writeRequirements(JsonWriter& json, const StrengthReport& report) {
         json.openObject({}, JsonLayout::Inline);
         writeRequirementMembers(json, requirement);
         json.text("sentence", requirementText(requirement));
-        json.number("impulse", report.interval.impulses[k]);
+        json.number("impulse", report.fault ? std::nullopt : std::optional(report.interval.impulses[k]));
         json.close();
     }
     json.close();
@@ -32,8 +32,8 @@ void writeReport(JsonWriter& json, const StrengthReport& report) {
     writeBound(json, "above", interval.low, interval.lowRequirement);
     writeBound(json, "atMost", interval.high, interval.highRequirement);
     json.number("suggested", interval.suggested());
-    json.boolean("isSatisfied", interval.contains(report.threshold));
-    const std::optional<std::string> conflict = conflictText(report.asset, interval);
+    json.boolean("isSatisfied", !report.fault && (!report.threshold || interval.contains(*report.threshold)));
+    const std::optional<std::string> conflict = report.fault ? report.fault : conflictText(report.asset, interval);
     if (conflict) {
         json.text("conflict", *conflict);
     } else {

@@ -21,6 +21,9 @@ public:
             if (broken.body.number < end)
                 keepLarger(broken.body.number, std::max(broken.impact / broken.threshold, 1.0));
         }
+        for (const PlaySplit& split : events.splits) {
+            if (split.body.number < end) keepLarger(split.body.number, utilizationOf(events, split.body.number));
+        }
     }
     const std::vector<BodyForecast>& bodies() const { return m_bodies; }
     /// True if it has changed since the last call.
@@ -28,6 +31,16 @@ public:
 
 private:
     static constexpr double kLargestWhole = 1.0 - 1e-9;  // of a body that breaks under no impact, without destruction
+
+    /// The largest utilization of a bond of a body in a step in which one of them broke, at least 1.
+    static double utilizationOf(const PlayEvents& events, std::uint32_t body) {
+        double largest = 1.0;
+        for (const PlayImpact& impact : events.impacts) {
+            if (impact.body == body && impact.threshold > 0.0)
+                largest = std::max(largest, impact.damage / impact.threshold);
+        }
+        return largest;
+    }
 
     void keepLarger(std::uint32_t body, double ratio) {
         const auto place = std::ranges::lower_bound(m_bodies, body, {}, &BodyForecast::body);

@@ -20,7 +20,9 @@ struct ForecastOrder {
 /// What a throw will do to a body.
 struct BodyForecast {
     std::uint32_t body = 0;  // its number
-    double largest = 0.0;    // impact ÷ threshold of the hardest impact: it breaks if this is at least 1
+    /// Impact ÷ threshold of the hardest impact: it breaks if this is at least 1. With bonds: the largest load of one
+    /// by what breaks it, as PlayImpact: at least 1 if and only if one of them breaks, also where support is lost.
+    double largest = 0.0;
 
     friend bool operator==(const BodyForecast&, const BodyForecast&) = default;
 };

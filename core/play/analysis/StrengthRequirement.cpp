@@ -44,6 +44,10 @@ std::string eventText(RequirementOutcome outcome, const ImpulseRequirement& impa
 
 }  // namespace
 
+bool hasThreshold(const Project& project, const Asset& asset) {
+    return asset.breakAs == BreakAs::Whole || project.damage.isThesis;
+}
+
 std::optional<double> ThresholdInterval::suggested() const {
     if (isEmpty() || (lowRequirement == kNone && highRequirement == kNone)) return std::nullopt;
     if (lowRequirement == kNone) return high / kMargin;
@@ -54,6 +58,11 @@ std::optional<double> ThresholdInterval::suggested() const {
 Result<ThresholdInterval> thresholdInterval(const Project& project, const PlayAsset& asset) {
     const Asset* authored = findAsset(project, asset.bake->asset);
     RUBBLE_ASSERT(authored != nullptr);
+    if (!hasThreshold(project, *authored)) {
+        return ofAsset(*authored, {ErrorCode::BadInput,
+                                   "Strength requirements are for assets that break whole; this one breaks along "
+                                   "bonds, without a threshold that they could bound."});
+    }
     ThresholdInterval interval;
     for (const StrengthRequirement& requirement : authored->requirements) {
         const Result<double> impulse = requirementImpulse(project, asset, requirement);

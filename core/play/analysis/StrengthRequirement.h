@@ -6,6 +6,9 @@
 
 namespace rubble {
 
+/// Whether an asset breaks at a threshold: one that breaks as bonded does not, but by the simplified method.
+bool hasThreshold(const Project& project, const Asset& asset);
+
 /// The thresholds that satisfy all strength requirements of an asset: low < threshold <= high.
 struct ThresholdInterval {
     double low = 0.0;                                       // N·s: the largest impulse that it must survive
@@ -25,7 +28,8 @@ struct ThresholdInterval {
 /// The interval for the requirements of an asset: to survive an event, the threshold must be above its impulse; to
 /// break in it, at most the impulse. See requirementImpulse().
 ///
-/// Errors: those of requirementImpulse(), with the asset's name.
+/// Errors, with the asset's name: those of requirementImpulse(); BadInput for an asset that does not break at a
+/// threshold.
 Result<ThresholdInterval> thresholdInterval(const Project& project, const PlayAsset& asset);
 
 /// The requirement that an impact of this impulse has this outcome again, rounded to three digits towards the side that

@@ -41,10 +41,19 @@ std::vector<BondStrike> strikesOf(const SessionParts& parts, std::span<const Imp
     return all;
 }
 
-/// The least impulse that changes a body's bonds.
-double leastImpulseOf(const SessionParts& parts, const PlayBody& body) {
-    if (body.structure != kNone) return parts.state.structures[body.structure].structure->leastImpulse;
-    return structureIn(parts.scene, parts.state.origins[body.origin], body.fragment)->leastImpulse;
+/// The structure of a body with bonds, whether or not any is damaged.
+const PlayStructure& knownStructure(const SessionParts& parts, const PlayBody& body) {
+    if (body.structure != kNone) return *parts.state.structures[body.structure].structure;
+    return *structureIn(parts.scene, parts.state.origins[body.origin], body.fragment);
+}
+
+/// Whether a hit changes no bond. If so, it is told as if the weakest bond got all of it.
+bool isWeak(const SessionParts& parts, const PlayBody& body, double impulse, Vec3 point) {
+    const PlayStructure& structure = knownStructure(parts, body);
+    if (parts.state.hasDestruction && impulse >= structure.leastImpulse) return false;
+    const double breaking = structure.leastImpulse / structure.rule.damageFrom;
+    parts.state.events.impacts.push_back({body.number, impulse, breaking, point});
+    return true;
 }
 
 /// Points in the world, in the frame of a body's structure.
@@ -116,7 +125,7 @@ bool breakHitBonds(const SessionParts& parts, std::span<const Impact> impacts) {
     for (const BondStrike& strike : strikesOf(parts, impacts)) {
         PlayBody& body = *findBody(parts.state, strike.body);
         const double impulse = strike.impact.impulse();
-        if (!parts.state.hasDestruction || impulse < leastImpulseOf(parts, body)) continue;
+        if (isWeak(parts, body, impulse, strike.impact.point)) continue;
         BrokenBonds damaged = damageBonds(parts, body, strike.points, impulse);
         if (damaged.impulse <= 0.0) continue;
         damaged.normal = strike.impact.first == body.body ? -strike.impact.normal : strike.impact.normal;
@@ -138,6 +147,8 @@ BrokenBonds damageBonds(const SessionParts& parts, PlayBody& body, std::span<con
     const std::vector<Vec3> local = inStructure(parts, body, points);
     HitOutcome outcome = applyHit(structure.graph, structure.capacities, structure.rule, {local, impulse},
                                   state.bodyOfNode, body.number, state.damage);
+    if (outcome.utilization > 0.0)
+        parts.state.events.impacts.push_back({body.number, impulse, impulse / outcome.utilization, points.front()});
     return {.body = body.number, .impulse = outcome.taken, .point = points.front(), .bonds = std::move(outcome.broken)};
 }
 

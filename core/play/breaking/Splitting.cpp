@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -311,6 +312,26 @@ bool splitBody(const SessionParts& parts, BrokenBonds broken) {
 }
 
 }  // namespace
+
+void removeNodes(const SessionParts& parts, std::uint32_t number, std::span<const std::uint32_t> nodes) {
+    PlayBody& body = *findBody(parts.state, number);
+    StructureState& state = structureOf(parts, body);
+    std::vector<std::uint32_t> broken;
+    breakBonds(
+        state, nodes, [](const BondLink&) { return true; }, broken);
+    for (const std::uint32_t node : nodes) state.bodyOfNode[node] = kNone;
+    std::vector<std::uint32_t> kept;
+    std::ranges::set_difference(body.nodes, nodes, std::back_inserter(kept));
+    if (kept.empty()) {
+        removeFromWorld(parts, number);
+        eraseRemovedBodies(parts.state);
+        return;
+    }
+    breakUnsupported(state, unsupportedOf(parts, body, state, kept), broken);
+    crumble(state, kept, broken);
+    std::vector<std::uint32_t> freed;
+    replaceBody(parts, PlayBody(body), islandsOfBody(state, kept), freed);
+}
 
 StructureState& structureOf(const SessionParts& parts, PlayBody& body) {
     std::vector<StructureState>& structures = parts.state.structures;

@@ -16,12 +16,11 @@ std::vector<bool> marked(std::span<const std::uint32_t> bodies, std::size_t coun
 
 }  // namespace
 
-ContactGraph::ContactGraph(const Session& session)
-    : m_touching(session.bodies().size()), m_dynamic(session.bodies().size()) {
-    const World& world = session.world();
+ContactGraph::ContactGraph(std::span<const PlayBody> bodies, const World& world)
+    : m_touching(bodies.size()), m_dynamic(bodies.size()) {
     std::vector<std::uint32_t> places;  // by index in the world
-    for (std::uint32_t k = 0; k < session.bodies().size(); ++k) {
-        const BodyId body = session.bodies()[k].body;
+    for (std::uint32_t k = 0; k < bodies.size(); ++k) {
+        const BodyId body = bodies[k].body;
         if (body.index >= places.size()) places.resize(body.index + 1, 0);
         places[body.index] = k;
         m_dynamic[k] = world.kind(body) == BodyKind::Dynamic;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/play/session/Session.h"
+#include "core/play/scene/PlayBody.h"
 
 #include <span>
 #include <vector>
@@ -9,15 +9,15 @@ namespace rubble {
 
 /// A body that another touches.
 struct TouchingBody {
-    std::uint32_t body = 0;  // index in Session::bodies()
+    std::uint32_t body = 0;  // index in the bodies of the graph
     double up = 0.0;         // of the contact normal towards it, in [-1, 1]: 1 if it rests on the other
 };
 
-/// The contacts of a session at the end of its last step, as a graph of its bodies, by their indices in
-/// Session::bodies(). Up is against gravity, which must not be zero.
+/// The contacts between all bodies of a world, as a graph of these bodies by their indices. Up is against gravity,
+/// which must not be zero.
 class ContactGraph {
 public:
-    explicit ContactGraph(const Session& session);
+    ContactGraph(std::span<const PlayBody> bodies, const World& world);
 
     std::span<const TouchingBody> touching(std::uint32_t body) const { return m_touching[body]; }
     bool isDynamic(std::uint32_t body) const { return m_dynamic[body]; }

@@ -3,10 +3,13 @@
 #include "core/base/DisjointSets.h"
 #include "core/base/MessageText.h"
 #include "core/play/queries/ContactGraph.h"
+#include "core/play/queries/PartsRemoved.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
 
 namespace rubble {
 namespace {
@@ -21,20 +24,61 @@ constexpr double kRestSpeed = 0.1;       // m/s: what is faster falls or flies a
 /// As many bodies as can be simulated as they are in a few milliseconds.
 constexpr std::size_t kMostConnected = 160;
 
-Status verifyRemoved(const Session& session, std::span<const std::uint32_t> removed) {
-    for (const std::uint32_t number : removed) {
-        const PlayBody* body = session.body(number);
-        if (body == nullptr) {
-            return Error{ErrorCode::BadInput, "Cannot remove: there is no body " + std::to_string(number) + "."};
+/// What is removed: whole bodies, and parts of others.
+struct Removal {
+    std::vector<std::uint32_t> places;  // of the whole ones: indices in Session::bodies(), ascending
+    std::vector<BodyPart> parts;        // ascending body
+};
+
+/// Adds fragments to those that a body loses.
+Status addFragments(const Session& session, const PlayBody& body, std::span<const std::uint32_t> fragments,
+                    std::vector<std::uint32_t>& lost) {
+    const std::vector<std::uint32_t> bonded = bondedFragments(body);
+    for (const std::uint32_t fragment : fragments) {
+        if (!std::ranges::binary_search(bonded, fragment)) {
+            return Error{ErrorCode::BadInput, "Cannot remove fragment " + std::to_string(fragment) + " of " +
+                                                  quotedName(session.nameOf(body)) + ": it is not bonded in it."};
         }
-        if (body->role == PlayRole::Ground) return Error{ErrorCode::BadInput, "Cannot remove the ground."};
+        lost.push_back(fragment);
     }
+    if (fragments.empty()) lost = bonded;
+    std::ranges::sort(lost);
+    lost.erase(std::unique(lost.begin(), lost.end()), lost.end());
     return success();
 }
 
+Result<Removal> removalOf(const Session& session, std::span<const BodyPart> removed) {
+    std::map<std::uint32_t, std::vector<std::uint32_t>> lost;  // fragments, by body
+    for (const BodyPart& part : removed) {
+        const PlayBody* body = session.body(part.body);
+        if (body == nullptr) {
+            return Error{ErrorCode::BadInput, "Cannot remove: there is no body " + std::to_string(part.body) + "."};
+        }
+        if (body->role == PlayRole::Ground) return Error{ErrorCode::BadInput, "Cannot remove the ground."};
+        const Status added = addFragments(session, *body, part.fragments, lost[part.body]);
+        if (!added) return added.error();
+    }
+    Removal removal;
+    for (auto& [number, fragments] : lost) {
+        const auto body = std::ranges::lower_bound(session.bodies(), number, {}, &PlayBody::number);
+        if (fragments == bondedFragments(*body)) {
+            removal.places.push_back(static_cast<std::uint32_t>(body - session.bodies().begin()));
+        } else {
+            removal.parts.push_back({number, std::move(fragments)});
+        }
+    }
+    return removal;
+}
+
+/// Bodies and their world before they are simulated.
+struct Moment {
+    std::span<const PlayBody> bodies;
+    const World& world;
+};
+
 /// A body in the trial.
 struct TrialBody {
-    std::uint32_t place = 0;  // its index in Session::bodies()
+    std::uint32_t place = 0;  // its index in the bodies of the moment
     BodyId body;              // in the trial's world
 };
 
@@ -45,52 +89,52 @@ struct Trial {
 };
 
 /// The whole world, with the impulses that hold its bodies.
-Trial copiedWorld(const Session& session, std::span<const std::uint32_t> removed,
+Trial copiedWorld(const Moment& moment, std::span<const std::uint32_t> removed,
                   std::span<const std::uint32_t> connected) {
-    Trial trial{World({.gravity = session.world().gravity()}), {}};
-    trial.world.restore(*session.world().snapshot());
-    for (const std::uint32_t place : removed) trial.world.removeBody(session.bodies()[place].body);
+    Trial trial{World({.gravity = moment.world.gravity()}), {}};
+    trial.world.restore(*moment.world.snapshot());
+    for (const std::uint32_t place : removed) trial.world.removeBody(moment.bodies[place].body);
     for (const std::uint32_t place : connected) {
-        const BodyId body = session.bodies()[place].body;
+        const BodyId body = moment.bodies[place].body;
         if (trial.world.contains(body)) trial.bodies.push_back({place, body});
     }
     return trial;
 }
 
-/// The bodies near the removed ones: what rests on them, and what touches that. What those touch is held in place.
-Trial nearbyWorld(const Session& session, const ContactGraph& graph, std::span<const std::uint32_t> removed) {
-    std::vector<std::uint32_t> nearby(removed.begin(), removed.end());
+/// The bodies near some: what rests on them, and what touches that. What those touch is held in place.
+Trial nearbyWorld(const Moment& moment, const ContactGraph& graph, std::span<const std::uint32_t> removed,
+                  std::vector<std::uint32_t> nearby) {
     graph.addResting(nearby);
     graph.addTouching(nearby);
     std::vector<std::uint32_t> all = nearby;
     graph.addTouching(all);
     std::ranges::sort(nearby);
     std::ranges::sort(all);
-    Trial trial{World({.gravity = session.world().gravity()}), {}};
+    Trial trial{World({.gravity = moment.world.gravity()}), {}};
     for (const std::uint32_t place : all) {
         if (std::ranges::find(removed, place) != removed.end()) continue;
-        const BodyId body = session.bodies()[place].body;
-        const Shape& shape = session.world().shape(body);
+        const BodyId body = moment.bodies[place].body;
+        const Shape& shape = moment.world.shape(body);
         const bool isFree = graph.isDynamic(place) && std::ranges::binary_search(nearby, place);
         const Result<BodyId> added =
-            trial.world.addBody({.shape = {std::shared_ptr<void>(), &shape},  // the session's, which outlives the trial
+            trial.world.addBody({.shape = {std::shared_ptr<void>(), &shape},  // the moment's, which outlives the trial
                                  .kind = isFree ? BodyKind::Dynamic : BodyKind::Static,
-                                 .pose = session.world().state(body).pose,
-                                 .density = isFree ? session.world().mass(body) / shape.mass.volume : 1.0,
-                                 .friction = session.world().friction(body),
-                                 .restitution = session.world().restitution(body)});
+                                 .pose = moment.world.state(body).pose,
+                                 .density = isFree ? moment.world.mass(body) / shape.mass.volume : 1.0,
+                                 .friction = moment.world.friction(body),
+                                 .restitution = moment.world.restitution(body)});
         if (added && isFree) trial.bodies.push_back({place, *added});
     }
     return trial;
 }
 
-/// The bodies of a trial, by index in Session::bodies(), that were at rest and are not after it.
-std::vector<std::uint32_t> movedIn(Trial& trial, const Session& session) {
+/// The bodies of a trial, by index in the moment, that were at rest and are not after it.
+std::vector<std::uint32_t> movedIn(Trial& trial, const Moment& moment) {
     for (int step = 0; step < kTrialSteps; ++step) trial.world.step(kTrialStep);
     std::vector<std::uint32_t> moved;
     for (const TrialBody& body : trial.bodies) {
         if (trial.world.kind(body.body) != BodyKind::Dynamic) continue;
-        const BodyState before = session.world().state(session.bodies()[body.place].body);
+        const BodyState before = moment.world.state(moment.bodies[body.place].body);
         const BodyState after = trial.world.state(body.body);
         if (glm::length(before.velocity) > kRestSpeed) continue;
         if (glm::distance(before.centre, after.centre) > kMovedDistance || glm::length(after.velocity) > kMovedSpeed) {
@@ -102,11 +146,11 @@ std::vector<std::uint32_t> movedIn(Trial& trial, const Session& session) {
 }
 
 /// How far a body falls along `down`, of length 1, until it meets what stays; infinite if nothing does.
-double dropOf(const Session& session, std::uint32_t place, Vec3 down, const std::vector<BodyId>& gone) {
+double dropOf(const Moment& moment, std::uint32_t place, Vec3 down, const std::vector<BodyId>& gone) {
     constexpr double kFarthest = 500.0;  // m
     constexpr int kMostPassed = 64;      // bodies that fall or are removed, on the way
-    const World& world = session.world();
-    const BodyId body = session.bodies()[place].body;
+    const World& world = moment.world;
+    const BodyId body = moment.bodies[place].body;
     const BodyState state = world.state(body);
     double lowest = 0.0;  // of its corners, along `down` from its centre
     for (const PlacedHull& placed : world.shape(body).hulls) {
@@ -128,24 +172,24 @@ double dropOf(const Session& session, std::uint32_t place, Vec3 down, const std:
     return std::numeric_limits<double>::infinity();
 }
 
-void addTimes(const Session& session, std::span<const std::uint32_t> removed, std::span<const std::uint32_t> fallen,
+void addTimes(const Moment& moment, std::span<const std::uint32_t> removed, std::span<const std::uint32_t> fallen,
               Collapse& collapse) {
-    const double gravity = glm::length(session.world().gravity());
-    const Vec3 down = session.world().gravity() / gravity;
+    const double gravity = glm::length(moment.world.gravity());
+    const Vec3 down = moment.world.gravity() / gravity;
     std::vector<BodyId> gone;
-    for (const std::uint32_t place : removed) gone.push_back(session.bodies()[place].body);
-    for (const std::uint32_t place : fallen) gone.push_back(session.bodies()[place].body);
+    for (const std::uint32_t place : removed) gone.push_back(moment.bodies[place].body);
+    for (const std::uint32_t place : fallen) gone.push_back(moment.bodies[place].body);
     std::ranges::sort(gone);
     collapse.first = std::numeric_limits<double>::infinity();
     for (const std::uint32_t place : fallen) {
-        const double time = std::sqrt(2.0 * dropOf(session, place, down, gone) / gravity);
+        const double time = std::sqrt(2.0 * dropOf(moment, place, down, gone) / gravity);
         collapse.first = std::min(collapse.first, time);
         collapse.last = std::max(collapse.last, time);
     }
 }
 
-/// The bodies that fall, in islands.
-Collapse collapseOf(const Session& session, const ContactGraph& graph, std::span<const std::uint32_t> fallen) {
+/// The bodies that fall, in islands; their bodies are indices in the moment.
+Collapse collapseOf(const Moment& moment, const ContactGraph& graph, std::span<const std::uint32_t> fallen) {
     Collapse collapse;
     DisjointSets sets(fallen.size());
     for (std::uint32_t k = 0; k < fallen.size(); ++k) {
@@ -157,44 +201,116 @@ Collapse collapseOf(const Session& session, const ContactGraph& graph, std::span
     }
     std::vector<FallingIsland> islands(fallen.size());  // by root
     for (std::uint32_t k = 0; k < fallen.size(); ++k) {
-        const PlayBody& body = session.bodies()[fallen[k]];
         FallingIsland& island = islands[sets.rootOf(k)];
-        island.bodies.push_back(body.number);
-        island.mass += session.world().mass(body.body);
-        collapse.mass += session.world().mass(body.body);
+        const double mass = moment.world.mass(moment.bodies[fallen[k]].body);
+        island.bodies.push_back(fallen[k]);
+        island.mass += mass;
+        collapse.mass += mass;
     }
     std::erase_if(islands, [](const FallingIsland& island) { return island.bodies.empty(); });
     collapse.islands = std::move(islands);
     return collapse;
 }
 
-}  // namespace
+/// Bodies, ascending, and each once.
+void makeSet(std::vector<std::uint32_t>& bodies) {
+    std::ranges::sort(bodies);
+    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+}
 
-Result<Collapse> wouldFall(const Session& session, std::span<const std::uint32_t> removed) {
-    if (const Status verified = verifyRemoved(session, removed); !verified) return verified.error();
-    if (removed.empty() || session.world().gravity() == Vec3(0.0)) return Collapse{};
-    std::vector<std::uint32_t> places;
-    for (const std::uint32_t number : removed) {
-        const auto body = std::ranges::lower_bound(session.bodies(), number, {}, &PlayBody::number);
-        places.push_back(static_cast<std::uint32_t>(body - session.bodies().begin()));
+/// The bodies whose support may be gone, those removed among them: what touched a removed body, or one that lost
+/// fragments, and what split off that.
+std::vector<std::uint32_t> affectedBodies(const Session& session, const Removal& removal, std::size_t count) {
+    const ContactGraph before(session.bodies(), session.world());
+    std::vector<std::uint32_t> losing = removal.places;
+    for (const BodyPart& part : removal.parts) {
+        const auto body = std::ranges::lower_bound(session.bodies(), part.body, {}, &PlayBody::number);
+        losing.push_back(static_cast<std::uint32_t>(body - session.bodies().begin()));
     }
-    std::ranges::sort(places);
-    places.erase(std::ranges::unique(places).begin(), places.end());
-    const ContactGraph graph(session);
-    std::vector<std::uint32_t> connected = places;
-    for (const std::uint32_t place : places) {  // also what a fixed body holds
-        for (const TouchingBody& other : graph.touching(place)) {
-            if (graph.isDynamic(other.body)) connected.push_back(other.body);
+    std::vector<std::uint32_t> affected = losing;
+    for (const std::uint32_t place : losing) {  // also what a fixed body holds
+        for (const TouchingBody& other : before.touching(place)) {
+            if (before.isDynamic(other.body)) affected.push_back(other.body);
         }
     }
-    std::ranges::sort(connected);
-    connected.erase(std::ranges::unique(connected).begin(), connected.end());
-    Trial trial = graph.addConnected(connected, kMostConnected) ? copiedWorld(session, places, connected)
-                                                                : nearbyWorld(session, graph, places);
-    const std::vector<std::uint32_t> fallen = movedIn(trial, session);
-    Collapse collapse = collapseOf(session, graph, fallen);
-    if (!fallen.empty()) addTimes(session, places, fallen, collapse);
+    for (auto place = static_cast<std::uint32_t>(session.bodies().size()); place < count; ++place)
+        affected.push_back(place);
+    makeSet(affected);
+    return affected;
+}
+
+/// The bodies of a moment that fall. `cameOff` do anyway; the others if the simulation says so.
+std::vector<std::uint32_t> fallenOf(const Moment& moment, const ContactGraph& graph, const Removal& removal,
+                                    std::span<const std::uint32_t> affected, std::span<const std::uint32_t> cameOff) {
+    std::vector<std::uint32_t> fallen(cameOff.begin(), cameOff.end());
+    std::vector<std::uint32_t> connected(affected.begin(), affected.end());
+    const bool areFew = graph.addConnected(connected, kMostConnected);
+    const bool isKnown = std::ranges::all_of(connected, [&](std::uint32_t place) {
+        return !graph.isDynamic(place) || std::ranges::binary_search(cameOff, place) ||
+               std::ranges::binary_search(removal.places, place);
+    });
+    if (areFew && isKnown) return fallen;
+    std::vector<std::uint32_t> nearby(removal.places);
+    if (!removal.parts.empty()) nearby.assign(affected.begin(), affected.end());
+    Trial trial = areFew ? copiedWorld(moment, removal.places, connected)
+                         : nearbyWorld(moment, graph, removal.places, std::move(nearby));
+    std::ranges::copy(movedIn(trial, moment), std::back_inserter(fallen));
+    makeSet(fallen);
+    return fallen;
+}
+
+/// The island of a moment in terms of the session that it is of.
+FallingIsland islandIn(const Session& session, const PartsRemoved& after, const FallingIsland& island) {
+    FallingIsland told{.mass = island.mass};
+    std::map<std::uint32_t, std::vector<std::uint32_t>> parts;  // fragments, by body
+    for (const std::uint32_t place : island.bodies) {
+        const PlayBody& body = after.bodies[place];
+        const std::size_t present = session.bodies().size();
+        const std::uint32_t number = place < present ? body.number : after.splitOff[place - present];
+        if (!std::ranges::binary_search(after.reduced, number)) {
+            told.bodies.push_back(number);
+        } else if (body.nodes.empty()) {
+            parts[number].push_back(body.fragment);
+        } else {
+            std::ranges::copy(fragmentsOf(body), std::back_inserter(parts[number]));
+        }
+    }
+    for (auto& [number, fragments] : parts) {
+        makeSet(fragments);
+        told.parts.push_back({number, std::move(fragments)});
+    }
+    return told;
+}
+
+}  // namespace
+
+Result<Collapse> wouldFall(const Session& session, std::span<const BodyPart> removed) {
+    const Result<Removal> removal = removalOf(session, removed);
+    if (!removal) return removal.error();
+    if (removed.empty() || session.world().gravity() == Vec3(0.0)) return Collapse{};
+    const std::optional<PartsRemoved> after =
+        removal->parts.empty() ? std::nullopt : std::optional(withoutParts(session, removal->parts));
+    const Moment moment = after ? Moment{after->bodies, after->world} : Moment{session.bodies(), session.world()};
+    const ContactGraph graph(moment.bodies, moment.world);
+    const std::vector<std::uint32_t> affected = affectedBodies(session, *removal, moment.bodies.size());
+    const std::vector<std::uint32_t> fallen =
+        fallenOf(moment, graph, *removal, affected, after ? after->cameOff : std::vector<std::uint32_t>());
+    Collapse collapse = collapseOf(moment, graph, fallen);
+    if (!fallen.empty()) addTimes(moment, removal->places, fallen, collapse);
+    for (FallingIsland& island : collapse.islands) {
+        if (after) {
+            island = islandIn(session, *after, island);
+        } else {
+            for (std::uint32_t& body : island.bodies) body = session.bodies()[body].number;
+        }
+    }
     return collapse;
+}
+
+Result<Collapse> wouldFall(const Session& session, std::span<const std::uint32_t> removed) {
+    std::vector<BodyPart> parts;
+    for (const std::uint32_t number : removed) parts.push_back({.body = number});
+    return wouldFall(session, parts);
 }
 
 }  // namespace rubble

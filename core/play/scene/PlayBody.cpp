@@ -1,19 +1,21 @@
 #include "core/play/scene/PlayBody.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace rubble {
 
 std::string nameOf(const PlayBody& body, const PlayOrigin& origin) {
-    std::string name = origin.name;
-    if (body.fragment != kNone) {
-        const std::string id = body.asset->bake->fragmentId(body.fragment);
-        name += id.substr(id.find('/'));
-    }
+    std::string name = body.fragment != kNone ? fragmentName(body, origin, body.fragment) : origin.name;
     if (body.role == PlayRole::Debris && body.nodes.size() > 1) {
         name += " (" + std::to_string(body.nodes.size()) + " fragments)";
     }
     return name;
+}
+
+std::string fragmentName(const PlayBody& body, const PlayOrigin& origin, std::uint32_t fragment) {
+    const std::string id = body.asset->bake->fragmentId(fragment);
+    return origin.name + id.substr(id.find('/'));
 }
 
 bool isPartial(const PlayBody& body) {
@@ -23,6 +25,14 @@ bool isPartial(const PlayBody& body) {
 std::vector<std::uint32_t> fragmentsOf(const PlayBody& body) {
     std::vector<std::uint32_t> fragments = body.nodes;
     for (std::uint32_t& fragment : fragments) fragment += body.asset->fractureOf(body.fragment)->first;
+    return fragments;
+}
+
+std::vector<std::uint32_t> bondedFragments(const PlayBody& body) {
+    const PlayFracture* const fracture = body.bondedFracture();
+    if (fracture == nullptr || !body.nodes.empty()) return fragmentsOf(body);
+    std::vector<std::uint32_t> fragments(fracture->count);
+    std::iota(fragments.begin(), fragments.end(), fracture->first);
     return fragments;
 }
 

@@ -62,10 +62,23 @@ struct PlayOrigin {
 /// their number: "front 1.1 (12 fragments)".
 std::string nameOf(const PlayBody& body, const PlayOrigin& origin);
 
+/// The name of a fragment that is bonded in a body: "front 1.1/5.17".
+std::string fragmentName(const PlayBody& body, const PlayOrigin& origin, std::uint32_t fragment);
+
+/// A body, or some of the fragments that are bonded in it.
+struct BodyPart {
+    std::uint32_t body = 0;                // its number
+    std::vector<std::uint32_t> fragments;  // of its asset's bake, ascending; none: all of the body
+    bool operator==(const BodyPart&) const = default;
+};
+
 /// Whether a body is some of the fragments of its solid, and not all.
 bool isPartial(const PlayBody& body);
 /// The fragments of a bonded body, ascending; none if it is one solid.
 std::vector<std::uint32_t> fragmentsOf(const PlayBody& body);
+/// The fragments between which a body has bonds, ascending, whether or not any bond was damaged yet; none if it is one
+/// solid.
+std::vector<std::uint32_t> bondedFragments(const PlayBody& body);
 /// Where the frame of a body's shape is in its asset's, m; the axes are the same. That of some of the fragments of a
 /// solid is the asset's.
 Vec3 frameOf(const PlayBody& body);

@@ -28,11 +28,13 @@ struct PlayBreak {
     double milliseconds = 0.0;  // wall-clock time of the swap: the only member that differs from run to run
 };
 
-/// A body that was hit in a step, and how close it came to breaking.
+/// A body that was hit in a step, and how close it came to breaking. With bonds: how close one of them came to that.
 struct PlayImpact {
     std::uint32_t body = 0;  // its number
     double damage = 0.0;     // N·s
-    double threshold = 0.0;  // N·s
+    /// N·s. With bonds: what would have broken the one that is loaded most, as it was damaged, see
+    /// HitOutcome::utilization. Where the hit cannot damage any, or breaking is off: the weakest, if all went there.
+    double threshold = 0.0;
     Vec3 point{0.0, 0.0, 0.0};
 };
 
@@ -64,7 +66,7 @@ struct PlayEvents {
     std::vector<TimedInput> inputs;  // applied before it
     std::vector<PlayBreak> breaks;
     std::vector<PlaySplit> splits;
-    std::vector<PlayImpact> impacts;      // on breakable bodies, by body
+    std::vector<PlayImpact> impacts;      // on breakable bodies, by body, after those on bonded ones
     std::vector<PlayBody> born;           // fragments and projectiles
     std::vector<PlayRemoval> removed;     // debris that was removed, and bodies that left the world, by number
     std::vector<Diagnostic> diagnostics;  // UnappliedInput, PatternFallback and LeftWorld

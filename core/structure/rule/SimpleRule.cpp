@@ -69,12 +69,26 @@ struct StruckBody {
     }
 };
 
+/// The utilization that breaks a bond, see applyHit(): less than 1 if it is damaged.
+double breakingUtilization(BondDamage damage, double damageFrom) {
+    return damageFrom + (1.0 - damageFrom) * (kBroken - damage) / kBroken;
+}
+
+/// Below 1 where nothing broke, and 1 at least where something did: what one bond takes is missing to another, and
+/// damage is rounded.
+double consistentUtilization(double utilization, bool isAnyBroken) {
+    constexpr double kLargestIntact = 1.0 - 1e-9;
+    return isAnyBroken ? std::max(utilization, 1.0) : std::min(utilization, kLargestIntact);
+}
+
+/// The bonds that may be damaged. `largest`: see HitOutcome::utilization.
 std::vector<LoadedBond> loadedBonds(const StruckBody& body, std::span<const double> capacities, const SimpleRule& rule,
-                                    double impulse) {
+                                    double impulse, double& largest) {
     constexpr double kMargin = 1.0 + 1e-9;  // for the rounding of boxes
     std::vector<LoadedBond> loaded;
     const auto add = [&](std::uint32_t bond, double distance, double fraction) {
         const double utilization = utilizationOf(impulse * fraction, capacities[bond]);
+        largest = std::max(largest, utilization / breakingUtilization(body.damage[bond], rule.damageFrom));
         if (utilization >= rule.damageFrom) loaded.push_back({bond, fraction, utilization, distance});
     };
     const std::vector<std::uint32_t> struck = body.struckNodes();
@@ -134,8 +148,8 @@ HitOutcome applyHit(const BondGraph& graph, std::span<const double> capacities, 
     RUBBLE_ASSERT(ownerOfNode.size() == graph.nodeCount() && !hit.points.empty());
     HitOutcome outcome;
     double left = hit.impulse;
-    for (const LoadedBond& loaded :
-         loadedBonds({graph, ownerOfNode, owner, damage, hit.points}, capacities, rule, hit.impulse)) {
+    for (const LoadedBond& loaded : loadedBonds({graph, ownerOfNode, owner, damage, hit.points}, capacities, rule,
+                                                hit.impulse, outcome.utilization)) {
         const double capacity = capacities[loaded.bond];
         const BondDamage before = damage[loaded.bond];
         const BondDamage after = damageAfter(before, utilizationOf(left * loaded.fraction, capacity), rule.damageFrom);
@@ -145,6 +159,7 @@ HitOutcome applyHit(const BondGraph& graph, std::span<const double> capacities, 
         left = std::max(0.0, left - capacity * (after - before) / kBroken);
     }
     outcome.taken = hit.impulse - left;
+    outcome.utilization = consistentUtilization(outcome.utilization, !outcome.broken.empty());
     std::ranges::sort(outcome.broken);
     std::ranges::sort(outcome.damaged);
     return outcome;
@@ -156,12 +171,17 @@ HitOutcome applyLoads(std::span<const double> capacities, const SimpleRule& rule
     HitOutcome outcome;
     for (const auto& [bond, load] : loads) {
         const BondDamage before = damage[bond];
-        const BondDamage after = damageAfter(before, utilizationOf(load, capacities[bond]), rule.damageFrom);
+        const double utilization = utilizationOf(load, capacities[bond]);
+        const BondDamage after = damageAfter(before, utilization, rule.damageFrom);
+        if (before != kBroken)
+            outcome.utilization =
+                std::max(outcome.utilization, utilization / breakingUtilization(before, rule.damageFrom));
         if (after == before) continue;
         damage[bond] = after;
         (after == kBroken ? outcome.broken : outcome.damaged).push_back(bond);
         outcome.taken += capacities[bond] * (after - before) / kBroken;
     }
+    outcome.utilization = consistentUtilization(outcome.utilization, !outcome.broken.empty());
     std::ranges::sort(outcome.broken);
     std::ranges::sort(outcome.damaged);
     return outcome;

@@ -27,6 +27,9 @@ struct BondHit {
 
 /// The effect of a hit. No bond is in both lists.
 struct HitOutcome {
+    /// The largest load of a bond by all of the impulse, relative to what breaks the bond as it was damaged before: at
+    /// least 1 if and only if one broke. Of the bonds that a hit loads, also those that it did not damage.
+    double utilization = 0.0;
     double taken = 0.0;                  // N·s, of the hit's, that it took to break and damage bonds
     std::vector<std::uint32_t> broken;   // bonds that broke, ascending
     std::vector<std::uint32_t> damaged;  // bonds with new damage that hold, ascending

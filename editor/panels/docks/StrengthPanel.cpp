@@ -162,6 +162,7 @@ void StrengthPanel::refresh() {
         }
     }
     refreshRows(*shown, interval ? &*interval : nullptr);
+    m_bar->setVisible(hasThreshold(m_document.project(), *shown));
     m_bar->setInterval(shown->requirements, interval.value_or(ThresholdInterval{}),
                        thresholdOf(m_document.project(), *shown));
     if (interval) {

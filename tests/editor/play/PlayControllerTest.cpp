@@ -4,6 +4,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/House.h"
 #include "tests/support/editor/PlayStage.h"
+#include "tests/support/play/BondedWalls.h"
 #include "tests/support/play/RestingProjects.h"
 
 #include <QElapsedTimer>
@@ -441,6 +442,21 @@ private slots:
         stage.controller.setOverlays({});
         stage.settle();
         QVERIFY(!stage.controller.frame()->collapse);
+    }
+    void whatWouldFallTakesAwayTheFragmentAtThePointer() {
+        Project project = test::bondedPortal(1.5, 0.0);
+        test::Stage stage(project);
+        stage.start();
+        stage.controller.setOverlays({.hasCollapse = true});
+        const auto collapseAt = [&](double height) {
+            stage.controller.aim(Ray{{-1.75, height, 4.0}, {0.0, 0.0, -1.0}});
+            stage.advance(1);
+            return stage.controller.frame()->collapse;
+        };
+        const auto foot = collapseAt(0.1), top = collapseAt(2.45);
+        QVERIFY(foot && foot->name.starts_with("wall/") && foot->bodies > 5 && foot->mass > 100.0);
+        QVERIFY(top && top->name.starts_with("wall/") && top->name != foot->name);
+        QVERIFY(top->bodies < foot->bodies);
     }
     void aimingShowsTheTrajectory() {
         test::Stage stage;

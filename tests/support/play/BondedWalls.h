@@ -21,6 +21,20 @@ inline Project bondedWall(std::uint32_t pieces = 300, double impulsePerArea = 10
     return project;
 }
 
+/// A bonded portal of stone: two piers of 0.5 x 2 m, 3 m apart, and a lintel of 4 x 0.5 m on them. `delay`: of a
+/// collapse, s.
+inline Project bondedPortal(double span, double delay) {
+    Project project = bondedWall(1, 1e4);
+    Asset& asset = project.assets[0];
+    asset.prism.outline.outer = {{-2.0, -1.25}, {-1.5, -1.25}, {-1.5, 0.75}, {1.5, 0.75},
+                                 {1.5, -1.25},  {2.0, -1.25},  {2.0, 1.25},  {-2.0, 1.25}};
+    asset.pattern = patternOf(project, {UniformScatter{.count = 60}});
+    asset.bonding.span = span;
+    asset.bonding.collapseDelay = delay;
+    project.instances[0].pose.position = {0.0, 1.25, 0.0};
+    return project;
+}
+
 /// A ball thrown along -z at a point of the wall's front.
 inline Throw ballAtWall(Vec2 at = {0.0, 1.8}, double mass = 150.0, double speed = 20.0) {
     return {.kind = ProjectileKind::Ball,

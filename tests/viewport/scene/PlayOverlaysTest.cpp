@@ -3,7 +3,7 @@
 #include "viewport/scene/PlayOverlays.h"
 
 #include "core/asset/project/FragmentColours.h"
-#include "tests/support/play/Sessions.h"
+#include "tests/support/play/BondedWalls.h"
 #include "viewport/scene/ContactLines.h"
 #include "viewport/scene/SessionSceneBuilder.h"
 
@@ -117,7 +117,7 @@ private slots:
     void whatWouldFallIsMarked() {
         Shown shown(blocks(), {.hasCollapse = true});
         const std::uint32_t standing = shown.lookOf(3).outside;
-        shown.builder.setCollapse(BodyCollapse{.removed = 1, .falling = {2}});
+        shown.builder.setCollapse(BodyCollapse{.removed = {1}, .falling = {2}});
         shown.step(0);
         const std::set<std::uint32_t> colours{standing, shown.lookOf(1).outside, shown.lookOf(2).outside,
                                               shown.lookOf(3).outside};
@@ -125,10 +125,30 @@ private slots:
         shown.builder.setCollapse(std::nullopt);
         shown.step(0);
         QCOMPARE(shown.lookOf(3).outside, standing);
-        shown.builder.setCollapse(BodyCollapse{.removed = 1, .falling = {2}});
+        shown.builder.setCollapse(BodyCollapse{.removed = {1}, .falling = {2}});
         shown.builder.setOverlays({});
         shown.step(0);
         QCOMPARE(shown.lookOf(1).outside, Shown(blocks(), {}).lookOf(1).outside);
+    }
+    void fragmentsThatWouldFallAreDrawnAndMarked() {
+        Shown shown(test::bondedWall(20), {.hasCollapse = true}, 1);
+        const auto isShown = [&](std::uint32_t k) { return (shown.moment->appearances[k].marks & kHidden) == 0; };
+        QVERIFY(isShown(0) && !isShown(1));
+        const RenderPose whole = shown.moment->poses[0];
+        shown.builder.setCollapse(BodyCollapse{.removed = {1, {3}}, .falling = {}, .fallingParts = {{1, {0, 7}}}});
+        shown.step(0);
+        QVERIFY(!isShown(0));
+        for (std::uint32_t fragment = 0; fragment < 20; ++fragment) QVERIFY(isShown(1 + fragment));
+        QVERIFY(bodyOf(shown.session, shown.moment->picks[6]) == shown.session.body(1));
+        const auto colourOf = [&](std::uint32_t fragment) { return shown.moment->appearances[1 + fragment].outside; };
+        QCOMPARE(colourOf(0), colourOf(7));
+        QVERIFY(colourOf(3) != colourOf(0) && colourOf(5) != colourOf(0) && colourOf(5) != colourOf(3));
+        const Vec3 offset = shown.session.body(1)->asset->fragments[5].offset;
+        const glm::vec4 moved = shown.moment->poses[6].position - whole.position;
+        QVERIFY(glm::distance(Vec3(moved.x, moved.y, moved.z), offset) < 1e-5);
+        shown.builder.setCollapse(std::nullopt);
+        shown.step(0);
+        QVERIFY(isShown(0) && !isShown(1));
     }
     void heatShowsForecastOrCoolingImpacts() {
         Project project = test::floatingBlock(5);
@@ -152,6 +172,19 @@ private slots:
         shown.builder.setForecast(std::nullopt);
         shown.step(1);
         QCOMPARE(shown.lookOf(1).outside, packed(heatColour(0.0)));
+    }
+    void bodyThatLostBondsIsRedAndCoolsDown() {
+        Shown shown(test::bondedWall(60, 1e4), {.hasHeat = true}, 1);
+        addInput(shown.session, ShotInput{"ball", test::ballAtWall()});
+        const auto colour = [&] {  // of the wall, or of its fragment 0 if some are missing
+            return shown.moment->appearances[isPartial(*shown.session.body(1)) ? 1 : 0].outside;
+        };
+        for (int k = 0; k < 60 && shown.session.events().splits.empty(); ++k) shown.step(1);
+        QVERIFY(!shown.session.events().splits.empty());
+        QVERIFY(!shown.session.body(1)->nodes.empty() && shown.session.body(1)->nodes.front() == 0);
+        QCOMPARE(colour(), packed(heatColour(1.0)));
+        for (int k = 0; k < 120; ++k) shown.step(1);
+        QVERIFY(colour() != packed(heatColour(1.0)));
     }
     void heatRampGetsLighterAndEndsInRed() {
         const auto lightness = [](double value) {

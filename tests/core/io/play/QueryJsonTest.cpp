@@ -1,7 +1,7 @@
 #include "core/io/play/QueryJson.h"
 
 #include "tests/support/TestProgram.h"
-#include "tests/support/play/Sessions.h"
+#include "tests/support/play/BondedWalls.h"
 
 #include <limits>
 
@@ -28,6 +28,17 @@ private slots:
   "last": null
 }
 )"));
+    }
+    void fragmentsHaveTheirNames() {
+        const Session session = test::sessionOf(test::bondedWall(4));
+        const std::vector<BodyPart> removed{{1, {0}}};
+        const Collapse collapse{.islands = {{.mass = 12.5, .parts = {{1, {1, 3}}}}}, .mass = 12.5};
+        const QString text = QString::fromStdString(wouldFallJson(session, removed, collapse));
+        const std::string id = session.body(1)->asset->bake->fragmentId(0);
+        const QString first = QString::fromStdString(id.substr(id.find('/')));
+        QVERIFY2(text.contains("\"wall" + first + "\""), qPrintable(text));
+        QCOMPARE(text.count("\"wall/"), 3);
+        QVERIFY(text.contains("\"mass\": 12.5, \"bodies\": [\"wall/"));
     }
     void boxesAreWrittenInTheirOrder() {
         const std::vector<Box3> boxes{{{0.0, -1.0, 0.5}, {1.0, 2.0, 3.0}}, {{4.0, 4.0, 4.0}, {5.0, 5.0, 5.0}}};

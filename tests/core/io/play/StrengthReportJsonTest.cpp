@@ -51,6 +51,21 @@ private slots:
         QVERIFY(reportJson(one)["atMost"].is_null());
         QCOMPARE(reportJson(one)["suggested"].get<double>(), 12.5);
     }
+    void bondedAssetIsNotJudged() {
+        StrengthReport one = report(20.0);
+        one.threshold.reset();
+        one.interval = {};
+        one.fault = "it breaks along bonds.";
+        const nlohmann::json front = reportJson(one);
+        QVERIFY(front["threshold"].is_null() && front["above"].is_null() && front["suggested"].is_null());
+        QVERIFY(front["intents"].size() == 2 && front["intents"][0]["impulse"].is_null());
+        QCOMPARE(front["isSatisfied"].get<bool>(), false);
+        QCOMPARE(front["conflict"].get<std::string>(), "it breaks along bonds.");
+        one.asset.requirements.clear();
+        one.fault.reset();
+        QCOMPARE(reportJson(one)["isSatisfied"].get<bool>(), true);
+        QVERIFY(reportJson(one)["conflict"].is_null());
+    }
     void conflictIsASentence() {
         StrengthReport one = report(20.0);
         std::swap(one.asset.requirements[0].outcome, one.asset.requirements[1].outcome);

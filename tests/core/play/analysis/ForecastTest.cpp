@@ -5,7 +5,7 @@
 #include "core/play/session/Aim.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/House.h"
-#include "tests/support/play/Sessions.h"
+#include "tests/support/play/BondedWalls.h"
 
 #include <array>
 #include <cstdlib>
@@ -66,6 +66,43 @@ private slots:
         const std::vector<BodyForecast> bodies = forecastOf(floatingBlock(), throwAtBlock(2.0, 12.0));
         QCOMPARE(bodies.size(), std::size_t{1});
         QVERIFY(bodies[0].largest > 0.2 && bodies[0].largest < 0.3);
+    }
+    void bondsBreakAtOne() {
+        const auto wallIn = [](const Throw& thrown) {
+            const std::vector<BodyForecast> bodies = forecastOf(test::bondedWall(), thrown);
+            const auto wall = std::ranges::find(bodies, 1u, &BodyForecast::body);
+            return wall != bodies.end() ? wall->largest : 0.0;
+        };
+        QVERIFY(wallIn(test::ballAtWall()) >= 1.0);
+        const double weak = wallIn(test::ballAtWall({0.0, 1.8}, 0.02, 20.0));
+        QVERIFY2(weak > 0.0 && weak < 1.0, QByteArray::number(weak));
+        QCOMPARE(wallIn(test::ballAtWall({0.0, 9.0})), 0.0);  // over it
+    }
+    /// Throws of 20 g to 4 kg at the same wall, of which each may damage what the next meets.
+    void bondedWallKeepsThePromises() {
+        constexpr std::uint64_t kSeed = 5;
+        qInfo("seed %d", static_cast<int>(kSeed));
+        Random random(kSeed);
+        const std::shared_ptr<const PlayScene> scene = test::playSceneOf(test::bondedWall(150));
+        Session session = Session::start(scene).value();
+        std::array<int, 2> count{};
+        for (int k = 0; k < 40; ++k) {
+            const double mass = std::array{0.02, 0.05, 0.1, 0.3, 4.0}[random.below(5)];
+            const Throw thrown = test::ballAtWall({random.between(-1.7, 1.7), random.between(0.3, 2.7)}, mass,
+                                                  random.between(5.0, 25.0));
+            const auto bodies = breakForecast(orderOf(scene, session, thrown)).value();
+            addInput(session, ShotInput{"throw", thrown});
+            bool isBroken = false;
+            for (int step = 0; step < 240; ++step) {
+                session.step();
+                for (const PlaySplit& split : session.events().splits) isBroken |= split.body.number == 1;
+            }
+            const auto wall = std::ranges::find(bodies, 1u, &BodyForecast::body);
+            QCOMPARE(wall != bodies.end() && wall->largest >= 1.0, isBroken);
+            ++count[isBroken ? 1 : 0];
+        }
+        qInfo("%d throws broke bonds, %d did not", count[1], count[0]);
+        QVERIFY(count[0] >= 5 && count[1] >= 5);
     }
     void missesAreEmpty() {
         Throw past = throwAtBlock(20.0, 12.0);

@@ -181,6 +181,16 @@ private slots:
         QCOMPARE(conflictText(project.assets[0], *none).value_or(""),
                  std::string("\"breaks in a drop of 0.01 m\" cannot be met: such a slow contact does no damage."));
     }
+    void bondedAssetHasNoThreshold() {
+        Project project = block();
+        project.assets[0].breakAs = BreakAs::Bonded;
+        const auto interval = [&] { return thresholdInterval(project, onlyAsset(*test::playSceneOf(project))); };
+        QCOMPARE(interval().error().message,
+                 std::string("Asset \"block\": Strength requirements are for assets that break whole; this one breaks "
+                             "along bonds, without a threshold that they could bound."));
+        project.damage.isThesis = true;
+        QVERIFY(interval().hasValue());
+    }
     void suggestionWithOneOrNoBound() {
         Project project = block();
         const auto interval = [&] { return *thresholdInterval(project, onlyAsset(*test::playSceneOf(project))); };

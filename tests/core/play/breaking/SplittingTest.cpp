@@ -10,19 +10,6 @@ using namespace rubble;
 
 namespace {
 
-/// A portal of bricks: two piers of 0.5 x 2 m, 3 m apart, and a lintel of 4 x 0.5 m on them.
-Project portal(double span, double delay) {
-    Project project = test::bondedWall(1, 1e4);
-    Asset& asset = project.assets[0];
-    asset.prism.outline.outer = {{-2.0, -1.25}, {-1.5, -1.25}, {-1.5, 0.75}, {1.5, 0.75},
-                                 {1.5, -1.25},  {2.0, -1.25},  {2.0, 1.25},  {-2.0, 1.25}};
-    asset.pattern = test::patternOf(project, {UniformScatter{.count = 60}});
-    asset.bonding.span = span;
-    asset.bonding.collapseDelay = delay;
-    project.instances[0].pose.position = {0.0, 1.25, 0.0};
-    return project;
-}
-
 /// Breaks the bonds of the left pier's lower half.
 void breakLeftFoot(Session& session) {
     const auto& [id, structure] = *session.scene().structures.begin();
@@ -43,14 +30,14 @@ class SplittingTest : public QObject {
     Q_OBJECT
 private slots:
     void portalWithoutOnePierStandsByAnyConnection() {
-        Session session = test::sessionOf(portal(0.0, 0.0));
+        Session session = test::sessionOf(test::bondedPortal(0.0, 0.0));
         breakLeftFoot(session);
         for (int k = 0; k < 200; ++k) session.step();
         QVERIFY(test::wallOf(session).isHeld);
         QVERIFY(test::wallOf(session).nodes.size() > 30);
     }
     void portalWithoutOnePierLosesWhatIsBeyondTheSpan() {
-        Session session = test::sessionOf(portal(1.5, 0.0));
+        Session session = test::sessionOf(test::bondedPortal(1.5, 0.0));
         for (int k = 0; k < 30; ++k) session.step();
         QVERIFY(session.damage().begin()->second.isIntact());  // 1.5 m from either pier: it stands
         breakLeftFoot(session);
@@ -66,7 +53,7 @@ private slots:
         QVERIFY(standing > 8 && standing < 40);
     }
     void collapseWaitsForItsDelay() {
-        Session session = test::sessionOf(portal(1.5, 0.5));
+        Session session = test::sessionOf(test::bondedPortal(1.5, 0.5));
         breakLeftFoot(session);
         session.step();
         const auto heldNodes = [&] {

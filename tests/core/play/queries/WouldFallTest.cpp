@@ -166,7 +166,7 @@ private slots:
         QVERIFY(collapse->islands.empty());
         QCOMPARE(collapse->mass, 0.0);
         QCOMPARE(collapse->last, 0.0);
-        QVERIFY(wouldFall(session, {})->islands.empty());
+        QVERIFY(wouldFall(session, std::span<const std::uint32_t>())->islands.empty());
         Project weightless = test::stackProject();
         weightless.gravity = Vec3(0.0);
         const Session floating = settled(weightless);

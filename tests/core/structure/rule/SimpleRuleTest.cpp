@@ -6,6 +6,7 @@
 
 #include <QTest>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -182,6 +183,34 @@ private slots:
             if (!outcome.broken.empty()) ++changed;
         }
         QVERIFY(changed > 1000);
+    }
+    void utilizationSaysWhetherABondBreaks() {
+        std::array<int, 2> count{};
+        for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+            Random random(seed);
+            RandomHit hit(random);
+            const HitOutcome outcome = hit.apply();
+            QVERIFY2((outcome.utilization >= 1.0) == !outcome.broken.empty(), qPrintable(faultOfSeed(seed, "it lies")));
+            ++count[outcome.broken.empty() ? 0 : 1];
+        }
+        QVERIFY(count[0] > 300 && count[1] > 1000);
+    }
+    void impulseByUtilizationIsTheLeastThatBreaksIntactBonds() {
+        int tried = 0;
+        for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+            Random random(seed);
+            RandomHit hit(random);
+            std::ranges::fill(hit.struck.damage, kIntact);
+            RandomHit less = hit, more = hit;
+            const double utilization = hit.apply().utilization;
+            if (utilization == 0.0 || utilization == kInfinite) continue;
+            less.impulse *= (1.0 - 1e-6) / utilization;
+            more.impulse *= (1.0 + 1e-6) / utilization;
+            QVERIFY2(less.apply().broken.empty(), qPrintable(faultOfSeed(seed, "less breaks a bond")));
+            QVERIFY2(!more.apply().broken.empty(), qPrintable(faultOfSeed(seed, "more breaks no bond")));
+            ++tried;
+        }
+        QVERIFY2(tried > 1000, QByteArray::number(tried));
     }
     void aHitBelowTheLeastImpulseChangesNothing() {
         for (std::uint64_t seed = 0; seed < 3000; ++seed) {

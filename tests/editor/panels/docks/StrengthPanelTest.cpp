@@ -2,6 +2,7 @@
 // editor/background/SwapAuditRunner.cpp.
 #include "editor/panels/docks/StrengthPanel.h"
 
+#include "editor/panels/docks/IntervalBar.h"
 #include "editor/widgets/NumberField.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/PlayStage.h"
@@ -83,6 +84,17 @@ private slots:
         QVERIFY(outcome != nullptr);
         QVERIFY(desk.button("set-threshold").isHidden());
         QVERIFY(desk.says("survives"));
+    }
+    void bondedAssetHasNoInterval() {
+        Desk desk;
+        QVERIFY(!desk.panel->findChild<IntervalBar*>()->isHidden());
+        Asset asset = desk.asset();
+        asset.breakAs = BreakAs::Bonded;
+        desk.stage.document.push({.text = "Break as bonded", .replacements = {Replacement<Asset>{asset.id, asset}}});
+        QTRY_VERIFY(desk.says("breaks along bonds"));
+        QVERIFY(desk.button("set-threshold").isHidden() && desk.panel->findChild<IntervalBar*>()->isHidden());
+        desk.stage.document.undoStack().undo();
+        QTRY_VERIFY(!desk.says("breaks along bonds"));
     }
     void presetsSayWhichHitTheyAssume() {
         Desk desk;
