@@ -6,8 +6,9 @@ namespace rubble {
 
 std::string nameOf(const PlayBody& body, const PlayOrigin& origin) {
     std::string name = origin.name;
-    if (body.fragment != kNone) {
-        const std::string id = body.asset->bake->fragmentId(body.fragment);
+    const bool isSingle = body.role == PlayRole::Debris && body.nodes.size() == 1;
+    if (body.fragment != kNone || isSingle) {
+        const std::string id = body.asset->bake->fragmentId(isSingle ? fragmentsOf(body)[0] : body.fragment);
         name += id.substr(id.find('/'));
     }
     if (body.role == PlayRole::Debris && body.nodes.size() > 1) {
