@@ -33,6 +33,8 @@ InstanceActions::InstanceActions(Views& views, const VisibilityActions& visibili
     m_menu->addSeparator();
     addCopies();
     m_menu->addSeparator();
+    addAnchors();
+    m_menu->addSeparator();
     m_menu->addActions(visibility.instanceActions());
     addLocks();
     m_menu->addSeparator();
@@ -122,6 +124,17 @@ void InstanceActions::addCopies() {
     addEdit({"instance-variants", tr("Assign &Variants"), tr("Give each selected instance its own fracture variant"),
              QKeySequence("V")},
             assignDistinctVariants);
+}
+
+void InstanceActions::addAnchors() {
+    m_anchored =
+        add({"instance-anchored", tr("Anchored &Where It Touches"),
+             tr("Hold the selected bonded instances where they touch the ground or a fixed instance at the start")});
+    m_anchored->setCheckable(true);
+    connect(m_anchored, &QAction::triggered, this, [this] {
+        m_workspace.document().push(toggleAnchored(m_workspace.project(), selected()));
+        updateEnabled();  // the click changed the check mark, whether or not the project changed
+    });
 }
 
 void InstanceActions::addLocks() {
@@ -231,6 +244,8 @@ void InstanceActions::updateEnabled() {
     const std::vector<Instance>& all = m_workspace.project().instances;
     for (QAction* action : m_needSelection) action->setEnabled(!selected().empty());
     for (QAction* action : m_needMovable) action->setEnabled(!gizmo().movable().empty());
+    m_anchored->setEnabled(!bondedInstances(m_workspace.project(), selected()).empty());
+    m_anchored->setChecked(areAnchored(m_workspace.project(), selected()));
     m_place->setEnabled(!m_workspace.project().assets.empty());
     m_unlockAll->setEnabled(std::ranges::any_of(all, &Instance::isLocked));
 }

@@ -38,6 +38,7 @@ private:
     void addTransforms();
     void addHandles();
     void addCopies();
+    void addAnchors();
     void addLocks();
     void addContextMenus();
     void startPlacing();
@@ -62,6 +63,7 @@ private:
     QMenu* m_menu;
     QAction* m_place = nullptr;
     QAction* m_unlockAll = nullptr;
+    QAction* m_anchored = nullptr;    // checked if all selected bonded instances are
     QList<QAction*> m_needSelection;  // enabled while instances are selected
     QList<QAction*> m_needMovable;    // enabled while one of them is neither locked nor hidden
 };

@@ -170,6 +170,31 @@ Edit unlockAllInstances(const Project& project) {
                          [](Instance& instance) { instance.isLocked = false; });
 }
 
+std::vector<Id> bondedInstances(const Project& project, std::span<const Id> instances) {
+    std::vector<Id> bonded;
+    for (const Instance& instance : instancesWith(project, instances)) {
+        const Asset* asset = findAsset(project, instance.asset);
+        if (asset && asset->breakAs == BreakAs::Bonded) bonded.push_back(instance.id);
+    }
+    return bonded;
+}
+
+bool areAnchored(const Project& project, std::span<const Id> instances) {
+    const std::vector<Instance> bonded = instancesWith(project, bondedInstances(project, instances));
+    return !bonded.empty() && std::ranges::all_of(bonded, &Instance::isAnchored);
+}
+
+Edit toggleAnchored(const Project& project, std::span<const Id> instances) {
+    const std::vector<Id> bonded = bondedInstances(project, instances);
+    const bool isAnchored = !areAnchored(project, bonded);
+    const int count = static_cast<int>(bonded.size());
+    const QString text = isAnchored ? InstanceEditsTexts::tr("Anchor %n Instance(s)", nullptr, count)
+                                    : InstanceEditsTexts::tr("Release %n Instance(s)", nullptr, count);
+    return editInstances(text, project, [&](Instance& instance) {
+        if (isAmong(bonded, instance.id)) instance.isAnchored = isAnchored;
+    });
+}
+
 Edit moveInstances(const QString& text, const Project& project, std::span<const Id> instances,
                    std::span<const Pose> poses, quint64 mergeKey) {
     Edit edit = editInstances(text, project, [&](Instance& instance) {

@@ -42,6 +42,13 @@ Edit showAllInstances(const Project& project);
 Edit lockInstances(const Project& project, std::span<const Id> instances);
 Edit unlockAllInstances(const Project& project);
 
+/// Those of the instances whose asset breaks as bonded.
+std::vector<Id> bondedInstances(const Project& project, std::span<const Id> instances);
+/// True if there are bonded ones among the instances, and all of these are anchored.
+bool areAnchored(const Project& project, std::span<const Id> instances);
+/// Anchors the bonded ones of the instances where they touch; releases them if all are anchored.
+Edit toggleAnchored(const Project& project, std::span<const Id> instances);
+
 /// Sets the pose of each instance. `mergeKey`: see Edit::mergeKey.
 Edit moveInstances(const QString& text, const Project& project, std::span<const Id> instances,
                    std::span<const Pose> poses, quint64 mergeKey);

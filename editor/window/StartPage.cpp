@@ -24,10 +24,10 @@ namespace rubble {
 
 namespace {
 
-constexpr QSize kPictureSize{220, 150};
+constexpr QSize kPictureSize{174, 118};
 constexpr const char* kPictureName = "picture";  // a property of the button of an example
 constexpr int kMaxRecent = 6;
-constexpr int kPageWidth = 960;         // pixels: four examples side by side
+constexpr int kPageWidth = 960;         // pixels: five examples side by side
 constexpr double kTitleScale = 2.2;     // font size relative to the window's
 constexpr double kHeadingScale = 1.15;  // the same
 

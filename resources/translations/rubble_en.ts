@@ -89,6 +89,20 @@
             <numerusform>Lock %n Instances</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Anchor %n Instance(s)</source>
+        <translation>
+            <numerusform>Anchor %n Instance</numerusform>
+            <numerusform>Anchor %n Instances</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Release %n Instance(s)</source>
+        <translation>
+            <numerusform>Release %n Instance</numerusform>
+            <numerusform>Release %n Instances</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ProjectEdits</name>

@@ -72,7 +72,7 @@ private slots:
         QVERIFY(held.size() > before.size() / 4 && held.size() < before.size());
         QVERIFY(fallen >= 0.95 * carried);
         const SessionDamage damage = session.damage();
-        for (int k = 0; k < 2000; ++k) session.step();
+        for (int k = 0; k < 10000; ++k) session.step();
         QVERIFY(session.damage() == damage);
     }
 

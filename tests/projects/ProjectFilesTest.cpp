@@ -4,6 +4,7 @@
 #include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Arcade.h"
+#include "tests/support/asset/Dam.h"
 #include "tests/support/asset/House.h"
 #include "tests/support/asset/Pane.h"
 #include "tests/support/asset/WallWithOpenings.h"
@@ -21,6 +22,7 @@ private slots:
         QTest::addColumn<QString>("name");
         QTest::addColumn<Project>("built");
         QTest::newRow("arcade") << "arcade.rubble" << test::arcade();
+        QTest::newRow("dam") << "dam.rubble" << test::dam();
         QTest::newRow("house") << "house.rubble" << test::house();
         QTest::newRow("pane") << "pane.rubble" << test::pane();
         QTest::newRow("wall with openings") << "wall-with-openings.rubble" << test::wallWithOpenings();

@@ -34,6 +34,7 @@ public:
 
     std::vector<Diagnostic> found(int threads) {
         for (const Diagnostic& one : m_bake.diagnostics) add(one);
+        addLostUnbreakable();
         const std::vector<SeedId> seeds = rootSeeds();
         for (const BakedFracture& fracture : m_bake.fractures) addPieces(fracture, seeds, threads);
         std::vector<Diagnostic> problems = std::move(m_problems).list({.asset = m_asset.id});
@@ -65,6 +66,22 @@ private:
         Diagnostic problem = one;
         if (problem.place.level > 0) problem.place.index = kNone;
         m_problems.add(std::move(problem));
+    }
+
+    /// Paths of fragments that never break, but do not exist.
+    void addLostUnbreakable() {
+        const std::vector<FragmentPath>& listed = m_asset.bonding.neverBreaks;
+        if (m_asset.breakAs != BreakAs::Bonded || listed.empty()) return;
+        std::vector<FragmentPath> paths;
+        paths.reserve(m_bake.fragmentCount());
+        for (std::uint32_t k = 0; k < m_bake.fragmentCount(); ++k) paths.push_back(m_bake.fragmentPath(k));
+        std::ranges::sort(paths);
+        for (const FragmentPath& path : listed) {
+            if (std::ranges::binary_search(paths, path)) continue;
+            m_problems.add(diagnostic(DiagnosticCode::LostPiece, {.asset = m_asset.id, .path = path},
+                                      "Fragment " + path + " of asset " + quotedName(m_asset.name) +
+                                          " is set to never break, but does not exist."));
+        }
     }
 
     /// The seed of the asset's own pattern that each fragment comes from.

@@ -26,11 +26,11 @@ double badness(const Diagnostic& problem);
 /// Every fault that keeps an outline from being fractured.
 std::vector<Diagnostic> outlineProblems(const Asset& asset);
 
-/// The diagnostics of a bake that an artist should look at, by code, then by seed and fragment: its warnings, and
-/// slivers, tiny pieces and many hulls. DiagnosticPlace::index is set only for seeds of the asset's own pattern: the
-/// seed concerned, or the one that a fragment of any level comes from. Of each code there are ProblemLimits::most, and
-/// one that tells how many more there would be. O(corners · log corners of a piece) on
-/// task.threads; adds the number of visited diagnostics and fragments to `visited`.
+/// The diagnostics of a bake that an artist should look at, by code, then by seed and fragment: its warnings, slivers,
+/// tiny pieces and many hulls, and Bonding::neverBreaks of missing fragments. DiagnosticPlace::index is set only for
+/// seeds of the asset's own pattern: the seed concerned, or the one that a fragment of any level comes from. Of each
+/// code there are ProblemLimits::most, and one that tells how many more there would be. O(corners · log corners of a
+/// piece) on task.threads; adds the number of visited diagnostics and fragments to `visited`.
 std::vector<Diagnostic> problemsOf(const Asset& asset, const Bake& bake, const ProblemLimits& limits = {},
                                    const TaskContext& task = {}, std::size_t* visited = nullptr);
 

@@ -6,7 +6,9 @@
 namespace rubble {
 
 std::string nameOf(const PlayBody& body, const PlayOrigin& origin) {
-    std::string name = body.fragment != kNone ? fragmentName(body, origin, body.fragment) : origin.name;
+    const bool isSingle = body.role == PlayRole::Debris && body.nodes.size() == 1;
+    const std::uint32_t fragment = isSingle ? fragmentsOf(body).front() : body.fragment;
+    std::string name = fragment != kNone ? fragmentName(body, origin, fragment) : origin.name;
     if (body.role == PlayRole::Debris && body.nodes.size() > 1) {
         name += " (" + std::to_string(body.nodes.size()) + " fragments)";
     }

@@ -58,8 +58,8 @@ struct PlayOrigin {
     std::optional<Throw> thrown;  // of a plain projectile
 };
 
-/// The name of a body: "front 1.1", or with the fragment's path: "front 1.1/5.17"; of several bonded fragments with
-/// their number: "front 1.1 (12 fragments)".
+/// The name of a body: "front 1.1", or with the fragment's path: "front 1.1/5.17", also of a bonded fragment alone that
+/// an anchor holds; of several bonded fragments with their number: "front 1.1 (12 fragments)".
 std::string nameOf(const PlayBody& body, const PlayOrigin& origin);
 
 /// The name of a fragment that is bonded in a body: "front 1.1/5.17".

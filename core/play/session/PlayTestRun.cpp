@@ -25,10 +25,10 @@ public:
     void afterStep() {
         m_fragmentCounts.resize(m_session.origins().size(), 1);
         m_brokenAt.resize(m_session.origins().size(), 0);
-        for (const PlayBreak& broken : m_session.events().breaks) {
-            m_fragmentCounts[broken.body.origin] += broken.fragmentCount - 1;
-            if (m_brokenAt[broken.body.origin] == 0) m_brokenAt[broken.body.origin] = m_session.stepsDone();
-        }
+        for (const PlayBreak& broken : m_session.events().breaks)
+            recordBreak(broken.body.origin, broken.fragmentCount - 1);
+        for (const PlaySplit& split : m_session.events().splits)
+            recordBreak(split.body.origin, static_cast<std::uint32_t>(split.freed.size()));
         for (const Start& start : m_starts) {
             const PlayBody* body = m_session.body(start.number);
             if (body == nullptr) continue;
@@ -59,6 +59,11 @@ private:
         std::uint32_t origin = 0;
         std::uint64_t step = 0;
     };
+
+    void recordBreak(std::uint32_t origin, std::uint32_t added) {
+        m_fragmentCounts[origin] += added;
+        if (m_brokenAt[origin] == 0) m_brokenAt[origin] = m_session.stepsDone();
+    }
 
     void recordMove(std::uint32_t origin, double moved) {
         const bool isRecorded = std::ranges::find(m_firstMoves, origin, &Move::origin) != m_firstMoves.end();

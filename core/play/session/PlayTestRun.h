@@ -36,6 +36,7 @@ Result<Session> sessionOf(std::shared_ptr<const PlayScene> scene, const PlayTest
 /// Plays a test of the scene's project and evaluates its expectations. With a saved moment it starts there, and what
 /// happened before does not count; steps are those of the session.
 ///
+/// A bonded instance breaks where its first bonds break, and each body that comes off it counts as a fragment.
 /// StandsUntouched: within `value` seconds the instance, or any instance, neither moves more than 1 cm nor breaks.
 /// Breaks, DoesNotBreak: the instance, or any instance. BreaksIntoAtLeast: its fragments at the end, removed ones
 /// included; without an instance, those of the one with the most. NothingAbove, NothingFaster: at the end, of all

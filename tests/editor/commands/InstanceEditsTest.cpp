@@ -81,6 +81,25 @@ private slots:
         QVERIFY(locked.instances[1].isLocked && !locked.instances[2].isLocked);
         QVERIFY(test::editedProject(locked, unlockAllInstances(locked)) == project);
     }
+    void anchorsAllThatAreBonded() {
+        Project project = boxes(3);
+        QVERIFY(bondedInstances(project, kBoth).empty() && !areAnchored(project, kBoth));
+        QVERIFY(toggleAnchored(project, kBoth).isEmpty());
+        project.assets[0].breakAs = BreakAs::Bonded;
+        project.assets.push_back(boxAsset(4, 5, UniformScatter{.count = 4}));
+        project.assets.back().name = "unbonded";
+        project.instances.push_back({.id = 20, .name = "whole", .asset = 4});
+        project.instances[0].isAnchored = true;
+        constexpr Id kThree[] = {10, 11, 20};
+        QCOMPARE(bondedInstances(project, kThree), (std::vector<Id>{10, 11}));
+        QVERIFY(!areAnchored(project, kThree));
+        const Project anchored = test::editedProject(project, toggleAnchored(project, kThree));
+        QVERIFY(areAnchored(anchored, kThree));
+        QVERIFY(anchored.instances[1].isAnchored && !anchored.instances[2].isAnchored);
+        QVERIFY(!anchored.instances[3].isAnchored);  // breaks whole
+        const Project released = test::editedProject(anchored, toggleAnchored(anchored, kThree));
+        QVERIFY(!released.instances[0].isAnchored && !released.instances[1].isAnchored);
+    }
     void placesAnInstanceAtAPose() {
         const Pose pose{.position = {1.0, 2.0, 3.0}};
         Addition added = placeInstance(boxes(1), 2, pose);

@@ -195,6 +195,31 @@ private slots:
         QTest::keyClick(&viewport(), Qt::Key_End);
         QCOMPARE(placeOf(11).y, 0.0);
     }
+    void anchorsSelectedBondedInstances() {
+        QAction& anchored = *action("instance-anchored");
+        select({10, 11});
+        QVERIFY(!anchored.isEnabled() && !anchored.isChecked());
+        Project bonded = threeBoxes();
+        bonded.assets[0].breakAs = BreakAs::Bonded;
+        window().workspace().document().replace(bonded);
+        const std::string before = text();
+        select({10, 11});
+        QVERIFY(anchored.isEnabled() && !anchored.isChecked());
+        anchored.trigger();
+        QVERIFY(findInstance(project(), 10)->isAnchored && findInstance(project(), 11)->isAnchored);
+        QVERIFY(!findInstance(project(), 12)->isAnchored);
+        QVERIFY(anchored.isChecked());
+        select({11, 12});
+        QVERIFY(!anchored.isChecked());
+        select({10, 11});
+        anchored.trigger();
+        QVERIFY(!anchored.isChecked() && text() == before);
+        stack().undo();
+        QVERIFY(anchored.isChecked());
+        stack().undo();
+        QCOMPARE(text(), before);
+        QCOMPARE(stack().count(), 2);
+    }
     void assignedVariantsAreBakedAndShown() {
         select({10, 11, 12});
         QTest::keyClick(&viewport(), Qt::Key_V);

@@ -90,7 +90,7 @@ private slots:
         QVERIFY(QTest::qWaitForWindowExposed(start.get(), kPatience));
         int pictures = 0;
         for (QToolButton* button : start->centralWidget()->findChildren<QToolButton*>()) {
-            if (button->icon().isNull() || button->iconSize().width() < 200) continue;
+            if (button->icon().isNull() || button->iconSize().width() < 150) continue;
             ++pictures;
             followsTheme([&] { return button->icon().pixmap(button->iconSize()).toImage(); });
             followsTheme([&] { return button->grab().toImage(); });

@@ -72,6 +72,21 @@ private slots:
         QVERIFY(seedOf(problems[0].place) == (SeedId{5, 9}));
         QVERIFY(!problems[0].place.point);
     }
+    void unbreakableFragmentsThatAreGoneAreReported() {
+        Asset asset = boxAsset(3, 5, UniformScatter{.count = 4});
+        asset.levels = {{.pattern = {{{.id = 6, .parameters = UniformScatter{.count = 2}}}}}};
+        asset.breakAs = BreakAs::Bonded;
+        asset.bonding.neverBreaks = {"5.1", "5.1/6.0", "5.1/6.7", "5.9"};
+        const auto problems = ofKind(problemsIn(asset), DiagnosticCode::LostPiece);
+        QCOMPARE(problems.size(), std::size_t{2});
+        QCOMPARE(problems[0].place.path, std::string("5.1/6.7"));
+        QCOMPARE(problems[1].place.path, std::string("5.9"));
+        QCOMPARE(problems[1].place.asset, Id{3});
+        QCOMPARE(problems[1].message,
+                 "Fragment 5.9 of asset \"" + asset.name + "\" is set to never break, but does not exist.");
+        asset.breakAs = BreakAs::Whole;  // without bonds it means nothing
+        QVERIFY(ofKind(problemsIn(asset), DiagnosticCode::LostPiece).empty());
+    }
     void scatterWithoutRoomIsReported() {
         const Asset asset = boxAsset(3, 5, BlueNoise{.minimumDistance = 0.4, .count = 500});
         const auto problems = ofKind(problemsIn(asset), DiagnosticCode::NoRoom);

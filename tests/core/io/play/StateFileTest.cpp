@@ -24,7 +24,7 @@ bool isLongRun() { return qEnvironmentVariableIsSet("RUBBLE_LONG"); }
 
 std::vector<std::shared_ptr<const PlayScene>> demoScenes() {
     std::vector<std::shared_ptr<const PlayScene>> scenes{test::playSceneOf(test::threeBlocks())};
-    for (const char* name : {"pane", "wall-with-openings", "house"}) {
+    for (const char* name : {"pane", "wall-with-openings", "house", "arcade", "dam"}) {
         scenes.push_back(
             test::playSceneOf(*loadProject(std::string(RUBBLE_SOURCE_DIR "/projects/") + name + ".rubble")));
     }

@@ -2,6 +2,7 @@
 
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Arcade.h"
+#include "tests/support/asset/Dam.h"
 #include "tests/support/asset/House.h"
 #include "tests/support/asset/Pane.h"
 #include "tests/support/asset/RandomAssets.h"
@@ -69,6 +70,7 @@ private slots:
     void demoProjectsSwapCleanly_data() {
         QTest::addColumn<Project>("project");
         QTest::newRow("arcade, whose bonds break at once") << test::arcade();
+        QTest::newRow("dam, whose bonds break at once") << test::dam();
         QTest::newRow("house") << test::house();
         QTest::newRow("pane") << test::pane();
         QTest::newRow("wall with openings") << test::wallWithOpenings();

@@ -3,6 +3,7 @@
 #include "core/base/Random.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Arcade.h"
+#include "tests/support/asset/Dam.h"
 #include "tests/support/asset/House.h"
 #include "tests/support/asset/Pane.h"
 #include "tests/support/asset/WallWithOpenings.h"
@@ -61,6 +62,7 @@ const std::vector<Scene>& scenes() {
         add("bonded wall", test::bondedWall(150));
         made.push_back({"anchored wall", test::playSceneOf(test::bondedWall(150))});
         made.push_back({"arcade", test::playSceneOf(test::arcade())});
+        made.push_back({"dam", test::playSceneOf(test::dam())});
         return made;
     }();
     return all;

@@ -2,6 +2,7 @@
 
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/House.h"
+#include "tests/support/play/BondedWalls.h"
 #include "tests/support/play/Sessions.h"
 
 using namespace rubble;
@@ -93,8 +94,6 @@ private slots:
         QCOMPARE(outcome.error().code, ErrorCode::Cancelled);
     }
 
-private:
-    std::vector<Case> m_cases;
     /// The front is broken there: it cannot break again, and times of shots count from there.
     void startsFromAState() {
         const std::shared_ptr<const PlayScene> scene = test::playSceneOf(test::house());
@@ -123,6 +122,44 @@ private:
         if (broken > 0) QCOMPARE(outcome->expectations[0].step, broken);
         QVERIFY2(outcome->expectations[1].isMet, outcome->expectations[1].seen.c_str());
     }
+    void bondedInstancesBreakWhereBondsDo() {
+        using enum ExpectationKind;
+        Project project = test::bondedWall();
+        const Id wall = project.instances[0].id;
+        const Id ball = test::addShot(project, "ball", 0.0, test::ballAtWall());
+        const auto scene = test::playSceneOf(project);
+        Session session = test::sessionOf(project);
+        test::addInput(session, ShotInput{"ball", test::ballAtWall()});
+        std::uint64_t broken = 0;
+        std::size_t bodies = 1;
+        for (int k = 0; k < 120; ++k) {
+            session.step();
+            for (const PlaySplit& split : session.events().splits) {
+                if (broken == 0) broken = session.stepsDone();
+                bodies += split.freed.size();
+            }
+        }
+        QVERIFY(broken > 0 && bodies > 2);
+        const double fragments = static_cast<double>(bodies);
+        const PlayTest test{.id = 1,
+                            .name = "test",
+                            .shots = {ball},
+                            .duration = 2.0,
+                            .expectations = {{.kind = Breaks, .instance = wall},
+                                             {.kind = DoesNotBreak, .instance = wall},
+                                             {.kind = StandsUntouched, .instance = wall, .value = 2.0},
+                                             {.kind = BreaksIntoAtLeast, .instance = wall, .value = fragments},
+                                             {.kind = BreaksIntoAtLeast, .instance = wall, .value = fragments + 1.0}}};
+        const Result<PlayTestOutcome> outcome = runPlayTest(scene, test);
+        QVERIFY(outcome.hasValue());
+        std::vector<bool> areMet;
+        for (const ExpectationOutcome& one : outcome->expectations) areMet.push_back(one.isMet);
+        QCOMPARE(areMet, (std::vector<bool>{true, false, false, true, false}));
+        QCOMPARE(outcome->expectations[0].step, broken);
+    }
+
+private:
+    std::vector<Case> m_cases;
 };
 
 RUBBLE_TEST(PlayTestRunTest)
