@@ -32,7 +32,8 @@ const char* nameOf(DiagnosticCode code) {
                                           "PatternFallback",
                                           "LeftWorld",
                                           "ReplayMismatch",
-                                          "RepeatedPoint"};
+                                          "RepeatedPoint",
+                                          "IdleMortar"};
     static_assert(kNames.size() == kDiagnosticCodes);
     return kNames[static_cast<std::size_t>(code)];
 }

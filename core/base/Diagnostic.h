@@ -39,8 +39,9 @@ enum class DiagnosticCode {
     LeftWorld,          // a body was removed, or a fragment not added: it cannot be simulated where or as fast as it is
     ReplayMismatch,     // a step differs from the recording
     RepeatedPoint,      // of an outline in a file: equal to the one before, which is kept
+    IdleMortar,         // joins nothing that is anchored
 };
-inline constexpr int kDiagnosticCodes = 27;
+inline constexpr int kDiagnosticCodes = 28;
 
 /// The code's name in JSON, messages and lists: "DuplicateSeed".
 const char* nameOf(DiagnosticCode code);

@@ -180,4 +180,13 @@ Polytope translated(Polytope polytope, Vec3 offset) {
     return polytope;
 }
 
+Polytope placed(Polytope polytope, const Pose& pose) {
+    for (Vec3& vertex : polytope.vertices) vertex = pose.position + pose.orientation * vertex;
+    for (Plane& plane : polytope.planes) {
+        plane.normal = pose.orientation * plane.normal;
+        plane.offset += glm::dot(plane.normal, pose.position);
+    }
+    return polytope;
+}
+
 }  // namespace rubble

@@ -44,6 +44,8 @@ std::vector<std::vector<SignedEdge>> signedEdgeLoops(const Polytope& polytope);
 
 /// The polytope translated by an offset.
 Polytope translated(Polytope polytope, Vec3 offset);
+/// The polytope in another frame, in which its own is at `pose`.
+Polytope placed(Polytope polytope, const Pose& pose);
 
 /// Why a polytope is invalid: an index out of range, an edge without two faces, a face that is not planar (within 1e-9
 /// of the size), faces inward or has a vertex in front of it, or an Euler number other than two. Nothing for a valid

@@ -1,5 +1,6 @@
 #include "core/play/breaking/BondBreaking.h"
 
+#include "core/play/breaking/MortarBreaking.h"
 #include "core/play/breaking/MovingMass.h"
 #include "core/play/breaking/Splitting.h"
 #include "core/play/state/SessionBodies.h"
@@ -114,6 +115,7 @@ std::vector<std::uint32_t> bondsOf(const StructureState& state, const PlayBody& 
 void breakByLoads(const SessionParts& parts, const PlayBody& body, std::span<const BondLoad> loads, Vec3 point) {
     StructureState& state = parts.state.structures[body.structure];
     HitOutcome outcome = applyLoads(state.structure->capacities, state.structure->rule, loads, state.damage);
+    shareMortarDamage(parts, body.structure);
     if (outcome.broken.empty()) return;
     splitBodies(parts, {{.body = body.number, .point = point, .bonds = std::move(outcome.broken)}});
 }
@@ -149,6 +151,7 @@ BrokenBonds damageBonds(const SessionParts& parts, PlayBody& body, std::span<con
                                   state.bodyOfNode, body.number, state.damage);
     if (outcome.utilization > 0.0)
         parts.state.events.impacts.push_back({body.number, impulse, impulse / outcome.utilization, points.front()});
+    shareMortarDamage(parts, body.structure);
     return {.body = body.number, .impulse = outcome.taken, .point = points.front(), .bonds = std::move(outcome.broken)};
 }
 

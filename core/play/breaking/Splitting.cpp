@@ -2,6 +2,7 @@
 
 #include "core/base/Assert.h"
 #include "core/physics/world/Split.h"
+#include "core/play/breaking/MortarBreaking.h"
 #include "core/play/breaking/MovingMass.h"
 #include "core/play/scene/PlayBodyShape.h"
 #include "core/play/state/SessionBodies.h"
@@ -350,7 +351,10 @@ StructureState& structureOf(const SessionParts& parts, PlayBody& body) {
 
 bool splitBodies(const SessionParts& parts, std::vector<BrokenBonds> broken) {
     bool isAnyFree = false;
-    for (BrokenBonds& one : broken) isAnyFree |= splitBody(parts, std::move(one));
+    while (!broken.empty()) {
+        for (BrokenBonds& one : broken) isAnyFree |= splitBody(parts, std::move(one));
+        broken = brokenMortar(parts);
+    }
     return isAnyFree;
 }
 

@@ -23,7 +23,7 @@ struct BrokenBonds {
 /// PlayStructure::minimumIsland fall apart. What has lost its support loses all of its bonds at once, or in a later
 /// step, see PlayStructure::collapseDelay. What comes off a held body within the impactor's bounding radius of the
 /// point that was hit is pushed together: the hole guides it, where its parts would jam if they were pushed one by
-/// one. True if any body came free.
+/// one. Then the same for the mortar that holds no longer, see brokenMortar(). True if any body came free.
 bool splitBodies(const SessionParts& parts, std::vector<BrokenBonds> broken);
 
 /// Breaks the bonds of what lost its support and has to come off in this step. True if any did.

@@ -4,6 +4,8 @@
 #include "core/asset/checks/ValueFaults.h"
 #include "core/asset/checks/VerifyProject.h"
 #include "core/asset/project/Names.h"
+#include "core/base/MessageText.h"
+#include "core/play/scene/PlayMortar.h"
 
 namespace rubble {
 namespace {
@@ -42,6 +44,17 @@ Status checkAssets(const PlayScene& scene) {
     return success();
 }
 
+void joinByMortar(PlayScene& scene, std::span<const FixedSolid> surroundings) {
+    std::map<Id, MortarMember> members;
+    for (const auto& [id, structure] : scene.structures) members[id] = {findInstance(scene.project, id), structure};
+    for (const std::string& mortar : addMortar(scene.project, surroundings, members)) {
+        scene.diagnostics.push_back({.code = DiagnosticCode::IdleMortar,
+                                     .message = "Mortar " + quotedName(mortar) +
+                                                " holds nothing: it joins no bonded instances of which one is anchored."});
+    }
+    for (auto& [id, member] : members) scene.structures[id] = std::move(member.structure);
+}
+
 }  // namespace
 
 void addStructures(PlayScene& scene) {
@@ -67,6 +80,7 @@ void addStructures(PlayScene& scene) {
         scene.structures[instance.id] =
             instanceStructure(*whole->second, asset, *findMaterial(project, asset.material), instance, surroundings);
     }
+    if (!project.mortars.empty()) joinByMortar(scene, surroundings);
 }
 
 std::shared_ptr<const PlayStructure> structureIn(const PlayScene& scene, const PlayOrigin& origin,

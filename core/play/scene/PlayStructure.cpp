@@ -19,19 +19,11 @@ std::uint32_t fractureIndex(const Bake& bake, std::uint32_t parent) {
     return static_cast<std::uint32_t>(bake.fractureOf(parent) - bake.fractures.data());
 }
 
-/// Hulls moved from a frame into another, at `pose` in it.
-std::vector<Polytope> placed(std::vector<Polytope> hulls, const Pose& pose) {
-    for (Polytope& hull : hulls) {
-        for (Vec3& vertex : hull.vertices) vertex = pose.position + pose.orientation * vertex;
-        for (Plane& plane : hull.planes) {
-            plane.normal = pose.orientation * plane.normal;
-            plane.offset += glm::dot(plane.normal, pose.position);
-        }
-    }
+/// Hulls in another frame, in which theirs is at `pose`.
+std::vector<Polytope> placedAll(std::vector<Polytope> hulls, const Pose& pose) {
+    for (Polytope& hull : hulls) hull = placed(std::move(hull), pose);
     return hulls;
 }
-
-Pose poseOf(const Instance& instance) { return {instance.pose.position, glm::normalize(instance.pose.orientation)}; }
 
 /// Bonds that hold painted fragments.
 std::vector<Bond> paintedAnchors(const Asset& asset, const Bake& bake) {
@@ -49,18 +41,20 @@ std::vector<Bond> touchedAnchors(const Bake& bake, const Instance& instance, std
     std::vector<Polytope> supports;  // in the asset's frame
     for (const FixedSolid& solid : surroundings) {
         if (solid.instance == instance.id) continue;
-        for (Polytope& hull : placed(solid.hulls, {back * -pose.position, back})) supports.push_back(std::move(hull));
+        for (Polytope& hull : placedAll(solid.hulls, {back * -pose.position, back})) supports.push_back(std::move(hull));
     }
     std::vector<MortarNode> nodes;
     const Fragments& fragments = bake.fractures.front().fragments;
     for (std::uint32_t node = 0; node < fragments.count(); ++node) {
         const Fragment fragment = fragments[node];
-        nodes.push_back({node, fragment.offset(), placed(fragment.hulls(), {.position = fragment.offset()})});
+        nodes.push_back({node, fragment.offset(), placedAll(fragment.hulls(), {.position = fragment.offset()})});
     }
     return anchorBonds(nodes, supports, kAnchorTolerance, kLeastAnchorArea);
 }
 
 }  // namespace
+
+Pose poseOf(const Instance& instance) { return {instance.pose.position, glm::normalize(instance.pose.orientation)}; }
 
 bool PlayStructure::isHeld() const {
     return holdsHeaviest || std::ranges::any_of(graph.bonds, [](const Bond& bond) { return bond.second == kNone; });
@@ -73,7 +67,7 @@ std::vector<FixedSolid> fixedSolids(const Project& project,
     for (const Instance& instance : project.instances) {
         const auto asset = assets.find(variantOf(instance));
         if (!instance.isFixed || asset == assets.end() || asset->second->isBonded) continue;
-        solids.push_back({instance.id, placed(wholeHullsInPrism(*asset->second->bake), poseOf(instance))});
+        solids.push_back({instance.id, placedAll(wholeHullsInPrism(*asset->second->bake), poseOf(instance))});
     }
     return solids;
 }

@@ -12,12 +12,20 @@
 
 namespace rubble {
 
+/// The other half of a face that two instances have in common.
+struct MortarLink {
+    Id instance = 0;         // at the other side; 0: it is fixed, and does not break along bonds
+    std::uint32_t bond = 0;  // of its structure
+    bool operator==(const MortarLink&) const = default;
+};
+
 /// The fragments of a fracture, joined by bonds, prepared for play: shared by all of its bodies. Its nodes are the
 /// fragments of the fracture, in order; its frame is the asset's.
 struct PlayStructure {
     std::shared_ptr<const PlayAsset> asset;
     std::uint32_t parent = kNone;    // the fragment that is fractured; kNone: the whole
-    BondGraph graph;                 // with the bonds to anchors
+    BondGraph graph;                 // with the bonds to anchors, of which the last are mortar
+    std::vector<MortarLink> mortar;  // of these
     std::vector<double> capacities;  // N·s, of each bond; infinite: it never breaks
     SimpleRule rule;
     double leastImpulse = 0.0;        // N·s: a weaker hit breaks and damages nothing
@@ -30,6 +38,13 @@ struct PlayStructure {
     std::uint32_t nodeCount() const { return graph.nodeCount(); }
     std::uint32_t fragmentOf(std::uint32_t node) const { return fracture().first + node; }
     const PlaySolid& solidOf(std::uint32_t node) const { return asset->fragments[fragmentOf(node)]; }
+    /// The first bond that is mortar.
+    std::uint32_t firstMortar() const { return graph.bondCount() - static_cast<std::uint32_t>(mortar.size()); }
+    /// The other half of a bond; null unless it is mortar between two structures.
+    const MortarLink* mortarOf(std::uint32_t bond) const {
+        const bool isMortar = bond >= firstMortar() && mortar[bond - firstMortar()].instance != 0;
+        return isMortar ? &mortar[bond - firstMortar()] : nullptr;
+    }
     /// The solid that all nodes together are.
     const PlaySolid& whole() const { return asset->solid(parent); }
     /// Whether it is fixed until its bonds to anchors break.
@@ -39,6 +54,9 @@ struct PlayStructure {
 /// The structure of a fracture of an asset, without anchors. `asset` is the variant that is baked.
 std::shared_ptr<const PlayStructure> playStructure(const Asset& asset, const Material& material,
                                                    std::shared_ptr<const PlayAsset> ready, std::uint32_t parent);
+
+/// Where the frame of an instance is in the world.
+Pose poseOf(const Instance& instance);
 
 /// Something that bonded instances may be anchored to.
 struct FixedSolid {

@@ -91,6 +91,16 @@ private slots:
         QCOMPARE(moved.planes[1].offset, -5.0);
         QCOMPARE(faultOf(moved), "");
     }
+    void placedTurnsThenMoves() {
+        const double half = std::sqrt(0.5);
+        const Polytope turned = placed(unitCube(), {{2.0, 3.0, 5.0}, {half, 0.0, 0.0, half}});  // 90° about z
+        QCOMPARE(faultOf(turned), "");
+        Box3 before, after;
+        for (const Vec3& vertex : unitCube().vertices) before.include(vertex);
+        for (const Vec3& vertex : turned.vertices) after.include(vertex);
+        QVERIFY(glm::distance(after.min, Vec3(2.0 - before.max.y, 3.0 + before.min.x, 5.0 + before.min.z)) < 1e-12);
+        QVERIFY(glm::distance(after.max, Vec3(2.0 - before.min.y, 3.0 + before.max.x, 5.0 + before.max.z)) < 1e-12);
+    }
     void farPrismsAreValid() { QCOMPARE(faultOf(translated(unitCube(), {1e6, -1e6, 1e6})), ""); }
     void everyFaultIsReported_data() {
         QTest::addColumn<int>("fault");

@@ -1,0 +1,171 @@
+#include "core/play/scene/PlayMortar.h"
+
+#include "core/structure/bonds/MortarBonds.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace rubble {
+namespace {
+
+/// The fragments of several instances, in the world.
+struct MortarNodes {
+    struct Place {
+        Id instance = 0;
+        std::uint32_t node = 0;  // of its structure
+    };
+    std::vector<MortarNode> nodes;
+    std::vector<Place> places;  // of each node
+};
+
+void addNodes(const MortarMember& member, MortarNodes& all) {
+    const PlayStructure& structure = *member.structure;
+    const Pose pose = poseOf(*member.instance);
+    for (std::uint32_t node = 0; node < structure.nodeCount(); ++node) {
+        const Fragment fragment = structure.asset->bake->fragment(structure.fragmentOf(node)).solid;
+        const Pose frame{pose.position + pose.orientation * fragment.offset(), pose.orientation};
+        MortarNode made{.body = member.instance->id,
+                        .centre = pose.position + pose.orientation * structure.graph.centres[node]};
+        for (Polytope& hull : fragment.hulls()) made.hulls.push_back(placed(std::move(hull), frame));
+        all.nodes.push_back(std::move(made));
+        all.places.push_back({member.instance->id, node});
+    }
+}
+
+/// A bond in the world, as an anchor of a node of an instance. `side`: 1 for the bond's first node, -1 for the second.
+Bond anchorOf(const Bond& bond, std::uint32_t node, const Instance& instance, double side) {
+    const Pose pose = poseOf(instance);
+    const Quat back = glm::conjugate(pose.orientation);
+    const Mat3 turn = glm::mat3_cast(back);
+    Bond anchor = bond;
+    anchor.first = node;
+    anchor.second = kNone;
+    anchor.centroid = back * (bond.centroid - pose.position);
+    anchor.normal = back * (side * bond.normal);
+    anchor.moments = turn * bond.moments * glm::transpose(turn);
+    return anchor;
+}
+
+/// What mortar adds to a structure.
+struct AddedAnchors {
+    std::vector<Bond> bonds;
+    std::vector<double> capacities;
+    std::vector<MortarLink> links;
+};
+
+/// The mortar between instances.
+class MortarJoints {
+public:
+    explicit MortarJoints(const std::map<Id, MortarMember>& members) : m_members(members) {
+        for (const auto& [id, member] : members) m_added[id];
+    }
+
+    /// Adds the joints of a mortar. Returns the instances that it joins.
+    std::set<Id> add(const Mortar& mortar, std::span<const FixedSolid> surroundings) {
+        const auto isJoined = [&](Id instance) {
+            return mortar.instances.empty() || std::ranges::binary_search(mortar.instances, instance);
+        };
+        MortarNodes all;
+        for (const auto& [id, member] : m_members) {
+            if (isJoined(id)) addNodes(member, all);
+        }
+        std::vector<Polytope> supports;
+        for (const FixedSolid& solid : surroundings) {
+            if (solid.instance == 0 || !isJoined(solid.instance)) continue;
+            supports.insert(supports.end(), solid.hulls.begin(), solid.hulls.end());
+        }
+        std::set<Id> joined;
+        for (const Bond& bond : mortarBonds(all.nodes, mortar.tolerance, mortar.leastArea)) {
+            const MortarNodes::Place &first = all.places[bond.first], &second = all.places[bond.second];
+            const std::uint32_t ofFirst = add(first, bond, 1.0, mortar.impulsePerArea);
+            const std::uint32_t ofSecond = add(second, bond, -1.0, mortar.impulsePerArea);
+            m_added[first.instance].links[ofFirst] = {second.instance, ofSecond};
+            m_added[second.instance].links[ofSecond] = {first.instance, ofFirst};
+            joined.insert({first.instance, second.instance});
+        }
+        for (const Bond& bond : anchorBonds(all.nodes, supports, mortar.tolerance, mortar.leastArea)) {
+            add(all.places[bond.first], bond, 1.0, mortar.impulsePerArea);
+            joined.insert(all.places[bond.first].instance);
+        }
+        return joined;
+    }
+
+    const std::map<Id, AddedAnchors>& added() const { return m_added; }
+
+private:
+    /// Returns the index of the link.
+    std::uint32_t add(const MortarNodes::Place& place, const Bond& bond, double side, double impulsePerArea) {
+        AddedAnchors& added = m_added[place.instance];
+        added.bonds.push_back(anchorOf(bond, place.node, *m_members.at(place.instance).instance, side));
+        added.capacities.push_back(impulsePerArea * bond.area);
+        added.links.emplace_back();
+        return static_cast<std::uint32_t>(added.links.size()) - 1;
+    }
+
+    const std::map<Id, MortarMember>& m_members;
+    std::map<Id, AddedAnchors> m_added;
+};
+
+/// The instances that are anchored, themselves or through mortar.
+std::set<Id> anchoredThroughMortar(const std::map<Id, MortarMember>& members, const MortarJoints& joints) {
+    std::set<Id> anchored;
+    std::vector<Id> next;
+    const auto reach = [&](Id instance) {
+        if (anchored.insert(instance).second) next.push_back(instance);
+    };
+    for (const auto& [id, member] : members) {
+        const auto isFixed = [](const MortarLink& link) { return link.instance == 0; };
+        if (member.structure->isHeld() || std::ranges::any_of(joints.added().at(id).links, isFixed)) reach(id);
+    }
+    while (!next.empty()) {
+        const Id instance = next.back();
+        next.pop_back();
+        for (const MortarLink& link : joints.added().at(instance).links) {
+            if (link.instance != 0) reach(link.instance);
+        }
+    }
+    return anchored;
+}
+
+/// A structure with the mortar that `joints` adds to it. The links lead to bonds among the added ones of the others,
+/// whose structures have `firstMortar` bonds without them.
+std::shared_ptr<const PlayStructure> withMortar(const PlayStructure& structure, const AddedAnchors& added,
+                                                const std::map<Id, std::uint32_t>& firstMortar) {
+    auto made = std::make_shared<PlayStructure>(structure);
+    std::vector<Bond> bonds = structure.graph.bonds;
+    bonds.insert(bonds.end(), added.bonds.begin(), added.bonds.end());
+    made->capacities.insert(made->capacities.end(), added.capacities.begin(), added.capacities.end());
+    made->graph = bondGraph(structure.graph.centres, std::move(bonds));
+    made->mortar = added.links;
+    for (MortarLink& link : made->mortar) {
+        if (link.instance != 0) link.bond += firstMortar.at(link.instance);
+    }
+    made->leastImpulse = leastImpulse(made->capacities, made->rule);
+    return made;
+}
+
+}  // namespace
+
+std::vector<std::string> addMortar(const Project& project, std::span<const FixedSolid> surroundings,
+                                   std::map<Id, MortarMember>& members) {
+    MortarJoints joints(members);
+    std::vector<std::set<Id>> joined;
+    for (const Mortar& mortar : project.mortars) joined.push_back(joints.add(mortar, surroundings));
+    const std::set<Id> anchored = anchoredThroughMortar(members, joints);
+    std::map<Id, std::uint32_t> firstMortar;
+    for (const auto& [id, member] : members) firstMortar[id] = member.structure->graph.bondCount();
+    for (auto& [id, member] : members) {
+        const AddedAnchors& added = joints.added().at(id);
+        if (anchored.contains(id) && !added.bonds.empty())
+            member.structure = withMortar(*member.structure, added, firstMortar);
+    }
+    std::vector<std::string> idle;
+    for (std::size_t k = 0; k < joined.size(); ++k) {
+        const bool holds = std::ranges::any_of(joined[k], [&](Id id) { return anchored.contains(id); });
+        if (!holds) idle.push_back(project.mortars[k].name);
+    }
+    return idle;
+}
+
+}  // namespace rubble
