@@ -38,9 +38,9 @@ struct MortarUnits {
     /// Of one instance that has mortar.
     struct Member {
         const PlayStructure* structure = nullptr;
-        const StructureState* state = nullptr;   // null: intact
-        std::uint32_t first = 0;                 // its first unit
-        std::vector<std::uint32_t> unitOfNode;   // relative to that; empty: one for all
+        const StructureState* state = nullptr;  // null: intact
+        std::uint32_t first = 0;                // its first unit
+        std::vector<std::uint32_t> unitOfNode;  // relative to that; empty: one for all
     };
     std::map<Id, Member> members;
     std::uint32_t count = 0;

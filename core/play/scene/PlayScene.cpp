@@ -48,9 +48,10 @@ void joinByMortar(PlayScene& scene, std::span<const FixedSolid> surroundings) {
     std::map<Id, MortarMember> members;
     for (const auto& [id, structure] : scene.structures) members[id] = {findInstance(scene.project, id), structure};
     for (const std::string& mortar : addMortar(scene.project, surroundings, members)) {
-        scene.diagnostics.push_back({.code = DiagnosticCode::IdleMortar,
-                                     .message = "Mortar " + quotedName(mortar) +
-                                                " holds nothing: it joins no bonded instances of which one is anchored."});
+        scene.diagnostics.push_back(
+            {.code = DiagnosticCode::IdleMortar,
+             .message = "Mortar " + quotedName(mortar) +
+                        " holds nothing: it joins no bonded instances of which one is anchored."});
     }
     for (auto& [id, member] : members) scene.structures[id] = std::move(member.structure);
 }

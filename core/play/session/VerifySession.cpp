@@ -4,6 +4,7 @@
 #include "core/asset/checks/VerifyProject.h"
 #include "core/asset/project/Ranges.h"
 #include "core/play/breaking/ApplyDamage.h"
+#include "core/play/scene/GroundHull.h"
 #include "core/play/scene/Projectile.h"
 #include "core/play/session/SessionInputs.h"
 #include "core/play/state/SessionBodies.h"

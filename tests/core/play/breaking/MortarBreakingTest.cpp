@@ -1,0 +1,189 @@
+#include "core/play/breaking/MortarBreaking.h"
+
+#include "core/base/Random.h"
+#include "core/play/state/SessionState.h"
+#include "tests/support/TestProgram.h"
+#include "tests/support/play/MortarPortal.h"
+
+#include <set>
+
+using namespace rubble;
+using test::addInput;
+
+namespace {
+
+constexpr std::uint32_t kLeft = 1, kRight = 2, kBeam = 3;  // numbers of the bodies
+
+Session started(const Project& project) { return Session::start(test::playSceneOf(project), {}).value(); }
+
+void step(Session& session, int steps) {
+    for (int k = 0; k < steps; ++k) session.step();
+}
+
+/// The bodies of an instance that are held.
+int heldBodies(const Session& session, std::uint32_t origin) {
+    int held = 0;
+    for (const PlayBody& body : session.bodies()) held += body.origin == origin && body.isHeld ? 1 : 0;
+    return held;
+}
+
+/// Whether each node of a held body leads to an anchor that is no mortar, over unbroken bonds and mortar, and the halves
+/// of mortar are broken together: by a search node by node.
+QString faultOfMortar(const Session& session) {
+    const std::shared_ptr<const SessionSnapshot> snapshot = session.snapshot();
+    const SessionState& state = snapshot->state;
+    using Node = std::pair<Id, std::uint32_t>;
+    const auto stateOf = [&](Id instance) -> const StructureState* {
+        for (const StructureState& one : state.structures)
+            if (one.parent == kNone && state.origins[one.origin].instance == instance) return &one;
+        return nullptr;
+    };
+    const auto isBroken = [&](Id instance, std::uint32_t bond) {
+        const StructureState* one = stateOf(instance);
+        return one != nullptr && one->damage[bond] == kBroken;
+    };
+    std::set<Node> reached;
+    std::vector<Node> next;
+    const auto reach = [&](Node node) {
+        if (reached.insert(node).second) next.push_back(node);
+    };
+    for (const auto& [id, structure] : session.scene().structures) {
+        for (std::uint32_t bond = 0; bond < structure->graph.bondCount(); ++bond) {
+            const MortarLink* link = structure->mortarOf(bond);
+            if (link != nullptr && isBroken(id, bond) != isBroken(link->instance, link->bond)) return "half a mortar";
+            const Bond& one = structure->graph.bonds[bond];
+            if (one.second == kNone && link == nullptr && !isBroken(id, bond)) reach({id, one.first});
+        }
+    }
+    while (!next.empty()) {
+        const auto [id, node] = next.back();
+        next.pop_back();
+        const PlayStructure& structure = *session.scene().structures.at(id);
+        for (const BondLink& link : structure.graph.linksOf(node)) {
+            if (isBroken(id, link.bond)) continue;
+            if (link.node != kNone) reach({id, link.node});
+            const MortarLink* mortar = structure.mortarOf(link.bond);
+            if (mortar == nullptr) continue;
+            const PlayStructure& other = *session.scene().structures.at(mortar->instance);
+            reach({mortar->instance, other.graph.bonds[mortar->bond].first});
+        }
+    }
+    for (const PlayBody& body : session.bodies()) {
+        if (!body.isHeld || body.nodes.empty()) continue;
+        for (const std::uint32_t node : body.nodes)
+            if (!reached.contains({state.origins[body.origin].instance, node})) return "held by nothing";
+    }
+    return {};
+}
+
+}  // namespace
+
+class MortarBreakingTest : public QObject {
+    Q_OBJECT
+private slots:
+    void joinedInstancesStand() {
+        Session session = started(test::mortarPortal());
+        const Vec3 before = session.world().state(session.body(kBeam)->body).centre;
+        step(session, 600);
+        QVERIFY(session.body(kBeam)->isHeld);
+        QCOMPARE(session.world().state(session.body(kBeam)->body).centre, before);
+    }
+    /// It hangs on the other pier, as nothing limits the span.
+    void oneSupportIsEnough() {
+        Session session = started(test::mortarPortal());
+        addInput(session, BreakInput{kLeft});
+        step(session, 120);
+        QVERIFY(session.body(kBeam)->isHeld);
+        QVERIFY(session.body(kRight)->isHeld);
+        QCOMPARE(faultOfMortar(session), "");
+    }
+    void whatNothingHoldsFalls() {
+        Session session = started(test::mortarPortal());
+        const double before = session.world().state(session.body(kBeam)->body).centre.y;
+        addInput(session, BreakInput{kLeft});
+        addInput(session, BreakInput{kRight});
+        step(session, 120);
+        QVERIFY(!session.body(kBeam)->isHeld);
+        QVERIFY(session.world().state(session.body(kBeam)->body).centre.y < before - 1.0);
+        QCOMPARE(faultOfMortar(session), "");
+    }
+    void partsThatBreakLeaveTheOthersStanding() {
+        Session session = started(test::mortarPortal());
+        addInput(session, BreakInput{kBeam});
+        step(session, 120);
+        QCOMPARE(heldBodies(session, session.body(kLeft)->origin), 1);
+        QCOMPARE(heldBodies(session, session.body(kRight)->origin), 1);
+        for (const PlayBody& body : session.bodies()) QVERIFY(body.origin != 3 || !body.isHeld);
+        QCOMPARE(faultOfMortar(session), "");
+    }
+    void hitAtTheJointBreaksMortar() {
+        Session session = started(test::mortarPortal(50.0));
+        addInput(session, ShotInput{"ball", Throw{.size = {0.4, 0.4, 0.4},
+                                                  .mass = 200.0,
+                                                  .from = {-1.5, 2.95, 3.0},
+                                                  .to = {-1.5, 2.95, 0.0},
+                                                  .speed = 10.0}});
+        step(session, 60);
+        const std::shared_ptr<const SessionSnapshot> snapshot = session.snapshot();
+        std::size_t broken = 0;
+        for (const StructureState& one : snapshot->state.structures) {
+            for (std::uint32_t bond = one.structure->firstMortar(); bond < one.damage.size(); ++bond)
+                broken += one.damage[bond] == kBroken ? 1 : 0;
+        }
+        QVERIFY(broken > 0 && broken % 2 == 0);
+        QVERIFY(session.body(kBeam)->isHeld);  // by the right pier
+        QCOMPARE(faultOfMortar(session), "");
+    }
+    void stateGoesOnWithTheSameBits() {
+        const auto scene = test::playSceneOf(test::mortarPortal());
+        Session session = Session::start(scene, {}).value();
+        addInput(session, BreakInput{kLeft});
+        step(session, 20);
+        const auto snapshot = session.snapshot();
+        addInput(session, BreakInput{kRight});
+        step(session, 60);
+        Session again = Session::start(scene, {}).value();
+        again.restore(*snapshot);
+        addInput(again, BreakInput{kRight});
+        step(again, 60);
+        QCOMPARE(again.world().hash(), session.world().hash());
+    }
+    /// Damage that is applied breaks both halves, in whichever instance it is.
+    void appliedDamageBreaksBothHalves() {
+        const auto scene = test::playSceneOf(test::mortarPortal());
+        Session session = Session::start(scene, {}).value();
+        addInput(session, BreakInput{kLeft});
+        step(session, 1);
+        SessionDamage damage = session.damage();
+        const Id beam = scene->project.instances[2].id;
+        std::erase_if(damage, [&](const auto& one) { return one.first != beam; });
+        Session other = Session::start(scene, {}).value();
+        QVERIFY(other.apply(damage).hasValue());
+        QCOMPARE(faultOfMortar(other), "");
+        QVERIFY(other.body(kLeft)->isHeld);
+    }
+    void randomHitsKeepMortarConsistent() {
+        constexpr std::uint64_t kSeed = 53;
+        Random random(kSeed);
+        for (int round = 0; round < 60; ++round) {
+            Session session = started(test::mortarPortal(random.between(20.0, 800.0)));
+            for (int hit = 0; hit < 4; ++hit) {
+                const Vec3 to(random.between(-2.0, 2.0), random.between(0.2, 4.0), 0.0);
+                addInput(session, ShotInput{"ball", Throw{.size = {0.4, 0.4, 0.4},
+                                                          .mass = random.between(50.0, 800.0),
+                                                          .from = to + Vec3(random.between(-2.0, 2.0), 0.5, 4.0),
+                                                          .to = to,
+                                                          .speed = random.between(5.0, 40.0)}});
+                for (int k = 0; k < 40; ++k) {
+                    session.step();
+                    const QString fault = faultOfMortar(session);
+                    QVERIFY2(fault.isEmpty(),
+                             qPrintable(QString("seed %1, round %2, hit %3: ").arg(kSeed).arg(round).arg(hit) + fault));
+                }
+            }
+        }
+    }
+};
+
+RUBBLE_TEST(MortarBreakingTest)
+#include "MortarBreakingTest.moc"

@@ -1,0 +1,105 @@
+#include "core/play/scene/PlayMortar.h"
+
+#include "tests/support/TestProgram.h"
+#include "tests/support/play/MortarPortal.h"
+
+using namespace rubble;
+
+namespace {
+
+const PlayStructure& structureOfInstance(const PlayScene& scene, std::size_t k) {
+    return *scene.structures.at(scene.project.instances[k].id);
+}
+
+double mortarArea(const PlayStructure& structure) {
+    double area = 0.0;
+    for (std::uint32_t bond = structure.firstMortar(); bond < structure.graph.bondCount(); ++bond)
+        area += structure.graph.bonds[bond].area;
+    return area;
+}
+
+Vec3 inWorld(const Instance& instance, Vec3 point) {
+    const Pose pose = poseOf(instance);
+    return pose.position + pose.orientation * point;
+}
+
+}  // namespace
+
+class PlayMortarTest : public QObject {
+    Q_OBJECT
+private slots:
+    void commonFacesAreJoined() {
+        const auto scene = test::playSceneOf(test::mortarPortal());
+        QVERIFY(scene->diagnostics.empty());
+        QVERIFY(std::abs(mortarArea(structureOfInstance(*scene, 0)) - 1.0) < 1e-9);
+        QVERIFY(std::abs(mortarArea(structureOfInstance(*scene, 1)) - 1.0) < 1e-9);
+        QVERIFY(std::abs(mortarArea(structureOfInstance(*scene, 2)) - 2.0) < 1e-9);
+        QVERIFY(structureOfInstance(*scene, 2).isHeld());
+    }
+    void halvesLeadToEachOther() {
+        Project project = test::mortarPortal();
+        project.instances[2].pose.orientation = {0.0, 0.0, 1.0, 0.0};  // 180° about y
+        const auto scene = test::playSceneOf(project);
+        for (const auto& [id, structure] : scene->structures) {
+            const Instance& instance = *findInstance(scene->project, id);
+            for (std::uint32_t k = structure->firstMortar(); k < structure->graph.bondCount(); ++k) {
+                const MortarLink& link = *structure->mortarOf(k);
+                const PlayStructure& other = *scene->structures.at(link.instance);
+                QCOMPARE(*other.mortarOf(link.bond), (MortarLink{id, k}));
+                const Bond &here = structure->graph.bonds[k], &there = other.graph.bonds[link.bond];
+                const Instance& neighbour = *findInstance(scene->project, link.instance);
+                QCOMPARE(here.area, there.area);
+                QCOMPARE(structure->capacities[k], 500.0 * here.area);
+                QVERIFY(glm::distance(inWorld(instance, here.centroid), inWorld(neighbour, there.centroid)) < 1e-12);
+                QVERIFY(glm::length(poseOf(instance).orientation * here.normal +
+                                    poseOf(neighbour).orientation * there.normal) < 1e-12);
+            }
+        }
+        QVERIFY(std::abs(mortarArea(structureOfInstance(*scene, 2)) - 2.0) < 1e-9);
+    }
+    void turnedInstancesHaveTheSameFaces() {
+        Project project = test::mortarPortal();
+        const double half = std::sqrt(0.5);
+        for (int k = 0; k < 2; ++k) project.instances[k].pose.orientation = {half, 0.0, half, 0.0};  // 90° about y
+        const auto scene = test::playSceneOf(project);
+        QVERIFY(std::abs(mortarArea(structureOfInstance(*scene, 2)) - 2.0) < 1e-9);
+    }
+    void onlyNamedInstancesAreJoined() {
+        Project project = test::mortarPortal();
+        project.mortars[0].instances = {project.instances[0].id, project.instances[2].id};
+        const auto scene = test::playSceneOf(project);
+        QVERIFY(structureOfInstance(*scene, 1).mortar.empty());
+        QVERIFY(std::abs(mortarArea(structureOfInstance(*scene, 2)) - 1.0) < 1e-9);
+    }
+    void tooSmallFacesAndWideJointsAreNot() {
+        Project project = test::mortarPortal();
+        project.mortars[0].leastArea = 1.5;
+        QVERIFY(structureOfInstance(*test::playSceneOf(project), 2).mortar.empty());
+        project.mortars[0].leastArea = 0.0;
+        project.instances[2].pose.position.y += 0.02;
+        QVERIFY(structureOfInstance(*test::playSceneOf(project), 2).mortar.empty());
+        project.mortars[0].tolerance = 0.03;
+        QVERIFY(!structureOfInstance(*test::playSceneOf(project), 2).mortar.empty());
+    }
+    void fixedNeighboursAreAnchors() {
+        Project project = test::mortarPortal();
+        for (int k = 0; k < 2; ++k) project.instances[k].isAnchored = false, project.instances[k].isFixed = true;
+        project.assets[0].breakAs = BreakAs::Whole;
+        const auto scene = test::playSceneOf(project);
+        const PlayStructure& beam = *scene->structures.at(project.instances[2].id);
+        QVERIFY(std::abs(mortarArea(beam) - 2.0) < 1e-9 && beam.isHeld());
+        QVERIFY(beam.mortarOf(beam.firstMortar()) == nullptr);
+    }
+    void mortarWithoutAnchorsHoldsNothing() {
+        Project project = test::mortarPortal();
+        for (Instance& instance : project.instances) instance.isAnchored = false;
+        const auto scene = test::playSceneOf(project);
+        for (const auto& [id, structure] : scene->structures) QVERIFY(structure->mortar.empty());
+        QCOMPARE(scene->diagnostics.size(), 1u);
+        QCOMPARE(scene->diagnostics[0].code, DiagnosticCode::IdleMortar);
+        QVERIFY(scene->diagnostics[0].message.find("joints") != std::string::npos);
+    }
+};
+
+RUBBLE_TEST(PlayMortarTest)
+#include "PlayMortarTest.moc"
