@@ -41,8 +41,8 @@ private slots:
         section.setRowVisible(line, false);
         QVERIFY(line->isHidden() && label->isHidden());
     }
-    /// A QFormLayout of Qt 6.4 keeps the places of rows that are hidden, and writes there, beyond those of the rows that
-    /// are shown, when a text in it wraps: the heap was damaged.
+    /// A QFormLayout of Qt 6.4 keeps the places of rows that are hidden, and writes there, beyond those of the rows
+    /// that are shown, when a text in it wraps: the heap was damaged.
     void hiddenRowsHaveNoPlace() {
         Section section("shape", "Shape");
         auto* wrapped = new QLabel(QString("word ").repeated(100));
