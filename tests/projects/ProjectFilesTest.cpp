@@ -24,6 +24,7 @@ private slots:
         QTest::newRow("arcade") << "arcade.rubble" << test::arcade();
         QTest::newRow("dam") << "dam.rubble" << test::dam();
         QTest::newRow("house") << "house.rubble" << test::house();
+        QTest::newRow("joined house") << "joined-house.rubble" << test::joinedHouse();
         QTest::newRow("pane") << "pane.rubble" << test::pane();
         QTest::newRow("wall with openings") << "wall-with-openings.rubble" << test::wallWithOpenings();
     }

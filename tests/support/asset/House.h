@@ -3,6 +3,7 @@
 #include "tests/support/asset/ProjectParts.h"
 #include "tests/support/geometry/Outlines.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -182,6 +183,36 @@ inline Project house() {
     addRoof(project, roof);
     addShots(project);
     project.ground.friction = 0.8;
+    return project;
+}
+
+/// projects/joined-house.rubble: the same house as one structure. Its blocks are bonded and joined by mortar, and stand
+/// on the ground.
+inline Project joinedHouse() {
+    Project project = house();
+    for (Asset& asset : project.assets) {
+        asset.breakAs = BreakAs::Bonded;
+        asset.bonding.impulsePerArea = 400.0;
+        asset.requirements.clear();
+    }
+    for (Instance& instance : project.instances) instance.isAnchored = true;
+    project.mortars = {{.id = project.nextId++, .name = "mortar"}};
+    project.playTests.clear();
+    const auto idOf = [&](const char* name) { return std::ranges::find(project.instances, name, &Instance::name)->id; };
+    using enum ExpectationKind;
+    addPlayTest(project, {.name = "the house stands", .duration = 10.0, .expectations = {{StandsUntouched, 0, 10.0}}});
+    addPlayTest(project, {.name = "a box makes a hole beside the door",
+                          .shots = {project.shots[0].id},
+                          .duration = 5.0,
+                          .expectations = {{Breaks, idOf("front 4.1"), 0.0},
+                                           {StandsUntouched, idOf("front gable"), 5.0},
+                                           {StandsUntouched, idOf("roof front right"), 5.0}}});
+    addPlayTest(project, {.name = "a block goes through the wall, and the roof stands",
+                          .shots = {project.shots[1].id},
+                          .duration = 8.0,
+                          .expectations = {{Breaks, idOf("left 3.2"), 0.0},
+                                           {StandsUntouched, idOf("roof front left"), 8.0},
+                                           {StandsUntouched, idOf("back gable"), 8.0}}});
     return project;
 }
 
