@@ -14,16 +14,6 @@ inline Polytope boxBetween(Vec3 min, Vec3 max) {
     return extruded(rectangle({min.x, min.y}, {max.x, max.y}), min.z, max.z);
 }
 
-/// The polytope where a pose puts it.
-inline Polytope placed(Polytope polytope, const Pose& pose) {
-    for (Vec3& vertex : polytope.vertices) vertex = pose.position + pose.orientation * vertex;
-    for (Plane& plane : polytope.planes) {
-        plane.normal = pose.orientation * plane.normal;
-        plane.offset += glm::dot(plane.normal, pose.position);
-    }
-    return polytope;
-}
-
 inline Pose randomPose(Random& random) {
     const auto part = [&] { return random.between(-1.0, 1.0); };
     return {10.0 * Vec3{part(), part(), part()}, glm::normalize(Quat{1.0 + part(), part(), part(), part()})};

@@ -1,6 +1,7 @@
 // Tests core/geometry/hull/Polytope.cpp and core/geometry/hull/VerifyPolytope.cpp.
 #include "core/geometry/hull/MassProperties.h"
 #include "core/geometry/hull/Polytope.h"
+#include "core/geometry/search/Box3.h"
 #include "tests/support/TestProgram.h"
 
 #include <QTest>
