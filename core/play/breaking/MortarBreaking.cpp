@@ -12,7 +12,7 @@
 namespace rubble {
 namespace {
 
-/// The structure of an instance's whole, by its index in SessionState::structures; kNone: none of its bonds was damaged.
+/// The structure of an instance's whole, by its index in SessionState::structures; kNone: no bond of it was damaged.
 std::uint32_t structureOfInstance(const SessionState& state, Id instance) {
     const auto isIts = [&](const StructureState& one) {
         return one.parent == kNone && state.origins[one.origin].instance == instance;

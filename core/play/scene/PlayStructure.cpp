@@ -41,7 +41,8 @@ std::vector<Bond> touchedAnchors(const Bake& bake, const Instance& instance, std
     std::vector<Polytope> supports;  // in the asset's frame
     for (const FixedSolid& solid : surroundings) {
         if (solid.instance == instance.id) continue;
-        for (Polytope& hull : placedAll(solid.hulls, {back * -pose.position, back})) supports.push_back(std::move(hull));
+        for (Polytope& hull : placedAll(solid.hulls, {back * -pose.position, back}))
+            supports.push_back(std::move(hull));
     }
     std::vector<MortarNode> nodes;
     const Fragments& fragments = bake.fractures.front().fragments;

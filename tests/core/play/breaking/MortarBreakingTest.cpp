@@ -27,8 +27,8 @@ int heldBodies(const Session& session, std::uint32_t origin) {
     return held;
 }
 
-/// Whether each node of a held body leads to an anchor that is no mortar, over unbroken bonds and mortar, and the halves
-/// of mortar are broken together: by a search node by node.
+/// Whether each node of a held body leads to an anchor that is no mortar, over unbroken bonds and mortar, and the
+/// halves of mortar are broken together: by a search node by node.
 QString faultOfMortar(const Session& session) {
     const std::shared_ptr<const SessionSnapshot> snapshot = session.snapshot();
     const SessionState& state = snapshot->state;
