@@ -10,6 +10,7 @@
 #include <QAbstractButton>
 #include <QCommandLinkButton>
 #include <QEvent>
+#include <QFile>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -38,6 +39,11 @@ QLabel* heading(const QString& text, double scale) {
     font.setBold(true);
     label->setFont(font);
     return label;
+}
+
+/// The picture of an example.
+QString picture(const QString& example, const QString& theme) {
+    return QString(":/examples/%1-%2.png").arg(example, theme);
 }
 
 /// Returns "Wall with openings" for "wall-with-openings.rubble".
@@ -118,9 +124,12 @@ QWidget* StartPage::recentColumn() {
     return column;
 }
 
-/// Returns null if no examples are installed.
+/// Returns null if no examples are installed. Those without a picture are only found in their folder: there is room for
+/// five.
 QWidget* StartPage::exampleRow() {
-    const QStringList paths = exampleProjects();
+    QStringList paths = exampleProjects();
+    paths.removeIf(
+        [](const QString& path) { return !QFile::exists(picture(QFileInfo(path).completeBaseName(), "light")); });
     if (paths.isEmpty()) return nullptr;
     auto* row = new QWidget;
     auto* cards = new QHBoxLayout(row);
@@ -145,8 +154,7 @@ QWidget* StartPage::exampleRow() {
 /// Those of the theme.
 void StartPage::showPictures() {
     const QString theme = isDark(palette()) ? "dark" : "light";
-    for (QToolButton* card : m_examples)
-        card->setIcon(QIcon(QString(":/examples/%1-%2.png").arg(card->property(kPictureName).toString(), theme)));
+    for (QToolButton* card : m_examples) card->setIcon(QIcon(picture(card->property(kPictureName).toString(), theme)));
 }
 
 /// Return clicks the button with the focus, as in a dialog.
