@@ -43,18 +43,15 @@ std::vector<BondStrike> strikesOf(const SessionParts& parts, std::span<const Imp
 }
 
 /// The structure of a body with bonds, whether or not any is damaged.
-const PlayStructure& knownStructure(const SessionParts& parts, const PlayBody& body) {
-    if (body.structure != kNone) return *parts.state.structures[body.structure].structure;
-    return *structureIn(parts.scene, parts.state.origins[body.origin], body.fragment);
+std::shared_ptr<const PlayStructure> knownStructure(const SessionParts& parts, const PlayBody& body) {
+    if (body.structure != kNone) return parts.state.structures[body.structure].structure;
+    return structureIn(parts.scene, parts.state.origins[body.origin], body.fragment);
 }
 
-/// Whether a hit changes no bond. If so, it is told as if the weakest bond got all of it.
-bool isWeak(const SessionParts& parts, const PlayBody& body, double impulse, Vec3 point) {
-    const PlayStructure& structure = knownStructure(parts, body);
-    if (parts.state.hasDestruction && impulse >= structure.leastImpulse) return false;
+/// Tells a hit that changes no bond as if the weakest one got all of it.
+void tellWeakHit(const SessionParts& parts, const PlayStructure& structure, const BondStrike& strike) {
     const double breaking = structure.leastImpulse / structure.rule.damageFrom;
-    parts.state.events.impacts.push_back({body.number, impulse, breaking, point});
-    return true;
+    parts.state.events.impacts.push_back({strike.body, strike.impact.impulse(), breaking, strike.impact.point});
 }
 
 /// Points in the world, in the frame of a body's structure.
@@ -127,7 +124,11 @@ bool breakHitBonds(const SessionParts& parts, std::span<const Impact> impacts) {
     for (const BondStrike& strike : strikesOf(parts, impacts)) {
         PlayBody& body = *findBody(parts.state, strike.body);
         const double impulse = strike.impact.impulse();
-        if (isWeak(parts, body, impulse, strike.impact.point)) continue;
+        const std::shared_ptr<const PlayStructure> structure = knownStructure(parts, body);
+        if (!parts.state.hasDestruction || impulse < structure->leastImpulse) {
+            tellWeakHit(parts, *structure, strike);
+            continue;
+        }
         BrokenBonds damaged = damageBonds(parts, body, strike.points, impulse);
         if (damaged.impulse <= 0.0) continue;
         damaged.normal = strike.impact.first == body.body ? -strike.impact.normal : strike.impact.normal;
@@ -173,6 +174,7 @@ void blastBonds(const SessionParts& parts, Vec3 origin, const Explosion& explosi
     }
     for (const std::uint32_t number : bonded) {
         PlayBody& body = *findBody(parts.state, number);
+        if (body.bondedFracture() == nullptr) continue;  // mortar that broke before left a single fragment of it
         const StructureState& state = structureOf(parts, body);
         const Vec3 local = inStructure(parts, body, {&origin, 1}).front();
         std::vector<BondLoad> loads;

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <optional>
 
 namespace rubble {
 namespace {
@@ -107,7 +106,6 @@ MortarUnits mortarUnits(const SessionParts& parts) {
 struct MortarHalf {
     Id instance = 0;
     std::uint32_t bond = 0;
-    auto operator<=>(const MortarHalf&) const = default;
 };
 
 bool isBroken(const MortarUnits::Member& member, std::uint32_t bond) {

@@ -183,9 +183,12 @@ void auditSplit(const SessionParts& parts, std::uint32_t number, double before, 
     parts.state.events.energy.push_back(entry);
 }
 
-/// Plans when a held body loses what has no support.
+/// Plans when a held body loses what has no support; one that has come free does not.
 void planCollapse(const SessionParts& parts, PlayBody& body) {
-    if (!body.isHeld) return;
+    if (!body.isHeld) {
+        body.collapseStep = PlayBody::kNever;
+        return;
+    }
     const StructureState& state = parts.state.structures[body.structure];
     if (unsupportedOf(parts, body, state, body.nodes).empty()) {
         body.collapseStep = PlayBody::kNever;

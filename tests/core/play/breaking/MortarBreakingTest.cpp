@@ -162,6 +162,31 @@ private slots:
         QCOMPARE(faultOfMortar(other), "");
         QVERIFY(other.body(kLeft)->isHeld);
     }
+    /// Mortar that breaks may leave a single fragment of a body that the same blast is about to reach.
+    void randomBlastsKeepMortarConsistent() {
+        constexpr std::uint64_t kSeed = 59;
+        Random random(kSeed);
+        for (int round = 0; round < 100; ++round) {
+            Project project = test::mortarPortal(random.between(1.0, 300.0));
+            for (Asset& asset : project.assets) {
+                asset.bonding.span = random.between(0.2, 1.0);
+                asset.bonding.collapseDelay = round % 2 == 0 ? 0.0 : 0.1;
+                asset.bonding.minimumIsland = 1 + static_cast<std::uint32_t>(random.below(12));
+            }
+            Session session = started(project);
+            for (int blast = 0; blast < 3; ++blast) {
+                const Vec3 at(random.between(-2.0, 2.0), random.between(0.0, 4.0), random.between(-1.0, 1.0));
+                addInput(session, ShotInput{"blast", Explosion{.at = at,
+                                                               .impulse = random.between(100.0, 2000.0),
+                                                               .radius = random.between(0.5, 3.0)}});
+                for (int k = 0; k < 20; ++k) {
+                    session.step();
+                    const QString fault = faultOfMortar(session);
+                    QVERIFY2(fault.isEmpty(), qPrintable(QString("seed %1, round %2: ").arg(kSeed).arg(round) + fault));
+                }
+            }
+        }
+    }
     void randomHitsKeepMortarConsistent() {
         constexpr std::uint64_t kSeed = 53;
         Random random(kSeed);
