@@ -1,7 +1,5 @@
 #include "core/play/scene/PlayMortar.h"
 
-#include "core/structure/bonds/MortarBonds.h"
-
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -14,22 +12,18 @@ struct MortarNodes {
     struct Place {
         Id instance = 0;
         std::uint32_t node = 0;  // of its structure
+        auto operator<=>(const Place&) const = default;
     };
     std::vector<MortarNode> nodes;
     std::vector<Place> places;  // of each node
 };
 
 void addNodes(const MortarMember& member, MortarNodes& all) {
-    const PlayStructure& structure = *member.structure;
-    const Pose pose = poseOf(*member.instance);
-    for (std::uint32_t node = 0; node < structure.nodeCount(); ++node) {
-        const Fragment fragment = structure.asset->bake->fragment(structure.fragmentOf(node)).solid;
-        const Pose frame{pose.position + pose.orientation * fragment.offset(), pose.orientation};
-        MortarNode made{.body = member.instance->id,
-                        .centre = pose.position + pose.orientation * structure.graph.centres[node]};
-        for (Polytope& hull : fragment.hulls()) made.hulls.push_back(placed(std::move(hull), frame));
-        all.nodes.push_back(std::move(made));
-        all.places.push_back({member.instance->id, node});
+    const Id instance = member.instance->id;
+    std::vector<MortarNode> nodes = mortarNodes(*member.structure, instance, poseOf(*member.instance));
+    for (std::uint32_t node = 0; node < nodes.size(); ++node) {
+        all.nodes.push_back(std::move(nodes[node]));
+        all.places.push_back({instance, node});
     }
 }
 
@@ -61,7 +55,7 @@ public:
         for (const auto& [id, member] : members) m_added[id];
     }
 
-    /// Adds the joints of a mortar. Returns the instances that it joins.
+    /// Adds the joints of a mortar where no earlier one has any. Returns the instances that it joins.
     std::set<Id> add(const Mortar& mortar, std::span<const FixedSolid> surroundings) {
         const auto isJoined = [&](Id instance) {
             return mortar.instances.empty() || std::ranges::binary_search(mortar.instances, instance);
@@ -78,6 +72,7 @@ public:
         std::set<Id> joined;
         for (const Bond& bond : mortarBonds(all.nodes, mortar.tolerance, mortar.leastArea)) {
             const MortarNodes::Place &first = all.places[bond.first], &second = all.places[bond.second];
+            if (!m_joined.emplace(first, second).second) continue;
             const std::uint32_t ofFirst = add(first, bond, 1.0, mortar.impulsePerArea);
             const std::uint32_t ofSecond = add(second, bond, -1.0, mortar.impulsePerArea);
             m_added[first.instance].links[ofFirst] = {second.instance, ofSecond};
@@ -105,6 +100,7 @@ private:
 
     const std::map<Id, MortarMember>& m_members;
     std::map<Id, AddedAnchors> m_added;
+    std::set<std::pair<MortarNodes::Place, MortarNodes::Place>> m_joined;
 };
 
 /// The instances that are anchored, themselves or through mortar.

@@ -2,7 +2,6 @@
 
 #include "core/base/Assert.h"
 #include "core/play/scene/GroundHull.h"
-#include "core/structure/bonds/MortarBonds.h"
 #include "core/structure/strength/BondCapacities.h"
 
 #include <algorithm>
@@ -35,7 +34,8 @@ std::vector<Bond> paintedAnchors(const Asset& asset, const Bake& bake) {
 }
 
 /// Bonds to the solids that the fragments of an instance touch.
-std::vector<Bond> touchedAnchors(const Bake& bake, const Instance& instance, std::span<const FixedSolid> surroundings) {
+std::vector<Bond> touchedAnchors(const PlayStructure& whole, const Instance& instance,
+                                 std::span<const FixedSolid> surroundings) {
     const Pose pose = poseOf(instance);
     const Quat back = glm::conjugate(pose.orientation);
     std::vector<Polytope> supports;  // in the asset's frame
@@ -44,18 +44,25 @@ std::vector<Bond> touchedAnchors(const Bake& bake, const Instance& instance, std
         for (Polytope& hull : placedAll(solid.hulls, {back * -pose.position, back}))
             supports.push_back(std::move(hull));
     }
-    std::vector<MortarNode> nodes;
-    const Fragments& fragments = bake.fractures.front().fragments;
-    for (std::uint32_t node = 0; node < fragments.count(); ++node) {
-        const Fragment fragment = fragments[node];
-        nodes.push_back({node, fragment.offset(), placedAll(fragment.hulls(), {.position = fragment.offset()})});
-    }
+    const std::vector<MortarNode> nodes = mortarNodes(whole, instance.id, {});
     return anchorBonds(nodes, supports, kAnchorTolerance, kLeastAnchorArea);
 }
 
 }  // namespace
 
 Pose poseOf(const Instance& instance) { return {instance.pose.position, glm::normalize(instance.pose.orientation)}; }
+
+std::vector<MortarNode> mortarNodes(const PlayStructure& structure, Id instance, const Pose& pose) {
+    std::vector<MortarNode> nodes;
+    for (std::uint32_t node = 0; node < structure.nodeCount(); ++node) {
+        const Fragment fragment = structure.asset->bake->fragment(structure.fragmentOf(node)).solid;
+        const Pose frame{pose.position + pose.orientation * fragment.offset(), pose.orientation};
+        nodes.push_back({.body = instance,
+                         .centre = pose.position + pose.orientation * structure.graph.centres[node],
+                         .hulls = placedAll(fragment.hulls(), frame)});
+    }
+    return nodes;
+}
 
 bool PlayStructure::isHeld() const {
     return holdsHeaviest || std::ranges::any_of(graph.bonds, [](const Bond& bond) { return bond.second == kNone; });
@@ -110,7 +117,7 @@ std::shared_ptr<const PlayStructure> instanceStructure(const PlayStructure& whol
     const std::vector<Bond> painted = paintedAnchors(asset, bake);
     add(painted, std::vector<double>(painted.size(), std::numeric_limits<double>::infinity()));
     if (instance.isAnchored || instance.isFixed) {
-        const std::vector<Bond> touched = touchedAnchors(bake, instance, surroundings);
+        const std::vector<Bond> touched = touchedAnchors(whole, instance, surroundings);
         add(touched, bondCapacities(asset, material, bake, 0, touched, instance.bondStrength));
     }
     made->holdsHeaviest = instance.isFixed && bonds.size() == whole.graph.bonds.size();

@@ -2,6 +2,7 @@
 
 #include "core/asset/project/Variants.h"
 #include "core/play/scene/PlayAsset.h"
+#include "core/structure/bonds/MortarBonds.h"
 #include "core/structure/graph/BondGraph.h"
 #include "core/structure/rule/SimpleRule.h"
 
@@ -57,6 +58,9 @@ std::shared_ptr<const PlayStructure> playStructure(const Asset& asset, const Mat
 
 /// Where the frame of an instance is in the world.
 Pose poseOf(const Instance& instance);
+
+/// The nodes of a structure, in a frame in which the structure's is at `pose`, as mortar and anchors see them.
+std::vector<MortarNode> mortarNodes(const PlayStructure& structure, Id instance, const Pose& pose);
 
 /// Something that bonded instances may be anchored to.
 struct FixedSolid {

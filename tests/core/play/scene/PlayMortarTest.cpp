@@ -81,6 +81,14 @@ private slots:
         project.mortars[0].tolerance = 0.03;
         QVERIFY(!structureOfInstance(*test::playSceneOf(project), 2).mortar.empty());
     }
+    void ofSeveralMortarsTheFirstCounts() {
+        Project project = test::mortarPortal();
+        project.mortars.push_back({.id = project.nextId++, .name = "again", .impulsePerArea = 1.0});
+        const auto scene = test::playSceneOf(project);
+        const PlayStructure& beam = structureOfInstance(*scene, 2);
+        QVERIFY(std::abs(mortarArea(beam) - 2.0) < 1e-9);
+        QCOMPARE(beam.capacities.back(), 500.0 * beam.graph.bonds.back().area);
+    }
     void fixedNeighboursAreAnchors() {
         Project project = test::mortarPortal();
         for (int k = 0; k < 2; ++k) project.instances[k].isAnchored = false, project.instances[k].isFixed = true;
