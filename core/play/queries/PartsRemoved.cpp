@@ -1,9 +1,11 @@
 #include "core/play/queries/PartsRemoved.h"
 
+#include "core/play/breaking/MortarBreaking.h"
 #include "core/play/breaking/Splitting.h"
 #include "core/play/state/SessionBodies.h"
 
 #include <algorithm>
+#include <map>
 
 namespace rubble {
 namespace {
@@ -14,29 +16,85 @@ std::vector<std::uint32_t> nodesOf(const PlayBody& body, std::span<const std::ui
     return nodes;
 }
 
+/// The bodies that a removal made, and the body of the session that each was of.
+class Sources {
+public:
+    explicit Sources(const Session& session) : m_session(session) {}
+
+    void add(std::uint32_t made, std::uint32_t from) {
+        if (m_session.body(made) == nullptr) m_sources[made] = of(from);
+    }
+    std::uint32_t of(std::uint32_t number) const {
+        const auto made = m_sources.find(number);
+        return made != m_sources.end() ? made->second : number;
+    }
+    bool contains(std::uint32_t made) const { return m_sources.contains(made); }
+
+private:
+    const Session& m_session;
+    std::map<std::uint32_t, std::uint32_t> m_sources;
+};
+
+/// Breaks the mortar of a body.
+void breakMortar(const SessionParts& parts, std::uint32_t number) {
+    PlayBody& body = *findBody(parts.state, number);
+    if (body.bondedFracture() == nullptr) return;
+    StructureState& state = structureOf(parts, body);
+    const BondGraph& graph = state.structure->graph;
+    for (std::uint32_t bond = state.structure->firstMortar(); bond < graph.bondCount(); ++bond)
+        if (state.bodyOfNode[graph.bonds[bond].first] == number) state.damage[bond] = kBroken;
+}
+
+/// Breaks the mortar that holds no longer, and lets come off at once what has lost its support by that.
+void settle(const SessionParts& parts, const Session& session, Sources& sources) {
+    parts.state.events = {};
+    splitBodies(parts, brokenMortar(parts));
+    for (PlayBody& body : parts.state.bodies) {
+        const PlayBody* before = session.body(body.number);
+        const bool wasPlanned = before != nullptr && before->collapseStep != PlayBody::kNever;
+        if (body.collapseStep != PlayBody::kNever && !wasPlanned) body.collapseStep = parts.state.step + 1;
+    }
+    collapseUnsupported(parts);
+    for (const PlaySplit& split : parts.state.events.splits)
+        for (const std::uint32_t freed : split.freed) sources.add(freed, split.body.number);
+    for (const PlayBody& body : parts.state.bodies) {  // what anchors hold in several pieces
+        if (session.body(body.number) != nullptr || sources.contains(body.number)) continue;
+        sources.add(body.number, std::ranges::find(session.bodies(), body.origin, &PlayBody::origin)->number);
+    }
+}
+
 }  // namespace
 
-PartsRemoved withoutParts(const Session& session, std::span<const BodyPart> parts) {
+PartsRemoved withoutParts(const Session& session, std::span<const BodyPart> parts,
+                          std::span<const std::uint32_t> gone) {
     const std::shared_ptr<const SessionSnapshot> start = session.snapshot();
     SessionState state = start->state;
     PartsRemoved removed{.world = World({.gravity = session.world().gravity()})};
     removed.world.restore(*start->world);
     const SessionSettings settings{.dt = session.stepLength(), .sleeping = session.isSleeping()};
     const SessionParts copy{session.scene(), settings, state, removed.world};
+    Sources sources(session);
     for (const BodyPart& part : parts) {
+        const std::uint32_t next = state.nextNumber;
         removeNodes(copy, part.body, nodesOf(*session.body(part.body), part.fragments));
-        removed.splitOff.resize(state.bodies.size() - session.bodies().size(), part.body);
+        for (std::uint32_t made = next; made < state.nextNumber; ++made) sources.add(made, part.body);
         removed.reduced.push_back(part.body);
     }
+    for (const std::uint32_t number : gone) breakMortar(copy, number);
+    settle(copy, session, sources);
     removed.world.collide(settings.dt);
     removed.bodies = std::move(state.bodies);
+    const std::size_t present = session.bodies().size();
     for (std::uint32_t k = 0; k < removed.bodies.size(); ++k) {
-        const PlayBody& body = removed.bodies[k];
-        const std::size_t present = session.bodies().size();
-        const bool wasHeld =
-            k < present ? session.bodies()[k].isHeld : session.body(removed.splitOff[k - present])->isHeld;
-        if (wasHeld && !body.isHeld) removed.cameOff.push_back(k);
+        const std::uint32_t number = sources.of(removed.bodies[k].number);
+        if (k >= present) {
+            removed.splitOff.push_back(number);
+            removed.reduced.push_back(number);
+        }
+        if (session.body(number)->isHeld && !removed.bodies[k].isHeld) removed.cameOff.push_back(k);
     }
+    std::ranges::sort(removed.reduced);
+    removed.reduced.erase(std::unique(removed.reduced.begin(), removed.reduced.end()), removed.reduced.end());
     return removed;
 }
 

@@ -288,8 +288,11 @@ Result<Collapse> wouldFall(const Session& session, std::span<const BodyPart> rem
     const Result<Removal> removal = removalOf(session, removed);
     if (!removal) return removal.error();
     if (removed.empty() || session.world().gravity() == Vec3(0.0)) return Collapse{};
+    std::vector<std::uint32_t> gone;
+    for (const std::uint32_t place : removal->places) gone.push_back(session.bodies()[place].number);
+    const bool doBondsBreak = !removal->parts.empty() || !session.scene().project.mortars.empty();
     const std::optional<PartsRemoved> after =
-        removal->parts.empty() ? std::nullopt : std::optional(withoutParts(session, removal->parts));
+        doBondsBreak ? std::optional(withoutParts(session, removal->parts, gone)) : std::nullopt;
     const Moment moment = after ? Moment{after->bodies, after->world} : Moment{session.bodies(), session.world()};
     const ContactGraph graph(moment.bodies, moment.world);
     const std::vector<std::uint32_t> affected = affectedBodies(session, *removal, moment.bodies.size());

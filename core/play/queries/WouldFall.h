@@ -31,6 +31,7 @@ struct Collapse {
 /// is held in place: bodies that only leaned on them may be missing.
 ///
 /// A bonded body that anchors hold stays, as in play: it is anchored to places, also where a body was that is removed.
+/// Mortar to what is removed breaks, and with it the hold of what reaches no other anchor.
 ///
 /// O(n) for n bodies and their contacts, and the steps of those that are simulated.
 /// Errors: BadInput for a number without a body, or the ground.

@@ -5,6 +5,7 @@
 #include "core/play/queries/WouldFall.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/play/BondedWalls.h"
+#include "tests/support/play/MortarPortal.h"
 
 #include <numeric>
 #include <set>
@@ -268,6 +269,57 @@ private slots:
         }
         qInfo("%d fragments fell, %d walls were split before", static_cast<int>(fallen), static_cast<int>(splits));
         QVERIFY(fallen > 200 && splits > 10);
+    }
+    /// The beam hangs on either pier by its mortar.
+    void mortarToWhatIsRemovedBreaks() {
+        const auto scene = test::playSceneOf(test::mortarPortal());
+        const Session session = Session::start(scene, {}).value();
+        const BodyPart left{.body = 1}, right{.body = 2};
+        QVERIFY(collapseWithout(session, {left}).islands.empty());
+        const Collapse collapse = collapseWithout(session, {left, right});
+        QCOMPARE(collapse.islands.size(), 1u);
+        QCOMPARE(collapse.islands[0].bodies, std::vector<std::uint32_t>{3});
+        QVERIFY(std::abs(collapse.mass - 8000.0) < 1e-6);
+        QVERIFY(std::abs(collapse.first - std::sqrt(2.0 * 3.0 / 9.81)) < 0.01);
+    }
+    void mortarOfRemovedFragmentsBreaks() {
+        const auto scene = test::playSceneOf(test::mortarPortal());
+        const Session session = Session::start(scene, {}).value();
+        std::vector<BodyPart> tops;
+        for (const std::uint32_t number : {1u, 2u}) {
+            const PlayStructure& pier = *scene->structures.at(scene->project.instances[number - 1].id);
+            FragmentSet top;
+            for (std::uint32_t bond = pier.firstMortar(); bond < pier.graph.bondCount(); ++bond)
+                top.insert(pier.fragmentOf(pier.graph.bonds[bond].first));
+            tops.push_back({number, {top.begin(), top.end()}});
+        }
+        QVERIFY(collapseWithout(session, {tops[0]}).islands.empty());
+        const Collapse collapse = collapseWithout(session, tops);
+        QCOMPARE(collapse.islands.size(), 1u);
+        QCOMPARE(collapse.islands[0].bodies, std::vector<std::uint32_t>{3});
+    }
+    /// Of a beam with a short span, the part over the removed pier is told as fragments.
+    void spanOfJoinedInstancesIsCounted() {
+        Project project = test::mortarPortal();
+        project.assets[1].bonding.span = 0.6;
+        const auto scene = test::playSceneOf(project);
+        Session session = Session::start(scene, {}).value();
+        const Collapse collapse = collapseWithout(session, {{.body = 1}});
+        const FragmentSet falling = fallingOf(collapse);
+        QVERIFY(!falling.empty());
+        const PlayStructure& beam = *scene->structures.at(project.instances[2].id);
+        QVERIFY(falling.size() < beam.nodeCount());
+        for (const std::uint32_t fragment : falling) QVERIFY(beam.graph.centres[fragment - beam.fragmentOf(0)].x < 0.6);
+        test::addInput(session, BreakInput{1});
+        for (int k = 0; k < 15; ++k) session.step();  // a little more than the delay
+        FragmentSet held;
+        for (const PlayBody& body : session.bodies()) {
+            if (body.origin != session.body(3)->origin || !body.isHeld) continue;
+            const std::vector<std::uint32_t> fragments = bondedFragments(body);
+            held.insert(fragments.begin(), fragments.end());
+        }
+        for (std::uint32_t node = 0; node < beam.nodeCount(); ++node)
+            QVERIFY(held.contains(beam.fragmentOf(node)) != falling.contains(beam.fragmentOf(node)));
     }
 };
 
