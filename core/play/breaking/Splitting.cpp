@@ -3,6 +3,7 @@
 #include "core/base/Assert.h"
 #include "core/physics/world/Split.h"
 #include "core/play/breaking/MortarBreaking.h"
+#include "core/play/breaking/MortarSupport.h"
 #include "core/play/breaking/MovingMass.h"
 #include "core/play/scene/PlayBodyShape.h"
 #include "core/play/state/SessionBodies.h"
@@ -51,12 +52,12 @@ std::optional<Vec3> upwardsIn(const SessionParts& parts, const PlayBody& body) {
     return glm::conjugate(parts.world.state(body.body).pose.orientation) * -glm::normalize(gravity);
 }
 
-/// The nodes of a held body that have no support.
+/// The nodes of a held body that have no support; nothing of one that mortar joins, see MortarSupport.h.
 std::vector<std::uint32_t> unsupportedOf(const SessionParts& parts, const PlayBody& body, const StructureState& state,
                                          std::span<const std::uint32_t> nodes) {
     const PlayStructure& structure = *state.structure;
     const std::optional<Vec3> up = upwardsIn(parts, body);
-    if (!body.isHeld || structure.span <= 0.0 || structure.holdsHeaviest || !up) return {};
+    if (!body.isHeld || structure.span <= 0.0 || structure.holdsHeaviest || !structure.mortar.empty() || !up) return {};
     return unsupportedNodes(structure.graph, state.damage, nodes, structure.span, *up);
 }
 
@@ -183,6 +184,11 @@ void auditSplit(const SessionParts& parts, std::uint32_t number, double before, 
     parts.state.events.energy.push_back(entry);
 }
 
+std::uint64_t collapseStepOf(const SessionParts& parts, const PlayStructure& structure) {
+    const double steps = std::ceil(structure.collapseDelay / parts.settings.dt - 1e-6);
+    return parts.state.step + 1 + static_cast<std::uint64_t>(std::max(1.0, steps));
+}
+
 /// Plans when a held body loses what has no support; one that has come free does not.
 void planCollapse(const SessionParts& parts, PlayBody& body) {
     if (!body.isHeld) {
@@ -190,11 +196,11 @@ void planCollapse(const SessionParts& parts, PlayBody& body) {
         return;
     }
     const StructureState& state = parts.state.structures[body.structure];
+    if (!state.structure->mortar.empty()) return;  // planMortarCollapse() does
     if (unsupportedOf(parts, body, state, body.nodes).empty()) {
         body.collapseStep = PlayBody::kNever;
     } else if (body.collapseStep == PlayBody::kNever) {
-        const double steps = std::ceil(state.structure->collapseDelay / parts.settings.dt - 1e-6);
-        body.collapseStep = parts.state.step + 1 + static_cast<std::uint64_t>(std::max(1.0, steps));
+        body.collapseStep = collapseStepOf(parts, *state.structure);
     }
 }
 
@@ -361,14 +367,33 @@ bool splitBodies(const SessionParts& parts, std::vector<BrokenBonds> broken) {
     return isAnyFree;
 }
 
+void planMortarCollapse(const SessionParts& parts) {
+    const UnsupportedNodes unsupported = unsupportedByMortar(parts);
+    for (PlayBody& body : parts.state.bodies) {
+        if (!body.isHeld) continue;
+        if (unsupported.contains(body.number)) {
+            const PlayStructure& structure = *structureOf(parts, body).structure;
+            if (body.collapseStep == PlayBody::kNever) body.collapseStep = collapseStepOf(parts, structure);
+        } else if (body.structure != kNone && !parts.state.structures[body.structure].structure->mortar.empty()) {
+            body.collapseStep = PlayBody::kNever;
+        }
+    }
+}
+
 bool collapseUnsupported(const SessionParts& parts) {
     std::vector<BrokenBonds> broken;
+    std::optional<UnsupportedNodes> byMortar;
     for (PlayBody& body : parts.state.bodies) {
         if (body.collapseStep > parts.state.step + 1) continue;
         body.collapseStep = PlayBody::kNever;
         StructureState& state = parts.state.structures[body.structure];
         BrokenBonds one{.body = body.number, .point = parts.world.state(body.body).centre};
-        breakUnsupported(state, unsupportedOf(parts, body, state, body.nodes), one.bonds);
+        if (state.structure->mortar.empty()) {
+            breakUnsupported(state, unsupportedOf(parts, body, state, body.nodes), one.bonds);
+        } else {
+            if (!byMortar) byMortar = unsupportedByMortar(parts);
+            breakUnsupported(state, (*byMortar)[body.number], one.bonds);
+        }
         if (!one.bonds.empty()) broken.push_back(std::move(one));
     }
     return splitBodies(parts, std::move(broken));

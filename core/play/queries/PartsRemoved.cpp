@@ -49,6 +49,7 @@ void breakMortar(const SessionParts& parts, std::uint32_t number) {
 void settle(const SessionParts& parts, const Session& session, Sources& sources) {
     parts.state.events = {};
     splitBodies(parts, brokenMortar(parts));
+    planMortarCollapse(parts);
     for (PlayBody& body : parts.state.bodies) {
         const PlayBody* before = session.body(body.number);
         const bool wasPlanned = before != nullptr && before->collapseStep != PlayBody::kNever;

@@ -40,6 +40,7 @@ void breakBodies(const SessionParts& parts) {
         hasFreed = breakHitBonds(parts, parts.world.impacts());
     }
     if (isChanged || hasFreed) parts.world.collide(parts.settings.dt);
+    if (!parts.state.events.splits.empty()) planMortarCollapse(parts);
 }
 
 }  // namespace
