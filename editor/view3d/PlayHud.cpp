@@ -1,6 +1,6 @@
 #include "editor/view3d/PlayHud.h"
 
-#include "viewport/scene/OverlayColours.h"
+#include "viewport/scene/play/OverlayColours.h"
 #include "viewport/widget/OverlayPlate.h"
 #include "viewport/widget/ScaleBarItem.h"
 

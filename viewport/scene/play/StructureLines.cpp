@@ -1,6 +1,6 @@
-#include "viewport/scene/StructureLines.h"
+#include "viewport/scene/play/StructureLines.h"
 
-#include "viewport/scene/OverlayColours.h"
+#include "viewport/scene/play/OverlayColours.h"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
-#include "viewport/scene/SessionSceneBuilder.h"
+#include "viewport/scene/play/SessionSceneBuilder.h"
 
 #include "core/base/Assert.h"
 #include "core/geometry/hull/MassProperties.h"
 #include "viewport/scene/BodyColours.h"
-#include "viewport/scene/ContactLines.h"
-#include "viewport/scene/Dust.h"
+#include "viewport/scene/play/ContactLines.h"
+#include "viewport/scene/play/Dust.h"
 
 #include <algorithm>
 #include <atomic>

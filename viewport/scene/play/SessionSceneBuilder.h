@@ -2,10 +2,10 @@
 
 #include "core/play/analysis/Forecast.h"
 #include "core/play/events/EventHistory.h"
-#include "viewport/scene/OverlayColours.h"
-#include "viewport/scene/PlayOverlays.h"
 #include "viewport/scene/SceneBuilder.h"
-#include "viewport/scene/StructureLines.h"
+#include "viewport/scene/play/OverlayColours.h"
+#include "viewport/scene/play/PlayOverlays.h"
+#include "viewport/scene/play/StructureLines.h"
 
 #include <array>
 #include <memory>

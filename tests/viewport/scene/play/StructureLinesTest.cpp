@@ -1,9 +1,9 @@
-#include "viewport/scene/StructureLines.h"
+#include "viewport/scene/play/StructureLines.h"
 
 #include "tests/support/TestProgram.h"
 #include "tests/support/play/BondedWalls.h"
-#include "viewport/scene/OverlayColours.h"
-#include "viewport/scene/SessionSceneBuilder.h"
+#include "viewport/scene/play/OverlayColours.h"
+#include "viewport/scene/play/SessionSceneBuilder.h"
 
 #include <set>
 

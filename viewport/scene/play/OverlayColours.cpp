@@ -1,4 +1,4 @@
-#include "viewport/scene/OverlayColours.h"
+#include "viewport/scene/play/OverlayColours.h"
 
 #include "core/asset/project/FragmentColours.h"
 
