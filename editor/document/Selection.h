@@ -35,6 +35,8 @@ public:
     const FragmentSelection& hidden() const { return m_hidden; }
     const std::set<Id>& instances() const { return m_instances; }
     Id material() const { return m_material; }
+    /// The mortar whose numbers and joints are shown; 0: none.
+    Id mortar() const { return m_mortar; }
     /// Part::Material, Asset, Instance or Scene.
     Part subject() const { return m_subject; }
 
@@ -51,6 +53,7 @@ public:
     /// Selects instances. Their asset becomes active if all have the same.
     void setInstances(const Project& project, std::set<Id> instances);
     void setMaterial(Id material);
+    void setMortar(Id mortar);
     /// Makes the selected elements of this kind the subject, or the scene if none is selected.
     void setSubject(Part subject);
     /// Removes everything that is not in the project.
@@ -64,6 +67,7 @@ signals:
     void hiddenChanged();
     void instancesChanged();
     void materialChanged();
+    void mortarChanged();
     void subjectChanged(rubble::Part subject);
 
 private:
@@ -72,6 +76,7 @@ private:
     Part m_subject = Part::Scene;
     Id m_asset = 0;
     Id m_material = 0;
+    Id m_mortar = 0;
     FragmentPath m_enteredFragment;
     FragmentSelection m_fragments;
     Seeds m_seeds;  // of m_fragments, in the pattern of m_enteredFragment
