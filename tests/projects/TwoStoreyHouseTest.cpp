@@ -32,7 +32,7 @@ class TwoStoreyHouseTest : public QObject {
 private slots:
     void passesItsTests() {
         const auto scene = test::playSceneOf(test::twoStoreyHouse());
-        QCOMPARE(scene->project.playTests.size(), std::size_t{5});
+        QCOMPARE(scene->project.playTests.size(), std::size_t{6});
         for (const PlayTest& test : scene->project.playTests) {
             const Result<PlayTestOutcome> outcome = runPlayTest(scene, test);
             QVERIFY(outcome.hasValue());

@@ -61,6 +61,8 @@ enum class ProjectNumber {
     ExpectedTime,  // see numberOf(ExpectationKind)
     ExpectedFragments,
     ExpectedSpeed,
+    ExpectedLoss,  // a fraction of the mass
+    ExpectedHole,
     ExpectedValue,
     GrabForce,
     StepLength,
@@ -84,7 +86,7 @@ enum class ProjectNumber {
     MortarTolerance,
     MortarLeastArea,
 };
-inline constexpr int kProjectNumbers = 71;
+inline constexpr int kProjectNumbers = 73;
 
 /// The values that a number of a project can have. Files, command line, inspector and play read them here.
 struct NumberRange {

@@ -177,6 +177,12 @@ inline void addHouseTests(Project& project) {
     const auto breaksInto = [&](const char* name, double count) {
         return Expectation{.kind = ExpectationKind::BreaksIntoAtLeast, .instance = idOf(name), .value = count};
     };
+    const auto staysUp = [&](const char* name, double lost) {
+        return Expectation{.kind = ExpectationKind::StaysUp, .instance = idOf(name), .value = lost};
+    };
+    const auto hole = [&](const char* name, double width) {
+        return Expectation{.kind = ExpectationKind::HoleAtMost, .instance = idOf(name), .value = width};
+    };
     const auto add = [&](const char* name, std::vector<std::size_t> shots, std::vector<Expectation> expectations) {
         PlayTest test{.name = name, .duration = 5.0, .expectations = std::move(expectations)};
         for (const std::size_t shot : shots) test.shots.push_back(project.shots[shot].id);
@@ -184,14 +190,17 @@ inline void addHouseTests(Project& project) {
     };
     add("the house stands", {}, {{.kind = ExpectationKind::StandsUntouched, .value = 5.0}});
     add("a ball makes a hole in the front wall, and the house stands", {0},
-        {breaks("front"), stands("front gable"), stands("roof left"), stands("upper left")});
+        {breaks("front"), hole("front", 2.0), staysUp("floor", 0.0), stands("front gable"), stands("roof left")});
     add("without its pier the corner comes down, and the rest stands", {1},
         {breaksInto("floor", 20.0), breaksInto("front gable", 10.0), stands("middle"), stands("back gable"),
          stands("roof left")});
     add("a ball goes through the roof, and the walls stand", {2},
-        {breaks("roof right"), stands("roof left"), stands("front")});
+        {breaks("roof right"), hole("roof right", 2.0), staysUp("front gable", 0.01), stands("roof left")});
     add("a blast in the porch brings down the front", {3},
-        {breaksInto("front gable", 100.0), breaksInto("floor", 100.0), stands("upper left"), stands("back gable")});
+        {breaksInto("front gable", 100.0), breaksInto("floor", 100.0), staysUp("back", 0.01), stands("back gable")});
+    add("the rest stays up when the pier is gone", {}, {staysUp("floor", 0.1), staysUp("front gable", 0.1)});
+    project.playTests.back().removed = {{idOf("pier"), {}}};
+    project.playTests.back().expectations.push_back(staysUp("roof right", 0.0));
 }
 
 /// projects/two-storey-house.rubble; with another `density`, see HouseBuilder, the same house of more or fewer
