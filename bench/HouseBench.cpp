@@ -100,7 +100,7 @@ void print(const PlayScene& scene, const Played& one, double starting) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const int rounds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 5;
+    const int rounds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 3;
     std::shared_ptr<const PlayScene> scene;
     const double starting = millisecondsOf([&] { scene = *playScene(test::twoStoreyHouse(kDensity)); });
     Played one = played(scene);
