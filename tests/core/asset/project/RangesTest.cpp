@@ -83,6 +83,10 @@ private slots:
         QVERIFY(!rangeOfKind(ExpectationKind::BreaksIntoAtLeast).contains(-1.0));
         QVERIFY(!rangeOfKind(ExpectationKind::NothingFaster).contains(-1.0));
         QVERIFY(rangeOfKind(ExpectationKind::NothingAbove).contains(-1.0));
+        QVERIFY(rangeOfKind(ExpectationKind::StaysUp).contains(1.0));
+        QVERIFY(!rangeOfKind(ExpectationKind::StaysUp).contains(1.1));
+        QVERIFY(rangeOfKind(ExpectationKind::HoleAtMost).contains(0.0));
+        QVERIFY(!rangeOfKind(ExpectationKind::HoleAtMost).contains(-0.1));
     }
     void endsOfRanges() {
         QVERIFY(!rangeOf(ProjectNumber::Density).contains(0.0));

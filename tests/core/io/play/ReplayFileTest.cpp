@@ -24,7 +24,9 @@ Replay replayOfAll() {
                      {8, DestructionInput{false}},
                      {9, GrabInput{3, {1, 1, 1}, 500.0}},
                      {10, DragInput{{2, 2, 2}}},
-                     {11, ReleaseInput{}}};
+                     {11, ReleaseInput{}},
+                     {12, RemoveInput{{9, {"5.1", "5.2"}}}},
+                     {12, RemoveInput{{10, {}}}}};
     replay.steps = {{.hash = 0xfedcba9876543210, .moved = {{1, 99, {0.5, -9.81, 0}}, {7, 0xffffffff, {}}}, .events = 1},
                     {.hash = 5, .broke = {{7, 1320.5}, {9, 0.0}}, .events = 0xabcdef},
                     {.hash = 6, .events = 0}};

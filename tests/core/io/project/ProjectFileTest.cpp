@@ -114,6 +114,28 @@ private slots:
         project.materials = {{.id = 1, .name = "brick"}};
         QCOMPARE(projectText(project), std::string(kEmptyProject));
     }
+    void removedPartsAreOptional() {
+        Project project = fullProject();
+        QVERIFY(projectText(project).find("\"removed\"") == std::string::npos);
+        project.playTests[0].removed = {{project.instances[0].id, {}}, {project.instances[1].id, {"5.1", "5.2/6.0"}}};
+        project.playTests[0].expectations = {{.kind = ExpectationKind::StaysUp, .value = 0.1},
+                                             {.kind = ExpectationKind::HoleAtMost, .value = 0.5}};
+        const Result<Project> read = readProjectText(projectText(project));
+        QVERIFY2(read.hasValue(), errorText(read).c_str());
+        QCOMPARE(read->playTests, project.playTests);
+    }
+    void wrongRemovedPartsAreRefused() {
+        Project project = fullProject();
+        const Id instance = project.instances[0].id;
+        const auto fault = [&](const std::vector<InstancePart>& removed) {
+            project.playTests[0].removed = removed;
+            return errorText(readProjectText(projectText(project)));
+        };
+        QVERIFY2(fault({{4321, {}}}).find("instance 4321") != std::string::npos, fault({{4321, {}}}).c_str());
+        QVERIFY(fault({{instance, {}}, {instance, {}}}).ends_with("must be in ascending order of instances."));
+        QVERIFY(fault({{instance, {"5.2", "5.1"}}}).ends_with("must be in ascending order, and each there once."));
+        QVERIFY(fault({{instance, {"five"}}}).ends_with("\"five\" is not the path of a fragment."));
+    }
     void opacityIsOptional() {
         Project project = readProjectText(kEmptyProject).value();
         QCOMPARE(project.materials[0].opacity, 1.0);
