@@ -83,8 +83,9 @@ enum class ProjectNumber {
     BondStrengthHeight,  // above the lowest point of the outline
     MortarTolerance,
     MortarLeastArea,
+    BondClusterLevel,  // 0: the coarsest
 };
-inline constexpr int kProjectNumbers = 71;
+inline constexpr int kProjectNumbers = 72;
 
 /// The values that a number of a project can have. Files, command line, inspector and play read them here.
 struct NumberRange {
