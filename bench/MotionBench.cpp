@@ -2,7 +2,7 @@
 // time from the last change to the refined picture at rest. Needs a display.
 #include "core/io/project/ProjectFile.h"
 #include "viewport/scene/SceneBuilder.h"
-#include "viewport/scene/SessionSceneBuilder.h"
+#include "viewport/scene/play/SessionSceneBuilder.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QApplication>

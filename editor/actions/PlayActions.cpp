@@ -172,6 +172,10 @@ void PlayActions::addOverlays() {
         {&PlayOverlays::hasImpulses, tr("Contact &Impulses"), tr("Show contact impulses as arrows")},
         {&PlayOverlays::hasHulls, tr("H&ulls"), tr("Show the convex hulls used for collisions")},
         {&PlayOverlays::hasBoxes, tr("&Bounding Boxes"), tr("Show the bounding boxes of the broad phase")},
+        {&PlayOverlays::hasBodies, tr("B&odies"),
+         tr("Colour each body, so that it shows which fragments hold together")},
+        {&PlayOverlays::hasBonds, tr("Bonds by &Damage"),
+         tr("Show the bonds between the fragments of bonded assets, coloured by damage")},
         {&PlayOverlays::hasIslands, tr("I&slands"), tr("Colour bodies by the island they belong to")},
         {&PlayOverlays::hasSleep, tr("S&leeping Bodies"), tr("Show sleeping bodies in blue")}};
     for (const auto& [member, text, tip] : overlays) {

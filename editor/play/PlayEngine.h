@@ -5,7 +5,7 @@
 #include "editor/play/EventLog.h"
 #include "editor/play/PlayFrame.h"
 #include "editor/play/PlayToolSettings.h"
-#include "viewport/scene/SessionSceneBuilder.h"
+#include "viewport/scene/play/SessionSceneBuilder.h"
 
 #include <map>
 

@@ -1,6 +1,6 @@
 #include "editor/view3d/PlayHud.h"
 
-#include "viewport/scene/OverlayColours.h"
+#include "viewport/scene/play/OverlayColours.h"
 #include "viewport/widget/OverlayPlate.h"
 #include "viewport/widget/ScaleBarItem.h"
 
@@ -19,7 +19,7 @@ constexpr int kHudMargin = 12;
 constexpr int kAxes = 92;  // width and height of the axes indicator in the corner
 constexpr int kMinHintWidth = 240;
 constexpr int kChargeWidth = 220;
-constexpr int kHeatWidth = 120;
+constexpr int kRampWidth = 120;
 constexpr int kChargeHeight = 12;
 constexpr int kBesidePointer = 14;
 constexpr int kGrabWidth = 240;
@@ -55,7 +55,7 @@ void PlayHud::paint(QPainter& painter, QSize size) const {
     paintTrajectory(painter);
     paintTexts(painter, textPlate(font));
     if (hasHint(size, font)) paintHint(painter, hintPlate(size, font));
-    if (m_content.hasHeat) paintHeat(painter, heatPlate(size, font));
+    if (hasLegend()) paintLegend(painter, legendPlate(size, font));
     paintSpring(painter, size);
     paintCharge(painter, size);
     paintFrame(painter, size);
@@ -120,10 +120,10 @@ QRect PlayHud::textPlate(const QFont& font) const {
 }
 
 /// In the upper right corner, or below the texts where the view is narrow.
-QRect PlayHud::heatPlate(QSize size, const QFont& font) const {
+QRect PlayHud::legendPlate(QSize size, const QFont& font) const {
     const QFontMetrics lines(font);
-    const int width = std::max(kHeatWidth + kChargeHeight + 6 + lines.horizontalAdvance(tr("breaks")),
-                               lines.horizontalAdvance(heatTitle()));
+    const int width = std::max(kRampWidth + kChargeHeight + 6 + lines.horizontalAdvance(tr("breaks")),
+                               lines.horizontalAdvance(legendTitle()));
     const int height = 2 * lines.height() + kChargeHeight + 2 * kPlatePadding;
     const QRect plate(size.width() - kHudMargin - width - 2 * kPlatePadding, kHudMargin, width + 2 * kPlatePadding,
                       height);
@@ -151,7 +151,7 @@ std::vector<QRect> PlayHud::plates(QSize size, const QFont& font) const {
     if (!m_isVisible) return {};
     std::vector<QRect> plates{textPlate(font)};
     if (hasHint(size, font)) plates.push_back(hintPlate(size, font));
-    if (m_content.hasHeat) plates.push_back(heatPlate(size, font));
+    if (hasLegend()) plates.push_back(legendPlate(size, font));
     return plates;
 }
 
@@ -192,12 +192,14 @@ void PlayHud::paintCharge(QPainter& painter, QSize size) const {
                      m_content.chargeText);
 }
 
-QString PlayHud::heatTitle() const {
-    return m_content.isForecast ? tr("Forecast: impact ÷ threshold") : tr("Impact ÷ threshold");
+QString PlayHud::legendTitle() const {
+    if (!m_content.hasHeat) return tr("Damage of bonds");
+    const QString heat = m_content.isForecast ? tr("Forecast: impact ÷ threshold") : tr("Impact ÷ threshold");
+    return m_content.hasBonds ? tr("%1, damage of bonds").arg(heat) : heat;
 }
 
-/// The legend of the heat colours.
-void PlayHud::paintHeat(QPainter& painter, const QRect& plate) const {
+/// The legend of the colours of heat and damage.
+void PlayHud::paintLegend(QPainter& painter, const QRect& plate) const {
     const QFontMetrics lines(painter.font());
     const int square = kChargeHeight;
     const QRect inside = paintPlate(painter, plate);
@@ -207,16 +209,16 @@ void PlayHud::paintHeat(QPainter& painter, const QRect& plate) const {
                                 static_cast<float>(colour.blue));
     };
     painter.setPen(kPlateText);
-    painter.drawText(inside, Qt::AlignTop, heatTitle());
+    painter.drawText(inside, Qt::AlignTop, legendTitle());
     const int top = inside.top() + lines.height() + 2;
-    for (int x = 0; x < kHeatWidth; ++x) {
-        painter.fillRect(QRect(inside.left() + x, top, 1, square), colourOf(0.999 * x / (kHeatWidth - 1)));
+    for (int x = 0; x < kRampWidth; ++x) {
+        painter.fillRect(QRect(inside.left() + x, top, 1, square), colourOf(0.999 * x / (kRampWidth - 1)));
     }
-    const int signal = inside.left() + kHeatWidth + 4;
+    const int signal = inside.left() + kRampWidth + 4;
     painter.fillRect(QRect(signal, top, square, square), colourOf(1.0));
     painter.setPen(kPlateSecondaryText);
-    painter.drawText(QRect(inside.left(), top + square, kHeatWidth, lines.height()), Qt::AlignLeft, "0");
-    painter.drawText(QRect(inside.left(), top + square, kHeatWidth, lines.height()), Qt::AlignRight, "1");
+    painter.drawText(QRect(inside.left(), top + square, kRampWidth, lines.height()), Qt::AlignLeft, "0");
+    painter.drawText(QRect(inside.left(), top + square, kRampWidth, lines.height()), Qt::AlignRight, "1");
     painter.drawText(QRect(signal + square + 3, top + (square - lines.height()) / 2, 200, lines.height()),
                      Qt::AlignLeft, tr("breaks"));
 }

@@ -27,6 +27,7 @@ public:
         std::optional<double> charge;  // in [0, 1], of a throw being charged
         QString chargeText;
         bool hasHeat = false;     // shows the legend of the heat colours
+        bool hasBonds = false;    // likewise, for the damage of bonds
         bool isForecast = false;  // heat is the forecast of the aimed throw
         std::vector<QPointF> trajectory;
         bool hasHit = false;           // the trajectory ends at a hit
@@ -50,10 +51,11 @@ private:
     void paintTexts(QPainter& painter, const QRect& plate) const;
     void paintHint(QPainter& painter, const QRect& plate) const;
     void paintCharge(QPainter& painter, QSize size) const;
-    void paintHeat(QPainter& painter, const QRect& plate) const;
-    QString heatTitle() const;
+    bool hasLegend() const { return m_content.hasHeat || m_content.hasBonds; }
+    void paintLegend(QPainter& painter, const QRect& plate) const;
+    QString legendTitle() const;
     QRect textPlate(const QFont& font) const;
-    QRect heatPlate(QSize size, const QFont& font) const;
+    QRect legendPlate(QSize size, const QFont& font) const;
     QRect hintPlate(QSize size, const QFont& font) const;
     bool hasHint(QSize size, const QFont& font) const;
 

@@ -154,6 +154,7 @@ PlayHud::Content PlayView::content() const {
     if (m_hasStatistics) content.statistics = statisticsLines();
     if (frame->collapse) content.statistics << collapseText(*frame->collapse);
     content.hasHeat = m_controller.overlays().hasHeat;
+    content.hasBonds = m_controller.overlays().hasBonds;
     content.isForecast = frame->hasForecast;
     content.charge = m_tool.charge();
     if (content.charge && frame->aimed) content.chargeText = fixedQuantity(frame->aimed->speed, 1, Units::speeds());

@@ -1,9 +1,9 @@
 // Lines in the scene of constant width on screen, one instance each, drawn by line.frag. A line is two triangles; an
 // arrow is three such lines, a box twelve.
 uniform float ofBoxes;   // 1: from `from` to `to` along the axes
-uniform float strength;  // of their opacity
+uniform float strength;  // of their opacity; below 1: where something occludes them
 layout(location = 0) in vec4 from;    // w: radius, points
-layout(location = 1) in vec4 to;      // w: 1 for an arrow
+layout(location = 1) in vec4 to;      // w: 1 for an arrow, 2 for a line on a surface
 layout(location = 2) in vec4 colour;  // sRGB and opacity
 layout(location = 3) in vec4 previousOffset;  // position one step earlier minus position now
 out vec2 point;
@@ -39,7 +39,9 @@ void main() {
     vec4 clipA = clipOf(a), clipB = clipOf(b);
     float insideA = clipA.z + clipA.w, insideB = clipB.z + clipB.w;  // of the near plane
     gl_Position = kClipped;
-    if ((insideA <= 0.0 && insideB <= 0.0) || (part > 0 && ofBoxes < 0.5 && to.w < 0.5)) return;
+    bool isArrow = to.w > 0.5 && to.w < 1.5, isOnSurface = to.w > 1.5;
+    if ((insideA <= 0.0 && insideB <= 0.0) || (part > 0 && ofBoxes < 0.5 && !isArrow)) return;
+    if (isOnSurface && strength < 1.0) return;
     if (insideA <= 0.0) clipA = mix(clipA, clipB, insideA / (insideA - insideB));
     if (insideB <= 0.0) clipB = mix(clipB, clipA, insideB / (insideB - insideA));
     vec3 deviceA = clipA.xyz / clipA.w, deviceB = clipB.xyz / clipB.w;

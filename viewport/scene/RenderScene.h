@@ -62,7 +62,7 @@ struct SceneBatch {
     bool operator==(const SceneBatch&) const = default;
 };
 
-/// A line in the scene, of constant width on screen; where something occludes it, it is drawn faintly.
+/// A line in the scene, of constant width on screen; where something occludes it, it is drawn faintly, or not at all.
 struct SceneLine {
     glm::vec4 from{0.0f};            // m, relative to RenderScene::origin; w: radius, points
     glm::vec4 to{0.0f};              // equal to `from` for a dot; w: a LineEnd
@@ -70,7 +70,11 @@ struct SceneLine {
     glm::vec4 previousOffset{0.0f};  // m: its position one step earlier minus its position now
     bool operator==(const SceneLine&) const = default;
 };
-enum class LineEnd { Round, Arrow };
+enum class LineEnd {
+    Round,
+    Arrow,
+    OnSurface,  // round; it is not seen through what occludes it
+};
 
 enum class ParticleKind {
     Dust,

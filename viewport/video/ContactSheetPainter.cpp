@@ -2,7 +2,7 @@
 
 #include "core/base/OutOfMemory.h"
 #include "core/base/limits/Threads.h"
-#include "viewport/scene/SessionSceneBuilder.h"
+#include "viewport/scene/play/SessionSceneBuilder.h"
 
 #include <cmath>
 #include <condition_variable>

@@ -2,7 +2,7 @@
 
 #include "core/base/TaskContext.h"
 #include "viewport/render/Renderer.h"
-#include "viewport/scene/SessionPlayback.h"
+#include "viewport/scene/play/SessionPlayback.h"
 
 #include <filesystem>
 #include <span>

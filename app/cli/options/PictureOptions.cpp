@@ -23,7 +23,8 @@ struct OverlayWord {
 constexpr OverlayWord kOverlays[] = {{"contacts", &PlayOverlays::hasContacts}, {"normals", &PlayOverlays::hasNormals},
                                      {"impulses", &PlayOverlays::hasImpulses}, {"boxes", &PlayOverlays::hasBoxes},
                                      {"islands", &PlayOverlays::hasIslands},   {"sleep", &PlayOverlays::hasSleep},
-                                     {"heat", &PlayOverlays::hasHeat}};
+                                     {"heat", &PlayOverlays::hasHeat},         {"bodies", &PlayOverlays::hasBodies},
+                                     {"bonds", &PlayOverlays::hasBonds}};
 
 /// The values of --colour.
 constexpr std::pair<const char*, SceneColouring> kColourings[] = {
@@ -70,7 +71,7 @@ void addOverlayOption(Command& command, PictureOptions& options) {
     for (const OverlayWord& overlay : kOverlays) words.emplace_back(overlay.word);
     command
         .option("--overlay", options.overlays,
-                "Draw contacts, normals, impulses, boxes, islands, sleep or heat; repeatable")
+                "Draw contacts, normals, impulses, boxes, islands, sleep, heat, bodies or bonds; repeatable")
         .repeatable()
         .oneOf(words)
         .valueName("NAME");

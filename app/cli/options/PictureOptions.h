@@ -2,7 +2,7 @@
 
 #include "app/cli/console/CliContext.h"
 #include "viewport/render/Renderer.h"
-#include "viewport/scene/SessionSceneBuilder.h"
+#include "viewport/scene/play/SessionSceneBuilder.h"
 
 #include <string>
 #include <vector>

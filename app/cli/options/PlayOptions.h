@@ -2,7 +2,7 @@
 
 #include "app/cli/options/ShotOptions.h"
 #include "core/base/TaskContext.h"
-#include "viewport/scene/SessionPlayback.h"
+#include "viewport/scene/play/SessionPlayback.h"
 
 namespace rubble {
 

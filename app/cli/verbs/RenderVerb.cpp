@@ -8,7 +8,7 @@
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/project/Ranges.h"
 #include "viewport/render/OffscreenRenderer.h"
-#include "viewport/scene/SessionSceneBuilder.h"
+#include "viewport/scene/play/SessionSceneBuilder.h"
 
 #include <memory>
 #include <optional>

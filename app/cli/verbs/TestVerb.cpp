@@ -12,7 +12,7 @@
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/CreatedDirectories.h"
 #include "viewport/render/OffscreenRenderer.h"
-#include "viewport/scene/SessionPlayback.h"
+#include "viewport/scene/play/SessionPlayback.h"
 
 #include <algorithm>
 #include <chrono>

@@ -41,6 +41,10 @@ Bond anchorOf(const Bond& bond, std::uint32_t node, const Instance& instance, do
     return anchor;
 }
 
+MortarJoint jointOf(const Bond& bond, Id first, Id second) {
+    return {first, second, bond.area, bond.centroid, bond.normal, bond.moments};
+}
+
 /// What mortar adds to a structure.
 struct AddedAnchors {
     std::vector<Bond> bonds;
@@ -55,8 +59,8 @@ public:
         for (const auto& [id, member] : members) m_added[id];
     }
 
-    /// Adds the joints of a mortar where no earlier one has any. Returns the instances that it joins.
-    std::set<Id> add(const Mortar& mortar, std::span<const FixedSolid> surroundings) {
+    /// Adds the joints of a mortar where no earlier one has any, and returns them.
+    std::vector<MortarJoint> add(const Mortar& mortar, std::span<const FixedSolid> surroundings) {
         const auto isJoined = [&](Id instance) {
             return mortar.instances.empty() || std::ranges::binary_search(mortar.instances, instance);
         };
@@ -69,7 +73,7 @@ public:
             if (solid.instance == 0 || !isJoined(solid.instance)) continue;
             supports.insert(supports.end(), solid.hulls.begin(), solid.hulls.end());
         }
-        std::set<Id> joined;
+        std::vector<MortarJoint> joined;
         for (const Bond& bond : mortarBonds(all.nodes, mortar.tolerance, mortar.leastArea)) {
             const MortarNodes::Place &first = all.places[bond.first], &second = all.places[bond.second];
             if (!m_joined.emplace(first, second).second) continue;
@@ -77,11 +81,11 @@ public:
             const std::uint32_t ofSecond = add(second, bond, -1.0, mortar.impulsePerArea);
             m_added[first.instance].links[ofFirst] = {second.instance, ofSecond};
             m_added[second.instance].links[ofSecond] = {first.instance, ofFirst};
-            joined.insert({first.instance, second.instance});
+            joined.push_back(jointOf(bond, first.instance, second.instance));
         }
         for (const Bond& bond : anchorBonds(all.nodes, supports, mortar.tolerance, mortar.leastArea)) {
             add(all.places[bond.first], bond, 1.0, mortar.impulsePerArea);
-            joined.insert(all.places[bond.first].instance);
+            joined.push_back(jointOf(bond, all.places[bond.first].instance, 0));
         }
         return joined;
     }
@@ -143,11 +147,11 @@ std::shared_ptr<const PlayStructure> withMortar(const PlayStructure& structure, 
 
 }  // namespace
 
-std::vector<std::string> addMortar(const Project& project, std::span<const FixedSolid> surroundings,
-                                   std::map<Id, MortarMember>& members) {
+std::vector<JoinedMortar> addMortar(const Project& project, std::span<const FixedSolid> surroundings,
+                                    std::map<Id, MortarMember>& members) {
     MortarJoints joints(members);
-    std::vector<std::set<Id>> joined;
-    for (const Mortar& mortar : project.mortars) joined.push_back(joints.add(mortar, surroundings));
+    std::vector<JoinedMortar> joined;
+    for (const Mortar& mortar : project.mortars) joined.push_back({mortar.id, joints.add(mortar, surroundings)});
     const std::set<Id> anchored = anchoredThroughMortar(members, joints);
     std::map<Id, std::uint32_t> firstMortar;
     for (const auto& [id, member] : members) firstMortar[id] = member.structure->graph.bondCount();
@@ -156,12 +160,9 @@ std::vector<std::string> addMortar(const Project& project, std::span<const Fixed
         if (anchored.contains(id) && !added.bonds.empty())
             member.structure = withMortar(*member.structure, added, firstMortar);
     }
-    std::vector<std::string> idle;
-    for (std::size_t k = 0; k < joined.size(); ++k) {
-        const bool holds = std::ranges::any_of(joined[k], [&](Id id) { return anchored.contains(id); });
-        if (!holds) idle.push_back(project.mortars[k].name);
-    }
-    return idle;
+    const auto isOfAnchored = [&](const MortarJoint& joint) { return anchored.contains(joint.first); };
+    for (JoinedMortar& one : joined) one.isHeld = std::ranges::any_of(one.joints, isOfAnchored);
+    return joined;
 }
 
 }  // namespace rubble

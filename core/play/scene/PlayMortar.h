@@ -4,7 +4,6 @@
 
 #include <map>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace rubble {
@@ -15,12 +14,29 @@ struct MortarMember {
     std::shared_ptr<const PlayStructure> structure;  // of its whole, with its anchors
 };
 
+/// A face at which mortar joins fragments of two instances.
+struct MortarJoint {
+    Id first = 0;        // instances
+    Id second = 0;       // 0: a fixed one that does not break along bonds
+    double area = 0.0;   // m²
+    Vec3 centroid{0.0};  // m, in the world
+    Vec3 normal{0.0};    // of length 1, from the first to the second
+    Mat3 moments{0.0};   // m⁴: see Bond::moments
+};
+
+/// The joints of a mortar.
+struct JoinedMortar {
+    Id mortar = 0;
+    std::vector<MortarJoint> joints;  // without those of earlier mortars
+    bool isHeld = false;              // one of its instances is anchored, by itself or through mortar
+};
+
 /// Joins instances by the mortars of a project: adds an anchor to the structures of both instances for each face that
 /// they have in common, see mortarBonds(), and to one where the other is fixed and does not break along bonds.
 /// Mortar holds what stands: of instances of which none is anchored, nothing is joined.
 ///
-/// Replaces the structures of `members`. Returns the mortars that hold nothing, by name.
-std::vector<std::string> addMortar(const Project& project, std::span<const FixedSolid> surroundings,
-                                   std::map<Id, MortarMember>& members);
+/// Replaces the structures of `members`. Returns what each mortar of the project joins, in its order.
+std::vector<JoinedMortar> addMortar(const Project& project, std::span<const FixedSolid> surroundings,
+                                    std::map<Id, MortarMember>& members);
 
 }  // namespace rubble

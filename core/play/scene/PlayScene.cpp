@@ -47,10 +47,12 @@ Status checkAssets(const PlayScene& scene) {
 void joinByMortar(PlayScene& scene, std::span<const FixedSolid> surroundings) {
     std::map<Id, MortarMember> members;
     for (const auto& [id, structure] : scene.structures) members[id] = {findInstance(scene.project, id), structure};
-    for (const std::string& mortar : addMortar(scene.project, surroundings, members)) {
+    scene.mortars = addMortar(scene.project, surroundings, members);
+    for (std::size_t k = 0; k < scene.mortars.size(); ++k) {
+        if (scene.mortars[k].isHeld) continue;
         scene.diagnostics.push_back(
             {.code = DiagnosticCode::IdleMortar,
-             .message = "Mortar " + quotedName(mortar) +
+             .message = "Mortar " + quotedName(scene.project.mortars[k].name) +
                         " holds nothing: it joins no bonded instances of which one is anchored."});
     }
     for (auto& [id, member] : members) scene.structures[id] = std::move(member.structure);
@@ -62,6 +64,7 @@ void addStructures(PlayScene& scene) {
     const Project& project = scene.project;
     scene.assetStructures.clear();
     scene.structures.clear();
+    scene.mortars.clear();
     for (const auto& [variant, ready] : scene.assets) {
         if (!ready->isBonded) continue;
         const Asset asset = variantOf(*findAsset(project, variant.asset), variant.variant);
@@ -99,7 +102,7 @@ std::shared_ptr<const PlayStructure> structureIn(const PlayScene& scene, const P
 }
 
 Result<std::shared_ptr<const PlayScene>> playScene(const Project& project, const AssetBakes& bakes,
-                                                   const TaskContext& task) {
+                                                   const TaskContext& task, FindContacts when) {
     if (const std::optional<std::string> fault = verifyProject(project)) return Error{ErrorCode::BadInput, *fault};
     auto scene = std::make_shared<PlayScene>();
     scene->project = project;
@@ -109,7 +112,7 @@ Result<std::shared_ptr<const PlayScene>> playScene(const Project& project, const
         if (baked == bakes.end()) continue;
         Asset asset = variantOf(*findAsset(project, variant.asset), variant.variant);
         if (project.damage.isThesis) asset.breakAs = BreakAs::Whole;
-        Result<std::shared_ptr<const PlayAsset>> ready = playAsset(asset, baked->second, task);
+        Result<std::shared_ptr<const PlayAsset>> ready = playAsset(asset, baked->second, task, when);
         if (!ready) return ready.error();
         for (Diagnostic one : (*ready)->diagnostics) {
             one.message = ownerText("Asset", asset.id, asset.name) + ": " + one.message;

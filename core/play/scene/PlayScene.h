@@ -2,6 +2,7 @@
 
 #include "core/asset/bake/AssetBakes.h"
 #include "core/play/scene/PlayBody.h"
+#include "core/play/scene/PlayMortar.h"
 #include "core/play/scene/PlayStructure.h"
 
 namespace rubble {
@@ -13,6 +14,7 @@ struct PlayScene {
     std::map<Id, std::shared_ptr<const PlayStructure>> structures;  // of the wholes of bonded instances that break
     /// Of all solids that are fractured, of bonded assets: by the fragment that is; kNone: the whole. Without anchors.
     std::map<AssetVariant, std::map<std::uint32_t, std::shared_ptr<const PlayStructure>>> assetStructures;
+    std::vector<JoinedMortar> mortars;    // one for each of the project's
     std::vector<Diagnostic> diagnostics;  // of all assets, each message with the asset's name
 };
 
@@ -23,12 +25,14 @@ void addStructures(PlayScene& scene);
 std::shared_ptr<const PlayStructure> structureIn(const PlayScene& scene, const PlayOrigin& origin,
                                                  std::uint32_t fragment);
 
-/// Prepares a project with its bakes. Assets without a bake must not be used by instances and shots.
+/// Prepares a project with its bakes. Assets without a bake must not be used by instances and shots. `when`: see
+/// playAsset().
 ///
 /// Errors: BadInput if verifyProject() finds a fault, or an instance or shot uses an asset without a bake of its
 /// variant; those of playAsset(); Cancelled.
 Result<std::shared_ptr<const PlayScene>> playScene(const Project& project, const AssetBakes& bakes,
-                                                   const TaskContext& task = {});
+                                                   const TaskContext& task = {},
+                                                   FindContacts when = FindContacts::InAdvance);
 /// Bakes everything first.
 ///
 /// Errors: as above; those of bake().

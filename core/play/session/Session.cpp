@@ -125,6 +125,7 @@ const PlayBody* Session::recentBody(std::uint32_t number) const {
     return removed != events().removed.end() ? &removed->body : nullptr;
 }
 const std::vector<PlayOrigin>& Session::origins() const { return m_state->origins; }
+const std::vector<StructureState>& Session::structures() const { return m_state->structures; }
 std::string Session::nameOf(const PlayBody& body) const { return rubble::nameOf(body, m_state->origins[body.origin]); }
 double Session::thresholdOf(const PlayBody& body) const { return rubble::thresholdOf(*m_state, *m_scene, body); }
 double Session::fadeOf(const PlayBody& body) const {

@@ -44,6 +44,8 @@ public:
     /// The same, also if it broke or was removed in the last step.
     const PlayBody* recentBody(std::uint32_t number) const;
     const std::vector<PlayOrigin>& origins() const;
+    /// The structures of which bonds were damaged; see PlayBody::structure.
+    const std::vector<StructureState>& structures() const;
     std::string nameOf(const PlayBody& body) const;
     /// The smallest damage that breaks a body, N·s; infinite if it does not break.
     double thresholdOf(const PlayBody& body) const;

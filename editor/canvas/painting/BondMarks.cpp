@@ -44,7 +44,10 @@ BondMarks BondMarker::marks(const Asset& asset, bool showsStrengths) {
     BondMarks marks{ofPieces(fragments(), isAnchored), ofPieces(fragments(), neverBreaks)};
     marks.showsStrengths = showsStrengths;
     if (showsStrengths) {
-        if (m_bonds.empty()) findEdges();
+        if (m_bonds.empty()) {
+            m_bonds = bondsOf(fragments());
+            m_edges = faceEdges(fragments(), m_bonds);
+        }
         marks.edges = edges(asset, neverBreaks);
     }
     return marks;
@@ -52,41 +55,16 @@ BondMarks BondMarker::marks(const Asset& asset, bool showsStrengths) {
 
 double BondMarker::levelStrengthIn(const Asset& asset) const { return levelStrength(asset, *m_bake, m_fracture); }
 
-std::uint32_t BondMarker::bondBetween(std::uint32_t piece, std::uint32_t neighbour) const {
-    const auto [first, second] =
-        std::minmax(fragments().fragmentOfPiece[piece], fragments().fragmentOfPiece[neighbour]);
-    const auto key = [](const Bond& bond) { return std::pair(bond.first, bond.second); };
-    const auto found = std::ranges::lower_bound(m_bonds, std::pair(first, second), {}, key);
-    const bool isFound = found != m_bonds.end() && key(*found) == std::pair(first, second);
-    return isFound ? static_cast<std::uint32_t>(found - m_bonds.begin()) : kNone;
-}
-
-/// The bonds and their edges, each once.
-void BondMarker::findEdges() {
-    m_bonds = bondsOf(fragments());
-    const Partition& partition = fragments().partition;
-    for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
-        forEachEdge(partition, piece, [&](std::uint32_t from, std::uint32_t to, std::uint32_t neighbour) {
-            if (neighbour == kNone || neighbour < piece) return;
-            const std::uint32_t bond = bondBetween(piece, neighbour);
-            if (bond == kNone) return;
-            const Vec2 origin = partition.origin;
-            m_edges.push_back({{origin + partition.points[from], origin + partition.points[to]}, bond});
-        });
-    }
-}
-
 std::vector<BondEdge> BondMarker::edges(const Asset& asset, const std::vector<bool>& neverBreaks) const {
     const StrengthMap map(asset);
     const double level = levelStrengthIn(asset);
     std::vector<BondEdge> edges;
     edges.reserve(m_edges.size());
-    for (const auto& [edge, index] : m_edges) {
-        const Bond& bond = m_bonds[index];
-        edges.push_back(edge);
-        edges.back().factor = neverBreaks[bond.first] && neverBreaks[bond.second]
-                                  ? std::numeric_limits<double>::infinity()
-                                  : level * map.at(Vec2{bond.centroid});
+    for (const FaceEdge& edge : m_edges) {
+        const Bond& bond = m_bonds[edge.bond];
+        const bool canBreak = !neverBreaks[bond.first] || !neverBreaks[bond.second];
+        const double factor = canBreak ? level * map.at(Vec2{bond.centroid}) : std::numeric_limits<double>::infinity();
+        edges.push_back({edge.from, edge.to, factor});
     }
     return edges;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/structure/bonds/Bond.h"
+#include "core/structure/bonds/FaceEdges.h"
 #include "editor/canvas/painting/DrawablePattern.h"
 
 #include <cstdint>
@@ -41,19 +41,12 @@ public:
 
 private:
     const Fragments& fragments() const;
-    struct EdgeOfBond {
-        BondEdge edge;
-        std::uint32_t bond = 0;  // index
-    };
-    /// The bond between two pieces; kNone: there is none.
-    std::uint32_t bondBetween(std::uint32_t piece, std::uint32_t neighbour) const;
-    void findEdges();
     std::vector<BondEdge> edges(const Asset& asset, const std::vector<bool>& neverBreaks) const;
 
     std::shared_ptr<const Bake> m_bake;
     std::uint32_t m_fracture;   // index
     std::vector<Bond> m_bonds;  // of the fragments; empty until strengths are shown, as m_edges
-    std::vector<EdgeOfBond> m_edges;
+    std::vector<FaceEdge> m_edges;
 };
 
 }  // namespace rubble

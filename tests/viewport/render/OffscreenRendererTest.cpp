@@ -2,7 +2,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/viewport/Pictures.h"
 #include "viewport/render/OffscreenRenderer.h"
-#include "viewport/scene/SessionSceneBuilder.h"
+#include "viewport/scene/play/SessionSceneBuilder.h"
 
 #include <QDir>
 #include <QTest>

@@ -4,8 +4,8 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/viewport/Pictures.h"
 #include "viewport/render/OffscreenRenderer.h"
-#include "viewport/scene/OverlayColours.h"
 #include "viewport/scene/SceneBuilder.h"
+#include "viewport/scene/play/OverlayColours.h"
 
 #include <QTest>
 

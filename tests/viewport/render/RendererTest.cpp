@@ -5,7 +5,7 @@
 #include "viewport/render/Renderer.h"
 #include "viewport/render/gl/RenderTarget.h"
 #include "viewport/render/gl/SurfacelessContext.h"
-#include "viewport/scene/SessionSceneBuilder.h"
+#include "viewport/scene/play/SessionSceneBuilder.h"
 
 using namespace rubble;
 

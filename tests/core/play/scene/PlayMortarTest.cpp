@@ -36,6 +36,29 @@ private slots:
         QVERIFY(std::abs(mortarArea(structureOfInstance(*scene, 2)) - 2.0) < 1e-9);
         QVERIFY(structureOfInstance(*scene, 2).isHeld());
     }
+    void jointsAreKnown() {
+        const auto scene = test::playSceneOf(test::mortarPortal());
+        QCOMPARE(scene->mortars.size(), std::size_t{1});
+        const JoinedMortar& mortar = scene->mortars[0];
+        QCOMPARE(mortar.mortar, scene->project.mortars[0].id);
+        QVERIFY(mortar.isHeld);
+        double area = 0.0;
+        for (const MortarJoint& joint : mortar.joints) {
+            area += joint.area;
+            QVERIFY(joint.first < joint.second);
+            QCOMPARE(joint.second, scene->project.instances[2].id);  // the lintel on both piers
+            QVERIFY(std::abs(std::abs(joint.normal.y) - 1.0) < 1e-9);
+        }
+        QVERIFY(std::abs(area - 2.0) < 1e-9);
+    }
+    void jointsOfWhatIsNotAnchoredAreNotHeld() {
+        Project project = test::mortarPortal();
+        for (Instance& instance : project.instances) instance.isAnchored = instance.isFixed = false;
+        const auto scene = test::playSceneOf(project);
+        QVERIFY(!scene->mortars[0].joints.empty());
+        QVERIFY(!scene->mortars[0].isHeld);
+        QCOMPARE(scene->diagnostics.size(), std::size_t{1});
+    }
     void halvesLeadToEachOther() {
         Project project = test::mortarPortal();
         project.instances[2].pose.orientation = {0.0, 0.0, 1.0, 0.0};  // 180° about y

@@ -1,6 +1,6 @@
-// Tests viewport/scene/Dust.cpp and viewport/scene/DustParticles.cpp.
+// Tests viewport/scene/play/Dust.cpp and viewport/scene/play/DustParticles.cpp.
 #include "tests/support/TestProgram.h"
-#include "viewport/scene/Dust.h"
+#include "viewport/scene/play/Dust.h"
 
 #include "tests/support/asset/ProjectParts.h"
 

@@ -1,10 +1,10 @@
-#include "viewport/scene/SessionSceneBuilder.h"
+#include "viewport/scene/play/SessionSceneBuilder.h"
 
 #include "core/base/Assert.h"
 #include "core/geometry/hull/MassProperties.h"
 #include "viewport/scene/BodyColours.h"
-#include "viewport/scene/ContactLines.h"
-#include "viewport/scene/Dust.h"
+#include "viewport/scene/play/ContactLines.h"
+#include "viewport/scene/play/Dust.h"
 
 #include <algorithm>
 #include <atomic>
@@ -134,6 +134,13 @@ bool SessionSceneBuilder::isDrawnApart(const PlayBody& body) const {
     return m_overlays.hasCollapse && m_collapse && m_collapse->hasPartOf(body.number);
 }
 
+/// The body of the scene as which a fragment of a body is drawn: the body's solid, or the fragment's.
+std::uint32_t SessionSceneBuilder::solidOf(const PlayBody& body, std::uint32_t fragment) const {
+    const bool isWhole = !isDrawnApart(body) && !isPartial(body);
+    const std::uint32_t drawn = isWhole ? body.fragment : fragment;
+    return slotOf(body)->first + (drawn == kNone ? 0 : drawn + 1);
+}
+
 /// Writes the bodies' poses; false if a body has no slot yet. Scenes at rest are equal, whatever they were before.
 bool SessionSceneBuilder::writePoses(const Session& session, RenderScene& scene) const {
     for (BodyAppearance& appearance : scene.appearances) appearance.marks = kHidden;
@@ -222,6 +229,12 @@ void SessionSceneBuilder::addToldDust(const Session& session, RenderScene& scene
     addDust(scene, m_scene->project, m_history.between(first, moment.step), moment);
 }
 
+void SessionSceneBuilder::addStructureLines(const Session& session, RenderScene& scene) {
+    const auto solid = [this](const PlayBody& body, std::uint32_t fragment) { return solidOf(body, fragment); };
+    m_structureLines.addCracks(scene, session, solid);
+    if (m_overlays.hasBonds) m_structureLines.addBonds(scene, session, solid);
+}
+
 void SessionSceneBuilder::addOverlays(const Session& session, RenderScene& scene) {
     scene.lines.clear();
     scene.boxes.clear();
@@ -229,13 +242,13 @@ void SessionSceneBuilder::addOverlays(const Session& session, RenderScene& scene
     record(session);
     addToldDust(session, scene);
     recordImpacts(session);
+    addStructureLines(session, scene);
     if (m_overlays.hasContacts || m_overlays.hasNormals || m_overlays.hasImpulses) {
         addContactLines(scene, session, m_overlays, m_arrowScale);
     }
-    if (!m_overlays.hasBoxes && !m_overlays.hasIslands && !m_overlays.hasSleep && !m_overlays.hasHeat &&
-        !m_overlays.hasCollapse) {
-        return;
-    }
+    const bool hasTint = m_overlays.hasIslands || m_overlays.hasBodies || m_overlays.hasSleep || m_overlays.hasHeat ||
+                         m_overlays.hasCollapse;
+    if (!m_overlays.hasBoxes && !hasTint) return;
     const std::vector<BodyTint> tints = tintsOf(session);
     if (m_overlays.hasBoxes) {
         for (std::size_t k = 0; k < tints.size(); ++k) {  // of several fragments of a body, the first

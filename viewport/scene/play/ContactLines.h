@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/play/session/Session.h"
-#include "viewport/scene/PlayOverlays.h"
 #include "viewport/scene/RenderScene.h"
+#include "viewport/scene/play/PlayOverlays.h"
 
 namespace rubble {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "viewport/scene/SessionSceneBuilder.h"
+#include "viewport/scene/play/SessionSceneBuilder.h"
 
 #include <functional>
 

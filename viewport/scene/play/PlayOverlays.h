@@ -14,6 +14,8 @@ struct PlayOverlays {
     bool hasImpulses = false;  // contact impulses: see impulseLength()
     bool hasBoxes = false;     // boxes of the broad phase
     bool hasIslands = false;   // colours bodies by island
+    bool hasBodies = false;    // colours each body, which shows the fragments that hold together
+    bool hasBonds = false;     // lines between bonded fragments, coloured by damage
     bool hasSleep = false;     // colours sleeping bodies blue
     bool hasHeat = false;      // colours bodies by impact ÷ threshold: see heatColour()
     bool hasHulls = false;     // collision hulls

@@ -1,5 +1,5 @@
 #include "tests/support/TestProgram.h"
-#include "viewport/scene/SessionPlayback.h"
+#include "viewport/scene/play/SessionPlayback.h"
 
 #include "tests/support/play/Sessions.h"
 

@@ -1,4 +1,4 @@
-#include "viewport/scene/SessionPlayback.h"
+#include "viewport/scene/play/SessionPlayback.h"
 
 #include <utility>
 

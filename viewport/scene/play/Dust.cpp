@@ -1,9 +1,9 @@
-#include "viewport/scene/Dust.h"
+#include "viewport/scene/play/Dust.h"
 
 #include "core/base/Random.h"
 #include "core/base/math/Roots.h"
 #include "core/base/math/Trigonometry.h"
-#include "viewport/scene/DustParticles.h"
+#include "viewport/scene/play/DustParticles.h"
 
 #include <glm/geometric.hpp>
 

@@ -2,9 +2,10 @@
 
 #include "core/play/analysis/Forecast.h"
 #include "core/play/events/EventHistory.h"
-#include "viewport/scene/OverlayColours.h"
-#include "viewport/scene/PlayOverlays.h"
 #include "viewport/scene/SceneBuilder.h"
+#include "viewport/scene/play/OverlayColours.h"
+#include "viewport/scene/play/PlayOverlays.h"
+#include "viewport/scene/play/StructureLines.h"
 
 #include <array>
 #include <memory>
@@ -64,8 +65,10 @@ private:
     std::shared_ptr<RenderScene> posedScene(const Session& session);
     const Slot* slotOf(const PlayBody& body) const;
     bool isDrawnApart(const PlayBody& body) const;
+    std::uint32_t solidOf(const PlayBody& body, std::uint32_t fragment) const;
     bool writePoses(const Session& session, RenderScene& scene) const;
     void addOverlays(const Session& session, RenderScene& scene);
+    void addStructureLines(const Session& session, RenderScene& scene);
     void addToldDust(const Session& session, RenderScene& scene) const;
     std::vector<BodyTint> tintsOf(const Session& session) const;
     void recordImpacts(const Session& session);
@@ -89,7 +92,8 @@ private:
     std::vector<Model> m_models;  // one per batch; the scene's assets first
     std::vector<Slots> m_slots;   // one per origin
     EventHistory m_history;       // whose dust is shown
-    RenderScene m_layout;         // what all scenes share, with all bodies hidden
+    StructureLines m_structureLines;
+    RenderScene m_layout;  // what all scenes share, with all bodies hidden
     std::vector<std::shared_ptr<RenderScene>> m_pool;
     std::shared_ptr<const RenderScene> m_previous;  // the last scene built, in the layout of m_layout
     std::uint64_t m_previousStep = 0;

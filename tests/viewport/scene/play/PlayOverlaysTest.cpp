@@ -1,11 +1,11 @@
-// Tests viewport/scene/ContactLines.cpp and viewport/scene/OverlayColours.cpp.
+// Tests viewport/scene/play/ContactLines.cpp and viewport/scene/play/OverlayColours.cpp.
 #include "tests/support/TestProgram.h"
-#include "viewport/scene/PlayOverlays.h"
+#include "viewport/scene/play/PlayOverlays.h"
 
 #include "core/asset/project/FragmentColours.h"
 #include "tests/support/play/BondedWalls.h"
-#include "viewport/scene/ContactLines.h"
-#include "viewport/scene/SessionSceneBuilder.h"
+#include "viewport/scene/play/ContactLines.h"
+#include "viewport/scene/play/SessionSceneBuilder.h"
 
 #include <set>
 

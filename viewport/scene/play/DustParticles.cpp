@@ -1,4 +1,4 @@
-#include "viewport/scene/DustParticles.h"
+#include "viewport/scene/play/DustParticles.h"
 
 #include <algorithm>
 #include <cmath>

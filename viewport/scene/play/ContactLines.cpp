@@ -1,4 +1,4 @@
-#include "viewport/scene/ContactLines.h"
+#include "viewport/scene/play/ContactLines.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-// Tests viewport/scene/SessionSceneBuilder.cpp and viewport/scene/RenderScene.cpp.
+// Tests viewport/scene/play/SessionSceneBuilder.cpp and viewport/scene/RenderScene.cpp.
 #include "tests/support/TestProgram.h"
-#include "viewport/scene/SessionSceneBuilder.h"
+#include "viewport/scene/play/SessionSceneBuilder.h"
 
 #include "core/asset/project/FragmentColours.h"
 #include "tests/support/files/TestImages.h"

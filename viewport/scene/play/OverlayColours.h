@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/play/session/Session.h"
-#include "viewport/scene/PlayOverlays.h"
 #include "viewport/scene/RenderScene.h"
+#include "viewport/scene/play/PlayOverlays.h"
 
 #include <span>
 
@@ -21,9 +21,9 @@ struct BodyTint {
     std::uint32_t fragment = kNone;  // of its asset's bake; kNone: the whole
 };
 
-/// Colours the bodies of a scene by island or heat, and sleeping ones blue, as the overlays say. `heat`: by ascending
-/// number; missing bodies have none. Without islands and heat, awake bodies keep their colours. `collapse`, if there is
-/// one: its bodies in signal colours, all others paler.
+/// Colours the bodies of a scene by number, island or heat, and sleeping ones blue, as the overlays say. `heat`: by
+/// ascending number; missing bodies have none. Without any of these, awake bodies keep their colours. `collapse`, if
+/// there is one: its bodies in signal colours, all others paler.
 void tintBodies(RenderScene& scene, std::span<const BodyTint> bodies, const Session& session,
                 const PlayOverlays& overlays, std::span<const BodyHeat> heat, const BodyCollapse* collapse = nullptr);
 

@@ -1,4 +1,4 @@
-#include "viewport/scene/OverlayColours.h"
+#include "viewport/scene/play/OverlayColours.h"
 
 #include "core/asset/project/FragmentColours.h"
 
@@ -59,7 +59,7 @@ Colour heatColour(double value) {
 void tintBodies(RenderScene& scene, std::span<const BodyTint> bodies, const Session& session,
                 const PlayOverlays& overlays, std::span<const BodyHeat> heat, const BodyCollapse* collapse) {
     std::vector<std::uint32_t> islands, numbers;
-    if (overlays.hasIslands && !overlays.hasHeat) {
+    if (overlays.hasIslands) {
         islands = session.world().islands();
         numbers.resize(islands.size());
         for (const BodyTint& body : bodies) numbers[body.id.index] = body.number;
@@ -70,8 +70,9 @@ void tintBodies(RenderScene& scene, std::span<const BodyTint> bodies, const Sess
             appearance.outside = packed(colour);
             appearance.inside = packed(insideOf(colour));
         };
-        if (overlays.hasHeat) paint(heatColour(heatOf(heat, body.number)));
         if (!islands.empty()) paint(islandColour(islands[body.id.index], numbers));
+        if (overlays.hasBodies) paint(fragmentColour(std::to_string(body.number)));
+        if (overlays.hasHeat) paint(heatColour(heatOf(heat, body.number)));
         const auto tint = [&](const Colour& colour) {
             for (std::uint32_t* surface : {&appearance.outside, &appearance.inside}) {
                 *surface = packed(mixed(unpacked(*surface), colour, 0.75)) | (*surface & kTransparencyBits);
