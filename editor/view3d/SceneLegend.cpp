@@ -28,7 +28,8 @@ QString titleOf(SceneColouring colouring) {
         case SceneColouring::Aspect: return SceneLegend::tr("Aspect ratio");
         case SceneColouring::Threshold: return SceneLegend::tr("Parent threshold");
         case SceneColouring::Material:
-        case SceneColouring::Fragment: break;
+        case SceneColouring::Fragment:
+        case SceneColouring::Cluster: break;
     }
     return {};
 }

@@ -5,8 +5,10 @@
 #include "core/asset/strength/FragmentThreshold.h"
 #include "core/asset/strength/Threshold.h"
 #include "core/play/scene/PlayAsset.h"
+#include "core/structure/clusters/ClusterColours.h"
 
 #include <algorithm>
+#include <map>
 
 namespace rubble {
 namespace {
@@ -24,7 +26,8 @@ const Material* insideOf(const AssetModel& model, const Project& project) {
 }
 
 bool isQuantity(SceneColouring colouring) {
-    return colouring != SceneColouring::Material && colouring != SceneColouring::Fragment;
+    return colouring != SceneColouring::Material && colouring != SceneColouring::Fragment &&
+           colouring != SceneColouring::Cluster;
 }
 
 double thresholdOf(const Project& project, const AssetModel& model, Id instance) {
@@ -57,7 +60,8 @@ public:
             case SceneColouring::Aspect: return solid.aspect;
             case SceneColouring::Threshold: return thresholdOfParent(solid);
             case SceneColouring::Material:
-            case SceneColouring::Fragment: break;
+            case SceneColouring::Fragment:
+            case SceneColouring::Cluster: break;
         }
         return 0.0;
     }
@@ -115,6 +119,21 @@ ValueRange rangeOf(const RenderScene& scene, std::span<const AssetModel* const> 
     return range;
 }
 
+/// The colour of each fragment of a model by its clusters; empty without a bake.
+std::vector<Colour> coloursByCluster(const AssetModel& model, const Project& project) {
+    std::vector<Colour> colours;
+    const Asset* asset = findAsset(project, model.asset.id);
+    if (asset == nullptr || model.bake == nullptr) return colours;
+    const bool hasClusters = asset->breakAs == BreakAs::Bonded && model.variant == 0;
+    for (std::uint32_t fracture = 0; fracture < model.bake->fractures.size(); ++fracture) {
+        const std::vector<Colour> some =
+            hasClusters ? clusterColours(*asset, *model.bake, fracture)
+                        : std::vector<Colour>(model.bake->fractures[fracture].fragments.count(), kUnclusteredColour);
+        colours.insert(colours.end(), some.begin(), some.end());
+    }
+    return colours;
+}
+
 }  // namespace
 
 void colourBodies(RenderScene& scene, std::span<const AssetModel* const> models, const Project& project,
@@ -126,6 +145,15 @@ void colourBodies(RenderScene& scene, std::span<const AssetModel* const> models,
         const double spread = scene.colourRange->most - scene.colourRange->least;
         return spread > 0.0 ? (value - scene.colourRange->least) / spread : 0.5;
     };
+    std::map<const AssetModel*, std::vector<Colour>> byCluster;
+    if (colouring == SceneColouring::Cluster) {
+        for (const AssetModel* model : models) byCluster[model] = coloursByCluster(*model, project);
+    }
+    const auto ownColour = [&](const AssetModel& model, const ModelSolid& solid) {
+        const auto found = byCluster.find(&model);
+        const bool isKnown = found != byCluster.end() && solid.fragment < found->second.size();
+        return isKnown ? found->second[solid.fragment] : byCluster.empty() ? solid.colour : kUnclusteredColour;
+    };
     forEachInstance(scene, models, [&](const AssetModel& model, Id instance, std::uint32_t first) {
         const SolidQuantity quantity(project, model, instance, colouring);
         const Material* material = colouring == SceneColouring::Material ? materialOf(model, project) : nullptr;
@@ -134,7 +162,7 @@ void colourBodies(RenderScene& scene, std::span<const AssetModel* const> models,
             const ModelSolid& shown = model.solids[solid];
             const Colour outside = isOnRamp              ? rampColour(fractionOf(quantity.of(shown)))
                                    : material != nullptr ? material->outside
-                                                         : shown.colour;
+                                                         : ownColour(model, shown);
             const Material* cut = cutMaterial != nullptr ? cutMaterial : material;
             scene.appearances[first + solid].outside =
                 packedSurface(outside, material != nullptr ? material->opacity : 1.0);

@@ -10,7 +10,7 @@
 namespace rubble {
 
 /// The property that solids are coloured by. Threshold: that of the parent, whose break releases the solid.
-enum class SceneColouring { Material, Fragment, Level, Volume, Mass, Aspect, Threshold };
+enum class SceneColouring { Material, Fragment, Level, Volume, Mass, Aspect, Threshold, Cluster };
 
 /// The content of a scene.
 struct SceneOptions {

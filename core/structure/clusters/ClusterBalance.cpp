@@ -54,8 +54,7 @@ private:
     /// larger one. False if there is no such chain.
     bool shift(std::uint32_t start, bool isGiving) {
         std::set<ClusterPair> blocked;
-        const auto touching = touchingClusters();
-        while (const auto chain = chainFrom(start, isGiving, touching, blocked)) {
+        while (const auto chain = chainFrom(start, isGiving, blocked)) {
             std::vector<std::pair<std::uint32_t, std::uint32_t>> moved;  // nodes, and where they were
             const auto fails = [&](const ClusterPair& pair) {
                 const std::uint32_t node = bestNode(pair);
@@ -72,20 +71,17 @@ private:
         return false;
     }
 
-    std::vector<std::set<std::uint32_t>> touchingClusters() const {
-        std::vector<std::set<std::uint32_t>> touching(m_nodes.count);
-        for (std::uint32_t node = 0; node < m_nodes.clusterOf.size(); ++node) {
-            for (const std::uint32_t other : m_nodes.neighbours[node]) {
-                if (m_nodes.clusterOf[other] != m_nodes.clusterOf[node])
-                    touching[m_nodes.clusterOf[node]].insert(m_nodes.clusterOf[other]);
-            }
+    std::set<std::uint32_t> touching(std::uint32_t cluster) const {
+        std::set<std::uint32_t> found;
+        for (const std::uint32_t node : m_members[cluster]) {
+            for (const std::uint32_t other : m_nodes.neighbours[node]) found.insert(m_nodes.clusterOf[other]);
         }
-        return touching;
+        found.erase(cluster);
+        return found;
     }
 
     /// The shortest chain of pairs, in the order of moves, to or from the nearest cluster that differs by two nodes.
     std::optional<std::vector<ClusterPair>> chainFrom(std::uint32_t start, bool isGiving,
-                                                      const std::vector<std::set<std::uint32_t>>& touching,
                                                       const std::set<ClusterPair>& blocked) const {
         std::vector<std::uint32_t> before(m_nodes.count, kNone), queue{start};
         before[start] = start;
@@ -93,7 +89,7 @@ private:
             const std::uint32_t from = queue[next];
             const std::size_t size = m_members[from].size(), own = m_members[start].size();
             if (isGiving ? size + 2 <= own : size >= own + 2) return chainTo(from, isGiving, before);
-            for (const std::uint32_t other : touching[from]) {
+            for (const std::uint32_t other : touching(from)) {
                 const ClusterPair pair = isGiving ? ClusterPair{from, other} : ClusterPair{other, from};
                 if (before[other] != kNone || blocked.contains(pair)) continue;
                 before[other] = from;

@@ -17,7 +17,7 @@ struct ClusteredNodes {
 
 /// Moves nodes between neighbouring clusters until the sizes of all are within a quarter of the mean, rounded away from
 /// it, or no move along clusters that touch brings two of them nearer to each other. Clusters stay connected.
-/// O(links) for each move.
+/// O(clusters · log clusters) for each move, and those that it passes.
 void balanceClusters(ClusteredNodes& nodes);
 
 }  // namespace rubble

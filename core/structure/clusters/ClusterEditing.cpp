@@ -130,7 +130,6 @@ NodeSet ClusterEditing::nodesOf(std::uint32_t cluster) const {
     return nodes;
 }
 
-/// The cluster of each node at the next coarser level that has any; all kNone: there is none.
 std::vector<std::uint32_t> ClusterEditing::coarserClusters() const {
     for (std::uint32_t level = m_level; level-- > 0;) {
         if (std::ranges::any_of(m_clusters[level], [](std::uint32_t cluster) { return cluster != kNone; }))

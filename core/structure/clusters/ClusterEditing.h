@@ -28,7 +28,7 @@ struct ClusterTarget {
 /// Bonding::clusters; those of other levels and fractures are ignored. A cluster of which one fragment is left, or
 /// would be made, is dropped. Paths of fragments that do not exist stay in clusters that are not split.
 ///
-/// Clusters are made within those of the next coarser level that has any there: each belongs to one of them.
+/// Proposed and grown clusters stay within those of the next coarser level that has any there.
 class ClusterEditing {
 public:
     /// Borrows all; `level` is in the range of ProjectNumber::BondClusterLevel.
@@ -51,11 +51,12 @@ public:
     const BondGraph& graph() const { return m_graph; }
     /// The clusters of the level that some nodes are in, ascending.
     std::vector<std::uint32_t> clustersOf(std::span<const std::uint32_t> nodes) const;
+    /// The cluster of each node at the next coarser level that has any; all kNone: there is none.
+    std::vector<std::uint32_t> coarserClusters() const;
     /// The nodes of a cluster.
     NodeSet nodesOf(std::uint32_t cluster) const;
 
 private:
-    std::vector<std::uint32_t> coarserClusters() const;
     FragmentCluster clusterOf(std::span<const std::uint32_t> nodes) const;
     std::vector<FragmentCluster> without(std::span<const std::uint32_t> clusters) const;
 
