@@ -53,7 +53,7 @@ FragmentActions::FragmentActions(Views& views)
     m_restore = add(
         {"fragment-restore", tr("&Restore"), tr("Remove the merges, splits and patterns of the selected fragments")},
         &FragmentActions::restore);
-    m_menu->addMenu((new ClusterActions(views))->menu());
+    m_clusters = m_menu->addMenu((new ClusterActions(views))->menu());
     m_menu->addSeparator();
     m_enter = add({"fragment-enter", tr("&Enter Fragment"),
                    tr("Edit the pattern of the selected fragment in the canvas"), QKeySequence("Ctrl+Down")},

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kListHeight = 150;  // pixels
 constexpr int kClusterRole = Qt::UserRole;
-constexpr int kButtonColumns = 3;
+constexpr int kButtonColumns = 4;
 constexpr double kMostClusters = 1e6;  // or fragments of one
 
 }  // namespace

@@ -163,6 +163,39 @@ private slots:
         QVERIFY2(test::wallOf(session).nodes.size() + 8 <= standing, QByteArray::number(standing));
         QVERIFY(test::wallOf(session).isHeld && test::wallOf(session).collapseStep == PlayBody::kNever);
     }
+    /// A bar of 8 x 2 fragments, of which the lowest at its left end is anchored: within the span are the first four
+    /// columns. A cluster of one of those with two of the next column keeps its bonds, also those to what has support.
+    void clustersWithSupportKeepTheirBonds() {
+        Project project = test::bondedWall(1, 1e4);
+        Asset& asset = project.assets[0];
+        asset.prism.outline = {rectangle({0.0, 0.0}, {8.0, 2.0}), {}};
+        asset.pattern = test::patternOf(project, {JitteredGrid{.columns = 8, .rows = 2, .jitter = 0.0}});
+        asset.bonding.span = 3.2;
+        asset.bonding.collapseDelay = 0.05;
+        asset.bonding.strokes = {{.radius = 0.1, .points = {{0.5, 0.5}}}};
+        project.instances[0].pose.position = {0.0, 5.0, 0.0};
+        const Bake baked = *bake(asset);
+        FragmentCluster cluster;
+        for (std::uint32_t node = 0; node < baked.fragmentCount(); ++node) {
+            const Vec3 centre = baked.fragment(node).solid.offset();
+            const auto column = static_cast<int>(centre.x);
+            if (column == 4 || (column == 3 && centre.y < 1.0)) cluster.fragments.push_back(baked.fragmentPath(node));
+        }
+        asset.bonding.clusters = {cluster};
+        sortClusters(asset.bonding.clusters);
+        Session session = test::sessionOf(project);
+        test::addInput(session, ShotInput{"tap", Hammer{.at = {7.5, 5.5, 0.125}, .impulse = {0.0, 0.0, -8000.0}}});
+        for (int k = 0; k < 20; ++k) session.step();
+        QCOMPARE(test::wallOf(session).nodes.size(), std::size_t{10});
+        const PlayStructure& structure = *session.scene().structures.begin()->second;
+        const InstanceDamage damage = session.damage().begin()->second;
+        for (std::uint32_t bond = 0; bond < structure.graph.bondCount(); ++bond) {
+            const Bond& one = structure.graph.bonds[bond];
+            if (one.second == kNone) continue;
+            const double right = std::max(structure.graph.centres[one.first].x, structure.graph.centres[one.second].x);
+            QCOMPARE(bool(damage.broken[bond]), right > 5.0);
+        }
+    }
     void smallClustersFallApart() {
         Project project = test::clusteredWall(300, 60);  // about five fragments each
         project.assets[0].bonding.minimumIsland = 300;
