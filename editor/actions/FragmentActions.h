@@ -22,7 +22,9 @@ public:
 
     QMenu* menu() const { return m_menu; }
     QList<QAction*> navigationActions() const { return {m_enter, m_exit}; }
-    QList<QAction*> editingActions() const { return {m_fracture, m_keepWhole, m_merge, m_split, m_restore, m_clusters}; }
+    QList<QAction*> editingActions() const {
+        return {m_fracture, m_keepWhole, m_merge, m_split, m_restore, m_clusters};
+    }
 
 private:
     using FragmentEdit = Edit (*)(const Project&, Id asset, const std::vector<SelectedFragment>& fragments);

@@ -135,6 +135,19 @@ void InstanceActions::addAnchors() {
         m_workspace.document().push(toggleAnchored(m_workspace.project(), selected()));
         updateEnabled();  // the click changed the check mark, whether or not the project changed
     });
+    m_mortar = add({"instance-mortar", tr("&Join with Mortar"),
+                    tr("Join the selected bonded instances where their faces lie against each other")},
+                   &InstanceActions::joinWithMortar);
+}
+
+/// Shows the new mortar and its joints.
+void InstanceActions::joinWithMortar() {
+    const std::vector<Id> joined = bondedInstances(m_workspace.project(), selected());
+    Addition addition = addMortar(m_workspace.project(), joined);
+    if (!m_workspace.document().push(std::move(addition.edit))) return;
+    scene().showWholeScene();
+    m_workspace.selection().setMortar(addition.id);
+    m_workspace.selection().setSubject(Part::Scene);
 }
 
 void InstanceActions::addLocks() {
@@ -245,6 +258,7 @@ void InstanceActions::updateEnabled() {
     for (QAction* action : m_needSelection) action->setEnabled(!selected().empty());
     for (QAction* action : m_needMovable) action->setEnabled(!gizmo().movable().empty());
     m_anchored->setEnabled(!bondedInstances(m_workspace.project(), selected()).empty());
+    m_mortar->setEnabled(!bondedInstances(m_workspace.project(), selected()).empty());
     m_anchored->setChecked(areAnchored(m_workspace.project(), selected()));
     m_place->setEnabled(!m_workspace.project().assets.empty());
     m_unlockAll->setEnabled(std::ranges::any_of(all, &Instance::isLocked));

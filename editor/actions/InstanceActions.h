@@ -39,6 +39,7 @@ private:
     void addHandles();
     void addCopies();
     void addAnchors();
+    void joinWithMortar();
     void addLocks();
     void addContextMenus();
     void startPlacing();
@@ -63,7 +64,8 @@ private:
     QMenu* m_menu;
     QAction* m_place = nullptr;
     QAction* m_unlockAll = nullptr;
-    QAction* m_anchored = nullptr;    // checked if all selected bonded instances are
+    QAction* m_anchored = nullptr;  // checked if all selected bonded instances are
+    QAction* m_mortar = nullptr;
     QList<QAction*> m_needSelection;  // enabled while instances are selected
     QList<QAction*> m_needMovable;    // enabled while one of them is neither locked nor hidden
 };

@@ -302,6 +302,21 @@ Edit removePlayTest(Id test) {
     return {.text = ProjectEditsTexts::tr("Delete Test"), .replacements = {Replacement<PlayTest>{test, std::nullopt}}};
 }
 
+Addition addMortar(const Project& project, std::span<const Id> instances) {
+    Addition addition{{.text = ProjectEditsTexts::tr("Add Mortar")}};
+    addition.id = addition.edit.allocateId(project);
+    Mortar mortar{.id = addition.id, .name = uniqueName(project.mortars, "mortar")};
+    mortar.instances.assign(instances.begin(), instances.end());
+    std::ranges::sort(mortar.instances);
+    addition.edit.replacements.push_back(Replacement<Mortar>{mortar.id, std::move(mortar)});
+    return addition;
+}
+
+Edit removeMortar(Id mortar) {
+    return {.text = ProjectEditsTexts::tr("Delete Mortar"),
+            .replacements = {Replacement<Mortar>{mortar, std::nullopt}}};
+}
+
 Addition addLayer(const Project& project, Id asset, const LayerParameters& parameters, std::size_t pattern) {
     Addition addition{{.text = ProjectEditsTexts::tr("Add Layer")}};
     addition.id = addition.edit.allocateId(project);

@@ -51,6 +51,10 @@ Edit duplicateInstances(const Project& project, std::span<const Id> instances, V
 /// Removes instances and the expectations that name them.
 Edit removeInstances(const Project& project, std::span<const Id> instances);
 
+/// Adds a mortar between instances, or between all if none are given.
+Addition addMortar(const Project& project, std::span<const Id> instances);
+Edit removeMortar(Id mortar);
+
 /// Adds a shot that is fired half a second after the start. Gets a number if its name is taken.
 Addition addShot(const Project& project, const std::string& name, const ShotAction& action);
 

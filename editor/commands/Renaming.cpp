@@ -23,6 +23,7 @@ auto withListOf(const Project& project, Part part, const Function& function) {
     switch (part) {
         case Part::Material: return function(project.materials);
         case Part::Asset: return function(project.assets);
+        case Part::Mortar: return function(project.mortars);
         default: return function(project.instances);
     }
 }

@@ -81,6 +81,12 @@ void Selection::setMaterial(Id material) {
     if (material != 0 || m_subject == Part::Material) setSubject(Part::Material);
 }
 
+void Selection::setMortar(Id mortar) {
+    if (mortar == m_mortar) return;
+    m_mortar = mortar;
+    emit mortarChanged();
+}
+
 void Selection::setSubject(Part subject) {
     const bool isSelected = (subject == Part::Material && m_material != 0) ||
                             (subject == Part::Asset && m_asset != 0) ||
@@ -96,6 +102,7 @@ void Selection::prune(const Project& project) {
     std::erase_if(instances, [&](Id id) { return findInstance(project, id) == nullptr; });
     if (!findAsset(project, m_asset)) setAsset(project.assets.empty() ? 0 : project.assets.front().id);
     if (!findMaterial(project, m_material)) setMaterial(0);
+    if (!findMortar(project, m_mortar)) setMortar(0);
     if (instances != m_instances) setInstances(project, std::move(instances));
 }
 

@@ -37,6 +37,8 @@ public:
     std::uint32_t clusterLevel() const { return m_clusterLevel; }
     const std::set<Id>& instances() const { return m_instances; }
     Id material() const { return m_material; }
+    /// The mortar whose numbers and joints are shown; 0: none.
+    Id mortar() const { return m_mortar; }
     /// Part::Material, Asset, Instance or Scene.
     Part subject() const { return m_subject; }
 
@@ -54,6 +56,7 @@ public:
     /// Selects instances. Their asset becomes active if all have the same.
     void setInstances(const Project& project, std::set<Id> instances);
     void setMaterial(Id material);
+    void setMortar(Id mortar);
     /// Makes the selected elements of this kind the subject, or the scene if none is selected.
     void setSubject(Part subject);
     /// Removes everything that is not in the project.
@@ -68,6 +71,7 @@ signals:
     void clusterLevelChanged();
     void instancesChanged();
     void materialChanged();
+    void mortarChanged();
     void subjectChanged(rubble::Part subject);
 
 private:
@@ -76,6 +80,7 @@ private:
     Part m_subject = Part::Scene;
     Id m_asset = 0;
     Id m_material = 0;
+    Id m_mortar = 0;
     FragmentPath m_enteredFragment;
     FragmentSelection m_fragments;
     Seeds m_seeds;  // of m_fragments, in the pattern of m_enteredFragment

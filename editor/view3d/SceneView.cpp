@@ -16,6 +16,7 @@
 #include "editor/widgets/Action.h"
 #include "editor/widgets/ComboBox.h"
 #include "editor/workspace/ViewportStyle.h"
+#include "viewport/scene/JointLines.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QComboBox>
@@ -94,6 +95,9 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
         connect(&workspace.selection(), signal, this, &SceneView::invalidate);
     }
     connect(&workspace.selection(), &Selection::assetChanged, this, &SceneView::invalidate);
+    connect(&workspace.selection(), &Selection::mortarChanged, this, &SceneView::invalidate);
+    connect(&workspace.selection(), &Selection::subjectChanged, this, &SceneView::invalidate);
+    connect(&workspace.mortars(), &MortarWatch::changed, this, &SceneView::invalidate);
     followPalette(*m_viewport);
     invalidate();
 }
@@ -285,14 +289,24 @@ void SceneView::updatePlayState() {
     invalidate();
 }
 
+/// The joints of the mortar that the inspector shows.
+std::span<const MortarJoint> SceneView::shownJoints() const {
+    const Selection& selection = m_workspace.selection();
+    if (m_isAssetOnly || selection.subject() != Part::Scene) return {};
+    const JoinedMortar* joined = m_workspace.mortars().find(selection.mortar());
+    return joined ? std::span<const MortarJoint>(joined->joints) : std::span<const MortarJoint>();
+}
+
 void SceneView::refreshScene() {
     m_timer.stop();
     if (m_workspace.play().frame()) return m_legend->setContent({});
     m_options.asset = m_isAssetOnly ? m_workspace.selection().asset() : 0;
     m_options.marks = m_picker->marks();
     const Status shown = orOutOfMemory("drawing the fragments", [this]() -> Status {
-        m_viewport->setScene(std::make_shared<const RenderScene>(
-            m_builder.sceneOf(m_workspace.project(), m_workspace.bakes().assetBakes(), m_options)));
+        const auto scene = std::make_shared<RenderScene>(
+            m_builder.sceneOf(m_workspace.project(), m_workspace.bakes().assetBakes(), m_options));
+        addJointLines(*scene, shownJoints());
+        m_viewport->setScene(scene);
         return success();
     });
     if (!shown) {

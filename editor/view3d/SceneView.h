@@ -70,6 +70,7 @@ private:
     QWidget* makeViewMenu();
     /// Schedules an update of the scene; unchanged geometry is reused.
     void invalidate() { m_timer.start(); }
+    std::span<const MortarJoint> shownJoints() const;
     void refreshScene();
     void updatePlayState();
     void updateEditing();

@@ -145,7 +145,7 @@ void Views::addDocks() {
     Document& document = m_workspace.document();
     Selection& selection = m_workspace.selection();
     m_tree = new ProjectTree(document, selection);
-    m_inspector = new Inspector(document, selection, m_workspace.bakes());
+    m_inspector = new Inspector(document, selection, m_workspace.bakes(), m_workspace.mortars());
     m_fragments = new FragmentTable(document, selection, m_workspace.bakes());
     auto* messages = new MessagesPanel(m_messages, document);
     auto* play = m_play = new PlayPanel(document, m_workspace.play());

@@ -10,6 +10,7 @@ Workspace::Workspace(Project project, const QString& backups, QObject* parent)
       m_file(m_document),
       m_autosave(m_document, backups),
       m_problems(m_document, m_bakes),
+      m_mortars(m_document, m_bakes),
       m_baker(m_document, m_selection, m_bakes),
       m_play(m_document, m_bakes),
       m_playTests(m_document, m_file, m_bakes),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "editor/background/Baker.h"
+#include "editor/background/MortarWatch.h"
 #include "editor/background/PlayTestRunner.h"
 #include "editor/background/ProblemWatch.h"
 #include "editor/background/SwapAuditRunner.h"
@@ -26,6 +27,7 @@ public:
     Selection& selection() { return m_selection; }
     Bakes& bakes() { return m_bakes; }
     ProblemWatch& problems() { return m_problems; }
+    MortarWatch& mortars() { return m_mortars; }
     Baker& baker() { return m_baker; }
     PlayController& play() { return m_play; }
     PlayTestRunner& playTests() { return m_playTests; }
@@ -42,6 +44,7 @@ private:
     Selection m_selection;
     Bakes m_bakes;
     ProblemWatch m_problems;
+    MortarWatch m_mortars;
     Baker m_baker;
     PlayController m_play;
     PlayTestRunner m_playTests;

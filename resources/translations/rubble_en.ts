@@ -322,6 +322,23 @@
     </message>
 </context>
 <context>
+    <name>rubble::MortarSection</name>
+    <message numerus="yes">
+        <source>%Ln joint(s) of fragments</source>
+        <translation>
+            <numerusform>%Ln joint of fragments</numerusform>
+            <numerusform>%Ln joints of fragments</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 between %Ln pair(s) of instances, %2 together.</source>
+        <translation>
+            <numerusform>%1 between %Ln pair of instances, %2 together.</numerusform>
+            <numerusform>%1 between %Ln pairs of instances, %2 together.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>rubble::OutlineModel</name>
     <message numerus="yes">
         <source>Delete %n Point(s)</source>

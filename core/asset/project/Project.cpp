@@ -34,6 +34,7 @@ const Material* findMaterial(const Project& project, Id id) { return findById(pr
 
 const Asset* findAsset(const Project& project, Id id) { return findById(project.assets, id); }
 const Instance* findInstance(const Project& project, Id id) { return findById(project.instances, id); }
+const Mortar* findMortar(const Project& project, Id id) { return findById(project.mortars, id); }
 
 const Asset* findAsset(const Project& project, const std::string& name) {
     const auto found = std::ranges::find(project.assets, name, &Asset::name);

@@ -283,6 +283,7 @@ AssetMaterials materialsOf(const Project& project, const Asset& asset);
 const Material* findMaterial(const Project& project, Id id);
 const Asset* findAsset(const Project& project, Id id);
 const Instance* findInstance(const Project& project, Id id);
+const Mortar* findMortar(const Project& project, Id id);
 /// The asset with a name; null if there is none.
 const Asset* findAsset(const Project& project, const std::string& name);
 

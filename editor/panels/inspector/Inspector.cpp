@@ -12,14 +12,15 @@
 
 namespace rubble {
 
-Inspector::Inspector(Document& document, Selection& selection, const Bakes& bakes, QWidget* parent)
+Inspector::Inspector(Document& document, Selection& selection, const Bakes& bakes, const MortarWatch& joints,
+                     QWidget* parent)
     : QWidget(parent),
       m_document(document),
       m_selection(selection),
       m_asset(new AssetPage(document, selection, bakes)),
       m_material(new MaterialPage(document, selection)),
       m_instance(new InstancePage(document, selection)),
-      m_scene(new ScenePage(document)),
+      m_scene(new ScenePage(document, selection, joints)),
       m_pages(new QStackedWidget(this)) {
     for (QWidget* page : {static_cast<QWidget*>(m_asset), static_cast<QWidget*>(m_material),
                           static_cast<QWidget*>(m_instance), static_cast<QWidget*>(m_scene)}) {

@@ -18,13 +18,15 @@ namespace rubble {
 class AssetPage;
 class InstancePage;
 class MaterialPage;
+class MortarWatch;
 class ScenePage;
 
 /// The dock with the properties of what was selected last: an asset, a material, instances or the scene.
 class Inspector : public QWidget {
     Q_OBJECT
 public:
-    Inspector(Document& document, Selection& selection, const Bakes& bakes, QWidget* parent = nullptr);
+    Inspector(Document& document, Selection& selection, const Bakes& bakes, const MortarWatch& joints,
+              QWidget* parent = nullptr);
 
     void setUnits(const Units& units);
     /// Sets the actions shown as buttons: both on a material's page, that for the library on an asset's page.

@@ -1,6 +1,7 @@
 #include "editor/panels/inspector/ScenePage.h"
 
 #include "editor/commands/ProjectEdits.h"
+#include "editor/panels/inspector/MortarSection.h"
 #include "editor/widgets/ProjectRange.h"
 #include "editor/widgets/SliderField.h"
 
@@ -14,14 +15,15 @@ constexpr double kMaxFrictionSlider = 1.5;  // of the slider
 
 }  // namespace
 
-ScenePage::ScenePage(Document& document, QWidget* parent)
+ScenePage::ScenePage(Document& document, Selection& selection, const MortarWatch& joints, QWidget* parent)
     : QWidget(parent),
       m_document(document),
       m_form(
           document, [&] { return std::vector{sceneSettings(document.project())}; },
           [&](const std::vector<SceneSettings>& scenes, const QString& text, quint64 mergeKey) {
               document.push(modify(text, scenes.front(), mergeKey));
-          }) {
+          }),
+      m_mortar(new MortarSection(document, selection, joints, this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -29,13 +31,15 @@ ScenePage::ScenePage(Document& document, QWidget* parent)
     auto* gravity = new Section("gravity", tr("Gravity"), this);
     auto* damage = new Section("damage", tr("Damage"), this);
     auto* events = new Section("events", tr("Events"), this);
-    for (Section* section : {ground, gravity, damage, events}) layout->addWidget(section);
+    for (Section* section : {ground, gravity, damage, static_cast<Section*>(m_mortar), events})
+        layout->addWidget(section);
     layout->addStretch();
     buildGround(*ground);
     buildGravity(*gravity);
     buildDamage(*damage);
     buildEvents(*events);
     m_form.setRefused([this](const QString& sentence) { emit refused(sentence); });
+    connect(m_mortar, &MortarSection::refused, this, &ScenePage::refused);
 }
 
 void ScenePage::buildGround(Section& section) {
@@ -126,8 +130,14 @@ void ScenePage::buildEvents(Section& section) {
         [](SceneSettings& scene, double entered) { scene.events.maxRecords = static_cast<std::uint32_t>(entered); });
 }
 
+void ScenePage::setUnits(const Units& units) {
+    m_height->setFormat(units.lengths());
+    m_mortar->setUnits(units);
+}
+
 void ScenePage::refresh() {
     m_form.refresh();
+    m_mortar->refresh();
     const Project& project = m_document.project();
     for (QWidget* control : m_groundControls) control->setEnabled(project.ground.isOn);
     m_rule->setEnabled(!project.damage.isThesis);

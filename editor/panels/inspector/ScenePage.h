@@ -5,13 +5,17 @@
 
 namespace rubble {
 
-/// The inspector's page for the scene: ground, gravity, damage rule and events.
+class MortarSection;
+class MortarWatch;
+class Selection;
+
+/// The inspector's page for the scene: ground, gravity, damage rule, mortar and events.
 class ScenePage : public QWidget {
     Q_OBJECT
 public:
-    explicit ScenePage(Document& document, QWidget* parent = nullptr);
+    ScenePage(Document& document, Selection& selection, const MortarWatch& joints, QWidget* parent = nullptr);
     void refresh();
-    void setUnits(const Units& units) { m_height->setFormat(units.lengths()); }
+    void setUnits(const Units& units);
 
 signals:
     void refused(const QString& sentence);
@@ -24,6 +28,7 @@ private:
 
     Document& m_document;
     Form<SceneSettings> m_form;
+    MortarSection* m_mortar;
     NumberField* m_height = nullptr;
     std::vector<QWidget*> m_groundControls;
     QWidget* m_rule = nullptr;

@@ -1,4 +1,5 @@
 #include "core/io/project/ProjectFile.h"
+#include "editor/background/MortarWatch.h"
 #include "editor/panels/docks/ProjectTree.h"
 #include "editor/panels/docks/StrengthPanel.h"
 #include "editor/panels/inspector/Inspector.h"
@@ -55,7 +56,8 @@ int main(int argc, char* argv[]) {
     selection.prune(document.project());
     ProjectTree tree(document, selection);
     const Bakes noBakes;
-    Inspector inspector(document, selection, noBakes);
+    const MortarWatch mortars(document, noBakes);
+    Inspector inspector(document, selection, noBakes, mortars);
     const QString folder = QDir(argv[2]).absolutePath() + '/';
     const auto path = [&](const QString& name) { return folder + name + '-' + theme + ".png"; };
     const Project& shown = document.project();

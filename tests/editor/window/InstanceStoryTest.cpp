@@ -77,6 +77,26 @@ private slots:
         QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, tip);
         QVERIFY(!gizmo().isDragging());
     }
+    void selectedInstancesAreJoinedWithMortar() {
+        QAction* join = action("instance-mortar");
+        QVERIFY(!join->isEnabled());  // they break whole
+        Asset asset = *project().assets.begin();
+        asset.breakAs = BreakAs::Bonded;
+        window().workspace().document().push(modify("Bond", asset));
+        select({10, 11});
+        QVERIFY(join->isEnabled());
+        join->trigger();
+        const std::vector<Mortar>& mortars = project().mortars;
+        QCOMPARE(mortars.size(), std::size_t{1});
+        QCOMPARE(mortars[0].instances, (std::vector<Id>{10, 11}));
+        const Selection& selection = window().workspace().selection();
+        QCOMPARE(selection.mortar(), mortars[0].id);
+        QVERIFY(selection.subject() == Part::Scene);
+        stack().undo();
+        QCOMPARE(selection.mortar(), Id{0});
+        stack().undo();
+        QCOMPARE(text(), m_before);
+    }
     void ctrlSnapsRotationsTo15Degrees() {
         QTest::keyClick(&viewport(), Qt::Key_E);
         QCOMPARE(gizmo().mode(), GizmoMode::Rotate);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/project/ProjectFile.h"
+#include "editor/background/MortarWatch.h"
 #include "editor/panels/inspector/Inspector.h"
 #include "editor/widgets/NumberField.h"
 #include "tests/support/Patience.h"
@@ -19,7 +20,8 @@ struct InspectorDesk {
     Document document;
     Selection selection;
     Bakes bakes;
-    Inspector inspector{document, selection, bakes};
+    MortarWatch mortars{document, bakes};
+    Inspector inspector{document, selection, bakes, mortars};
     QSignalSpy refusals{&inspector, &Inspector::refused};
 
     explicit InspectorDesk(Project project = fullProject()) : document(std::move(project)) {
