@@ -27,6 +27,7 @@ QString titleOf(SceneColouring colouring) {
         case SceneColouring::Mass: return SceneLegend::tr("Fragment mass");
         case SceneColouring::Aspect: return SceneLegend::tr("Aspect ratio");
         case SceneColouring::Threshold: return SceneLegend::tr("Parent threshold");
+        case SceneColouring::BondStrength: return SceneLegend::tr("Impulse per area of bonds");
         case SceneColouring::Material:
         case SceneColouring::Fragment:
         case SceneColouring::Cluster: break;
@@ -42,6 +43,7 @@ QString valueText(SceneColouring colouring, double value, double largest, const 
         case SceneColouring::Mass: return text(QuantityKind::Mass);
         case SceneColouring::Aspect: return QLocale().toString(value, 'f', 1);
         case SceneColouring::Threshold: return text(QuantityKind::Impulse);
+        case SceneColouring::BondStrength: return roundedQuantity(value, Units::impulsesPerArea());
         default: return QLocale().toString(value, 'f', 0);
     }
 }

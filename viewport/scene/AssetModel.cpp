@@ -4,6 +4,7 @@
 #include "core/asset/mesh/RoughCuts.h"
 #include "core/asset/project/FragmentColours.h"
 #include "core/geometry/hull/AspectRatio.h"
+#include "core/structure/bonds/Bond.h"
 
 namespace rubble {
 namespace {
@@ -72,19 +73,19 @@ private:
 };
 
 /// The bonds between the solids of a model, each once.
-std::vector<ModelBond> bondsOf(const AssetModel& model) {
+std::vector<ModelBond> bondsOfModel(const AssetModel& model) {
     std::vector<ModelBond> bonds;
     if (!model.bake) return bonds;
     std::vector<std::uint32_t> solidOf(model.bake->fragmentCount(), kNone);
     for (std::uint32_t solid = 0; solid < model.solids.size(); ++solid) {
         if (model.solids[solid].fragment != kNone) solidOf[model.solids[solid].fragment] = solid;
     }
-    for (std::uint32_t solid = 0; solid < model.solids.size(); ++solid) {
-        if (model.solids[solid].fragment == kNone) continue;
-        const BakedFragment fragment = model.bake->fragment(model.solids[solid].fragment);
-        for (const FragmentContact& contact : fragment.solid.contacts()) {
-            const std::uint32_t other = solidOf[fragment.firstSibling + contact.fragment];
-            if (other != kNone && other > solid) bonds.push_back({solid, other, contact.area});
+    for (std::uint32_t k = 0; k < model.bake->fractures.size(); ++k) {
+        const BakedFracture& fracture = model.bake->fractures[k];
+        for (const Bond& bond : bondsOf(fracture.fragments)) {
+            const std::uint32_t first = solidOf[fracture.first + bond.first];
+            const std::uint32_t second = solidOf[fracture.first + bond.second];
+            if (first != kNone && second != kNone) bonds.push_back({first, second, k, bond.area, Vec2(bond.centroid)});
         }
     }
     return bonds;
@@ -98,6 +99,10 @@ Asset unbroken(Asset asset) {
 }
 
 }  // namespace
+
+bool needBonds(const SceneOptions& options) {
+    return options.hasBonds || options.colouring == SceneColouring::BondStrength;
+}
 
 SceneBatch batchOf(const AssetModel& model, const SceneOptions& options) {
     const bool isTextured = model.asset.texture && options.colouring == SceneColouring::Material;
@@ -120,7 +125,7 @@ AssetModel modelOf(const Asset& asset, std::shared_ptr<const Bake> bake, const S
         if (isShown(fragment, options.level)) builder.addFragment(k, fragment, cuts);
     }
     AssetModel model = builder.finished();
-    if (options.hasBonds) model.bonds = std::make_shared<const std::vector<ModelBond>>(bondsOf(model));
+    if (needBonds(options)) model.bonds = std::make_shared<const std::vector<ModelBond>>(bondsOfModel(model));
     return model;
 }
 
@@ -129,7 +134,9 @@ AssetModel playModelOf(const Asset& asset, std::shared_ptr<const Bake> bake, con
     builder.addWhole(*bake, Vec3(0.0));
     const RoughCuts cuts(*bake, asset);
     for (std::uint32_t k = 0; k < bake->fragmentCount(); ++k) builder.addFragment(k, bake->fragment(k), cuts);
-    return builder.finished();
+    AssetModel model = builder.finished();
+    if (needBonds(options)) model.bonds = std::make_shared<const std::vector<ModelBond>>(bondsOfModel(model));
+    return model;
 }
 
 }  // namespace rubble

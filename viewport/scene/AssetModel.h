@@ -19,7 +19,9 @@ struct ModelSolid {
 /// The common face of two solids.
 struct ModelBond {
     std::uint32_t first = 0, second = 0;  // solids of the model
+    std::uint32_t fracture = 0;           // of the bake
     double area = 0.0;                    // m²
+    Vec2 centroid{0.0};                   // m, in the prism's plane
 };
 
 /// The drawable form of one variant of an asset.
@@ -33,6 +35,9 @@ struct AssetModel {
     std::vector<ModelSolid> solids;                       // one per solid of the geometry
     std::shared_ptr<const std::vector<ModelBond>> bonds;  // each once; null if not requested
 };
+
+/// Whether the options need the bonds of a model.
+bool needBonds(const SceneOptions& options);
 
 /// A batch of a model without instances. Only where bodies are coloured by material it has the model's texture.
 SceneBatch batchOf(const AssetModel& model, const SceneOptions& options);

@@ -6,12 +6,17 @@
 #include "core/asset/strength/Threshold.h"
 #include "core/play/scene/PlayAsset.h"
 #include "core/structure/clusters/ClusterColours.h"
+#include "viewport/scene/BondStrengths.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace rubble {
 namespace {
+
+constexpr Colour kWithoutValue{0.66, 0.66, 0.66};
+constexpr Colour kNeverBreaks{0.52, 0.27, 0.72};
 
 /// The material that the asset has in the project now: the model may be older.
 const Material* materialOf(const AssetModel& model, const Project& project) {
@@ -47,18 +52,26 @@ public:
             m_factor = thresholdOf(project, model, instance);
             keepThresholds(project, model);
         }
+        if (colouring == SceneColouring::BondStrength) {
+            const Instance* placed = findInstance(project, instance);
+            if (placed != nullptr) m_factor = placed->bondStrength;
+            m_strengths = bondStrengths(model, project);
+        }
         if (colouring != SceneColouring::Mass) return;
         const Material* material = materialOf(model, project);
         m_factor = material != nullptr ? material->density : 0.0;
     }
 
-    double of(const ModelSolid& solid) const {
+    /// NaN: it has no value.
+    double of(const AssetModel& model, std::size_t index) const {
+        const ModelSolid& solid = model.solids[index];
         switch (m_colouring) {
             case SceneColouring::Level: return solid.level;
             case SceneColouring::Volume: return solid.volume;
             case SceneColouring::Mass: return solid.volume * m_factor;
             case SceneColouring::Aspect: return solid.aspect;
             case SceneColouring::Threshold: return thresholdOfParent(solid);
+            case SceneColouring::BondStrength: return m_factor * m_strengths[index];
             case SceneColouring::Material:
             case SceneColouring::Fragment:
             case SceneColouring::Cluster: break;
@@ -94,6 +107,7 @@ private:
     double m_factor = 1.0;
     std::optional<Asset> m_asset;  // none: no fragment has a threshold that is set
     std::shared_ptr<const Bake> m_bake;
+    std::vector<double> m_strengths;  // of bonds, of each solid
 };
 
 /// Calls visit(model, instance, first body) for each instance in a scene.
@@ -106,17 +120,18 @@ void forEachInstance(const RenderScene& scene, std::span<const AssetModel* const
     }
 }
 
-ValueRange rangeOf(const RenderScene& scene, std::span<const AssetModel* const> models, const Project& project,
-                   SceneColouring colouring) {
+/// Nothing if no solid has a finite value.
+std::optional<ValueRange> rangeOf(const RenderScene& scene, std::span<const AssetModel* const> models,
+                                  const Project& project, SceneColouring colouring) {
     ValueRange range{1e308, 0.0};
     forEachInstance(scene, models, [&](const AssetModel& model, Id instance, std::uint32_t) {
         const SolidQuantity quantity(project, model, instance, colouring);
-        for (const ModelSolid& solid : model.solids) {
-            const double value = quantity.of(solid);
-            range = {std::min(range.least, value), std::max(range.most, value)};
+        for (std::size_t solid = 0; solid < model.solids.size(); ++solid) {
+            const double value = quantity.of(model, solid);
+            if (std::isfinite(value)) range = {std::min(range.least, value), std::max(range.most, value)};
         }
     });
-    return range;
+    return range.least <= range.most ? std::optional(range) : std::nullopt;
 }
 
 /// The colour of each fragment of a model by its clusters; empty without a bake.
@@ -141,9 +156,10 @@ void colourBodies(RenderScene& scene, std::span<const AssetModel* const> models,
     scene.colourRange.reset();
     const bool isOnRamp = isQuantity(colouring) && !scene.picks.empty();
     if (isOnRamp) scene.colourRange = rangeOf(scene, models, project, colouring);
-    const auto fractionOf = [&](double value) {
+    const auto colourOf = [&](double value) {
+        if (!std::isfinite(value)) return std::isnan(value) ? kWithoutValue : kNeverBreaks;
         const double spread = scene.colourRange->most - scene.colourRange->least;
-        return spread > 0.0 ? (value - scene.colourRange->least) / spread : 0.5;
+        return rampColour(spread > 0.0 ? (value - scene.colourRange->least) / spread : 0.5);
     };
     std::map<const AssetModel*, std::vector<Colour>> byCluster;
     if (colouring == SceneColouring::Cluster) {
@@ -160,7 +176,7 @@ void colourBodies(RenderScene& scene, std::span<const AssetModel* const> models,
         const Material* cutMaterial = material != nullptr ? insideOf(model, project) : nullptr;
         for (std::uint32_t solid = 0; solid < model.solids.size(); ++solid) {
             const ModelSolid& shown = model.solids[solid];
-            const Colour outside = isOnRamp              ? rampColour(fractionOf(quantity.of(shown)))
+            const Colour outside = isOnRamp              ? colourOf(quantity.of(model, solid))
                                    : material != nullptr ? material->outside
                                                          : ownColour(model, shown);
             const Material* cut = cutMaterial != nullptr ? cutMaterial : material;

@@ -21,7 +21,7 @@ bool isModelOf(const AssetModel& model, const Asset& asset, std::uint32_t varian
            model.asset.surface == asset.surface && model.asset.texture == asset.texture &&
            model.asset.insideUvScale == asset.insideUvScale &&
            model.asset.shaping.roughness == asset.shaping.roughness && (model.hulls || !options.hasHulls) &&
-           (model.bonds || !options.hasBonds || !bake);
+           (model.bonds || !needBonds(options) || !bake);
 }
 
 /// Assembles a scene from models.

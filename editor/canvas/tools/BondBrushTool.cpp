@@ -1,6 +1,9 @@
 #include "editor/canvas/tools/BondBrushTool.h"
 
+#include "editor/widgets/NumberField.h"
+
 #include <QLocale>
+#include <QWidgetAction>
 
 #include <algorithm>
 #include <utility>
@@ -181,9 +184,19 @@ QString BondBrushTool::hint() const {
                                                    : hint.arg(actionHint());
 }
 
-/// The factors as a group, of which the current one is checked.
+/// A field for any factor, and common ones as a group, of which the current one is checked.
 void BondBrushTool::addStrengths(QMenu& menu) {
     QMenu* strengths = menu.addMenu(tr("Strength &Factor"));
+    auto* field = new NumberField;
+    field->setRange({.min = kBrushStrengths.front(), .max = kBrushStrengths.back()});
+    field->setHint(tr("Set the factor by which the brush multiplies the strength of bonds"));
+    field->setAccessibleName(tr("Strength Factor"));
+    field->setValue(m_settings.strength);
+    connect(field, &NumberField::edited, this, &BondBrushTool::setStrength);
+    auto* entry = new QWidgetAction(strengths);
+    entry->setDefaultWidget(field);
+    strengths->addAction(entry);
+    strengths->addSeparator();
     for (const double strength : kBrushStrengths) {
         const QString text = QLocale().toString(strength);
         QAction* action = strengths->addAction(strength == 1.0 ? tr("%1 (neutral)").arg(text) : text, this,

@@ -222,8 +222,9 @@ QString MortarSection::jointText(const JoinedMortar& joined) const {
         pairs.insert({joint.first, joint.second});
     }
     const QString joints = tr("%Ln joint(s) of fragments", nullptr, static_cast<int>(joined.joints.size()));
-    const QString found = tr("%1 between %Ln pair(s) of instances, %2 together.", nullptr, static_cast<int>(pairs.size()))
-                              .arg(joints, roundedQuantity(area, m_units.areas(), locale()));
+    const QString found =
+        tr("%1 between %Ln pair(s) of instances, %2 together.", nullptr, static_cast<int>(pairs.size()))
+            .arg(joints, roundedQuantity(area, m_units.areas(), locale()));
     return joined.isHeld ? found : tr("%1 They hold nothing, since none of the instances is anchored.").arg(found);
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/structure/strength/BondCapacities.h"
 #include "editor/document/EnteredFragment.h"
+#include "editor/widgets/NumberField.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Canvas.h"
 
@@ -174,9 +175,25 @@ private slots:
         QMenu menu;
         bench.tool().fillMenu(menu, {});
         const QList<QAction*> factors = menu.findChild<QMenu*>()->actions();
-        QVERIFY(factors.front()->isChecked());
+        const auto checked = std::ranges::find_if(factors, [](const QAction* factor) { return factor->isChecked(); });
+        QCOMPARE((*checked)->text(), QString("0"));
         factors.back()->trigger();
         QCOMPARE(bench.tool().strength(), 10.0);
+    }
+    void anyStrengthCanBeTyped() {
+        BondBench bench(CanvasToolKind::StrengthBrush);
+        QMenu menu;
+        bench.tool().fillMenu(menu, {});
+        auto& field = *menu.findChild<NumberField*>();
+        QCOMPARE(field.value(), 2.0);
+        field.selectAll();
+        QTest::keyClicks(&field, "1.25");
+        QVERIFY(field.commit());
+        QCOMPARE(bench.tool().strength(), 1.25);
+        field.selectAll();
+        QTest::keyClicks(&field, "11");
+        QVERIFY(!field.commit());
+        QCOMPARE(bench.tool().strength(), 1.25);
     }
     void bracketsAndWheelChangeTheSize() {
         BondBench bench;
