@@ -2,6 +2,7 @@
 // editor/panels/inspector/ClusterSection.cpp.
 #include "editor/panels/inspector/ClusterSection.h"
 
+#include "editor/canvas/painting/CanvasColours.h"
 #include "editor/dialogs/ClusterDialog.h"
 #include "editor/widgets/NumberField.h"
 #include "tests/support/TestProgram.h"
@@ -151,7 +152,9 @@ private slots:
             const QImage picture = canvas().grab().toImage();
             return picture.pixelColor(pixels({x, 0.8}) * picture.devicePixelRatio());
         };
+        const QColor edge = canvasColours(canvas().palette()).cellEdge;
         CanvasOverlays overlays = canvas().overlays();
+        overlays.hasGrid = false;
         overlays.colouring = CellColouring::Cluster;
         canvas().setOverlays(overlays);
         const QColor none = colour(0.5);
@@ -162,6 +165,13 @@ private slots:
         QCOMPARE(colour(3.5), none);
         QVERIFY(colour(0.5) != none);
         QCOMPARE(colour(0.5), colour(1.5));
+        const double pixel = 1.0 / canvas().view().scale;  // m
+        const auto edgeWidth = [&](double x) {             // of the line there, in whole pixels
+            int width = 0;
+            for (int k = -4; k <= 4; ++k) width += colour(x + k * pixel) == edge ? 1 : 0;
+            return width;
+        };
+        QVERIFY2(edgeWidth(2.0) >= 2 && edgeWidth(3.0) < 2, QByteArray::number(edgeWidth(2.0)));
         stack().undo();
         QCOMPARE(colour(0.5), none);
     }
