@@ -59,6 +59,7 @@ void removeFromPlayTests(const Project& project, std::span<const Id> instances, 
         std::erase_if(rest.shots, [&](Id shot) { return isAmong(shots, shot); });
         std::erase_if(rest.expectations,
                       [&](const Expectation& expectation) { return isAmong(instances, expectation.instance); });
+        std::erase_if(rest.removed, [&](const InstancePart& part) { return isAmong(instances, part.instance); });
         if (rest != test) edit.replacements.push_back(Replacement<PlayTest>{rest.id, std::move(rest)});
     }
 }

@@ -3,6 +3,7 @@
 #include "core/asset/project/Ranges.h"
 #include "core/play/queries/FragmentAt.h"
 #include "core/play/queries/WouldFall.h"
+#include "core/play/session/PlayTestRun.h"
 
 #include <algorithm>
 #include <iterator>
@@ -85,11 +86,7 @@ PlayScript scriptOf(const Project& project, const PlayTest& test, std::uint64_t 
     const double dt = state ? state->dt : script.settings.dt;
     const std::uint64_t first = state ? state->state.step : 0;
     script.steps = first + std::max<std::uint64_t>(stepOf(test.duration, dt), 1);
-    for (const Shot& shot : project.shots) {
-        if (std::ranges::find(test.shots, shot.id) == test.shots.end()) continue;
-        script.inputs.emplace_back(first + stepOf(shot.time, dt), ShotInput{shot.name, shot.action});
-    }
-    std::ranges::stable_sort(script.inputs, {}, &TimedInput::step);
+    script.inputs = inputsOf(project, test, first, dt);
     script.state = std::move(state);
     return script;
 }

@@ -359,6 +359,16 @@
     </message>
 </context>
 <context>
+    <name>rubble::PlayTestForm</name>
+    <message numerus="yes">
+        <source>%1 (%n fragment(s))</source>
+        <translation>
+            <numerusform>%1 (%n fragment)</numerusform>
+            <numerusform>%1 (%n fragments)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>rubble::PlayView</name>
     <message numerus="yes">
         <source>%Ln break(s), the last computed in %1</source>

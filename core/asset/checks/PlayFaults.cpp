@@ -6,6 +6,9 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
+#include <functional>
+
 namespace rubble {
 namespace {
 
@@ -99,6 +102,16 @@ std::optional<std::string> faultOf(const PlayTest& test) {
     if (Sentence fault = rangeFault(owner, {{ProjectNumber::TestDuration, test.duration}})) return fault;
     if (test.state.find_first_of("/\\") != std::string::npos || test.state == "..") {
         return owner + ": the state " + quotedName(test.state) + " must be the name of a file beside the project.";
+    }
+    for (std::size_t k = 0; k < test.removed.size(); ++k) {
+        const InstancePart& part = test.removed[k];
+        if (k > 0 && test.removed[k - 1].instance >= part.instance)
+            return owner + ": what is removed must be in ascending order of instances.";
+        if (!std::ranges::is_sorted(part.fragments, std::ranges::less_equal()))
+            return owner + ": the removed fragments must be in ascending order, and each there once.";
+        for (const FragmentPath& path : part.fragments) {
+            if (!isFragmentPath(path)) return owner + ": " + quotedName(path) + " is not the path of a fragment.";
+        }
     }
     for (const Expectation& expectation : test.expectations) {
         if (Sentence fault = rangeFault(owner, {{numberOf(expectation.kind), expectation.value}})) return fault;

@@ -137,6 +137,9 @@ Sentence referenceFault(const Project& project) {
         for (const Id shot : test.shots) {
             if (!findById(project.shots, shot)) return missing(owner, "saved throw", shot);
         }
+        for (const InstancePart& part : test.removed) {
+            if (!findById(project.instances, part.instance)) return missing(owner, "instance", part.instance);
+        }
         for (const Expectation& expectation : test.expectations) {
             if (expectation.instance == 0 || findById(project.instances, expectation.instance)) continue;
             return missing(owner, "instance", expectation.instance);

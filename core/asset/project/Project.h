@@ -234,18 +234,28 @@ enum class ExpectationKind {
     BreaksIntoAtLeast,  // `instance` breaks into at least `value` fragments
     NothingAbove,       // nothing above the height of `value` metres at the end
     NothingFaster,      // nothing faster than `value` m/s at the end
+    StaysUp,            // at most the fraction `value` of the mass of `instance` came down at the end
+    HoleAtMost,         // no hole in the bonded `instance` is wider than `value` metres at the end
 };
+inline constexpr std::size_t kExpectationKinds = 8;
 struct Expectation {
     ExpectationKind kind = ExpectationKind::Breaks;
     Id instance = 0;  // 0: any
     double value = 0.0;
     bool operator==(const Expectation&) const = default;
 };
+/// An instance, or some of its fragments.
+struct InstancePart {
+    Id instance = 0;
+    std::vector<FragmentPath> fragments;  // ascending, of a bonded instance; none: all of it
+    bool operator==(const InstancePart&) const = default;
+};
 /// Shots, and the expected behaviour of the scene when they are fired.
 struct PlayTest {
     Id id = 0;
     std::string name;
     std::string state;  // name of the state beside the project that it starts from; empty: from the scene
+    std::vector<InstancePart> removed;  // at the start; ascending instance
     std::vector<Id> shots;
     double duration = 5.0;  // s
     std::vector<Expectation> expectations;

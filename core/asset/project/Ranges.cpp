@@ -96,6 +96,8 @@ constexpr std::array<NumberRange, kProjectNumbers> kRanges{{
     zeroOrAbove("expected value", "s", 1e5, 1.0, "a test starts at 0 and lasts a day at most"),
     {"expected value", "", 0.0, 4294967295.0, false, 1.0, "a 32-bit count"},
     zeroOrAbove("expected value", "m/s", kMaxSpeed, 0.0),
+    {"expected value", "", 0.0, 1.0, false, 0.1, "a fraction of the mass: 1 is all of it"},
+    zeroOrAbove("expected value", "m", kMaxExtent, 0.5, "no prism is wider"),
     eitherSign("expected value", "", kMaxCoordinate, 0.0),
     aboveZero("force", "N", 1e15, 1000.0),
     {"step length", "s", 1e-5, 0.1, false, 1.0 / 60.0,
@@ -150,6 +152,8 @@ ProjectNumber numberOf(ExpectationKind kind) {
         case ExpectationKind::StandsUntouched: return ProjectNumber::ExpectedTime;
         case ExpectationKind::BreaksIntoAtLeast: return ProjectNumber::ExpectedFragments;
         case ExpectationKind::NothingFaster: return ProjectNumber::ExpectedSpeed;
+        case ExpectationKind::StaysUp: return ProjectNumber::ExpectedLoss;
+        case ExpectationKind::HoleAtMost: return ProjectNumber::ExpectedHole;
         default: return ProjectNumber::ExpectedValue;
     }
 }

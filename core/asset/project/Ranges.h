@@ -61,6 +61,8 @@ enum class ProjectNumber {
     ExpectedTime,  // see numberOf(ExpectationKind)
     ExpectedFragments,
     ExpectedSpeed,
+    ExpectedLoss,  // a fraction of the mass
+    ExpectedHole,
     ExpectedValue,
     GrabForce,
     StepLength,
@@ -85,7 +87,7 @@ enum class ProjectNumber {
     MortarLeastArea,
     BondClusterLevel,  // 0: the coarsest
 };
-inline constexpr int kProjectNumbers = 72;
+inline constexpr int kProjectNumbers = 74;
 
 /// The values that a number of a project can have. Files, command line, inspector and play read them here.
 struct NumberRange {

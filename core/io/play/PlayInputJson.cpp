@@ -10,8 +10,8 @@ namespace rubble {
 namespace {
 
 // In the order of the alternatives of PlayInput.
-constexpr std::array<std::string_view, 9> kInputs{"shot",        "threshold", "material", "break", "gravity",
-                                                  "destruction", "grab",      "drag",     "letGo"};
+constexpr std::array<std::string_view, 10> kInputs{"shot",        "threshold", "material", "break", "gravity",
+                                                   "destruction", "grab",      "drag",     "letGo", "remove"};
 static_assert(kInputs.size() == std::variant_size_v<PlayInput>);
 
 void writeInput(JsonWriter& json, const ShotInput& input) { writeShotAction(json, input.name, input.action); }
@@ -44,6 +44,11 @@ void writeInput(JsonWriter& json, const DragInput& input) { writeVector(json, "t
 
 void writeInput(JsonWriter&, const ReleaseInput&) {}
 
+void writeInput(JsonWriter& json, const RemoveInput& input) {
+    json.wholeNumber("instance", std::uint64_t{input.part.instance});
+    writeFragmentPaths(json, input.part.fragments);
+}
+
 PlayInput readInput(std::size_t kind, const JsonValue& value) {
     switch (kind) {
         case 0: {
@@ -67,7 +72,10 @@ PlayInput readInput(std::size_t kind, const JsonValue& value) {
             value.requireObject({"step", "input", "body", "point", "force"});
             return GrabInput{value["body"].index(), readVector(value["point"]), value["force"].number()};
         case 7: value.requireObject({"step", "input", "to"}); return DragInput{readVector(value["to"])};
-        default: value.requireObject({"step", "input"}); return ReleaseInput{};
+        case 8: value.requireObject({"step", "input"}); return ReleaseInput{};
+        default:
+            value.requireObject({"step", "input", "instance", "fragments"});
+            return RemoveInput{{value["instance"].index(), readFragmentPaths(value)}};
     }
 }
 
@@ -84,7 +92,7 @@ void writeTimedInput(JsonWriter& json, const TimedInput& timed) {
 TimedInput readTimedInput(const JsonValue& value) {
     // Which other keys an input has depends on its kind.
     value.requireObject({"step", "input"}, {"name", "kind", "action", "asset", "instance", "threshold", "materials",
-                                            "body", "gravity", "on", "point", "force", "to"});
+                                            "body", "gravity", "on", "point", "force", "to", "fragments"});
     return {value["step"].wholeNumber(), readInput(value["input"].oneOf(kInputs), value)};
 }
 

@@ -11,8 +11,9 @@ namespace {
 // In the order of their enumerators and of the alternatives of ShotAction.
 constexpr std::array<std::string_view, 4> kProjectiles{"box", "ball", "plank", "asset"};
 constexpr std::array<std::string_view, 3> kActions{"throw", "hammer", "explosion"};
-constexpr std::array<std::string_view, 6> kExpectations{"standsUntouched",   "breaks",       "doesNotBreak",
-                                                        "breaksIntoAtLeast", "nothingAbove", "nothingFaster"};
+constexpr std::array<std::string_view, kExpectationKinds> kExpectations{
+    "standsUntouched", "breaks",        "doesNotBreak", "breaksIntoAtLeast",
+    "nothingAbove",    "nothingFaster", "staysUp",      "holeAtMost"};
 static_assert(kActions.size() == std::variant_size_v<ShotAction>);
 
 template <class Enumeration>
@@ -95,7 +96,30 @@ Expectation readExpectation(const JsonValue& value) {
             .value = value["value"].number()};
 }
 
+void writeInstancePart(JsonWriter& json, const InstancePart& part) {
+    json.openObject({}, JsonLayout::Inline);
+    json.wholeNumber("instance", part.instance);
+    if (!part.fragments.empty()) writeFragmentPaths(json, part.fragments);
+    json.close();
+}
+
+InstancePart readInstancePart(const JsonValue& value) {
+    value.requireObject({"instance"}, {"fragments"});
+    return {value["instance"].index(), readFragmentPaths(value)};
+}
+
 }  // namespace
+
+void writeFragmentPaths(JsonWriter& json, const std::vector<FragmentPath>& paths) {
+    json.openArray("fragments", JsonLayout::Inline);
+    for (const FragmentPath& path : paths) json.text({}, path);
+    json.close();
+}
+
+std::vector<FragmentPath> readFragmentPaths(const JsonValue& value) {
+    if (!value["fragments"].isPresent()) return {};
+    return value["fragments"].list([](const JsonValue& path) { return path.text(); });
+}
 
 void writeShotAction(JsonWriter& json, const std::string& name, const ShotAction& action) {
     json.text("name", name);
@@ -128,6 +152,7 @@ void writePlayTest(JsonWriter& json, const PlayTest& test) {
     json.wholeNumber("id", test.id);
     json.text("name", test.name);
     if (!test.state.empty()) json.text("state", test.state);
+    if (!test.removed.empty()) json.list("removed", test.removed, writeInstancePart);
     json.openArray("shots", JsonLayout::Inline);
     for (const Id shot : test.shots) json.wholeNumber({}, shot);
     json.close();
@@ -137,13 +162,15 @@ void writePlayTest(JsonWriter& json, const PlayTest& test) {
 }
 
 PlayTest readPlayTest(const JsonValue& value) {
-    value.requireObject({"id", "name", "shots", "duration", "expectations"}, {"state"});
-    return {.id = value["id"].index(),
-            .name = value["name"].text(),
-            .state = value["state"].isPresent() ? value["state"].text() : std::string(),
-            .shots = value["shots"].list([](const JsonValue& shot) { return shot.index(); }),
-            .duration = value["duration"].number(),
-            .expectations = value["expectations"].list(readExpectation)};
+    value.requireObject({"id", "name", "shots", "duration", "expectations"}, {"state", "removed"});
+    return {
+        .id = value["id"].index(),
+        .name = value["name"].text(),
+        .state = value["state"].isPresent() ? value["state"].text() : std::string(),
+        .removed = value["removed"].isPresent() ? value["removed"].list(readInstancePart) : std::vector<InstancePart>(),
+        .shots = value["shots"].list([](const JsonValue& shot) { return shot.index(); }),
+        .duration = value["duration"].number(),
+        .expectations = value["expectations"].list(readExpectation)};
 }
 
 Result<std::vector<Shot>> readShotList(std::string_view json) {

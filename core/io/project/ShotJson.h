@@ -14,6 +14,10 @@ void writePlayTest(JsonWriter& json, const PlayTest& test);
 void writeShotAction(JsonWriter& json, const std::string& name, const ShotAction& action);
 std::pair<std::string, ShotAction> readShotAction(const JsonValue& value);
 
+/// Write and read paths of fragments as the member `fragments`; none where it is missing.
+void writeFragmentPaths(JsonWriter& json, const std::vector<FragmentPath>& paths);
+std::vector<FragmentPath> readFragmentPaths(const JsonValue& value);
+
 /// Read what the functions above wrote. They check types only; verifyProject() checks the values.
 Shot readShot(const JsonValue& value);
 PlayTest readPlayTest(const JsonValue& value);

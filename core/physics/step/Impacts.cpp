@@ -221,11 +221,13 @@ void removeLaterImpacts(std::vector<SeparatedImpact>& impacts) {
 
 }  // namespace
 
-std::vector<Impact> findImpacts(const WorldState& state, const SolverStep& step) {
+std::vector<Impact> findImpacts(const WorldState& state, const SolverStep& step,
+                                std::span<const std::uint8_t> isWanted) {
     std::vector<SeparatedImpact> impacts;
     // Gravity accelerates bodies within the step, and rounding must not let an impact fall between two steps.
     const float tolerance = (length(step.gravity) * step.dt + kRoundingSpeed) * step.dt;
     visitContacts(state, [&](const ContactBlock& block, std::size_t lane) {
+        if (!isWanted.empty() && (isWanted[block.first[lane]] | isWanted[block.second[lane]]) == 0) return;
         const float first = firstSeparation(block, lane, step.dt, tolerance);
         const auto approaches = [&](const PointRows& point) {
             return -point.approach[lane] > kMinImpactSpeed && point.separation[lane] <= first + kImpactDepth;

@@ -4,6 +4,8 @@
 #include "core/physics/state/Regions.h"
 #include "core/physics/step/ContactEnergy.h"
 
+#include <span>
+
 namespace rubble {
 
 /// The impacts of the coming step, sorted by bodies: one per manifold, at the centroid of the points that approach
@@ -11,7 +13,10 @@ namespace rubble {
 /// apart are swept to where they touch. The approach speed is that at the time of impact, with the work of gravity
 /// until then. Of several manifolds of two bodies, those more than 5 mm behind the first are ignored, since the first
 /// impact changes the velocities before they touch. Contacts must be prepared.
-std::vector<Impact> findImpacts(const WorldState& state, const SolverStep& step);
+///
+/// `isWanted`: of each body, whether its impacts are; empty: those of all.
+std::vector<Impact> findImpacts(const WorldState& state, const SolverStep& step,
+                                std::span<const std::uint8_t> isWanted = {});
 
 /// Appends the hit events of the step just solved, sorted by bodies; `byRegion` is memory reused from step to step,
 /// `starts` the velocities before it, by body.

@@ -22,6 +22,12 @@ constexpr float kGapFraction = 0.75f;
 constexpr float kSweptFraction = 0.5f;
 constexpr std::size_t kMinContactsPerChunk = 1024;
 
+/// False if hulls that are separated along an axis stay so while the second moves: a sweep would find nothing.
+bool mayMeet(const SeparatingAxis& axis, Vec3f displacement) {
+    constexpr float kRounding = 1e-4f;  // m: more than that of a sweep
+    return axis.separation + dot(axis.normal, displacement) <= kRounding;
+}
+
 /// Replaces the manifold by that of the time of impact, if the hulls touch within the displacement.
 void sweep(HullCollision& collision, const Hull& first, const Hull& second, RelativePose pose, Vec3f displacement) {
     const TimeOfImpact impact = timeOfImpact(first, second, pose, displacement);
@@ -248,7 +254,7 @@ HullCollision collideContact(const WorldState& state, const Contact& contact, fl
     const Vec3f recycled = far > kMinSliding ? inFirst * ((far + kMaxSlack) / far) : Vec3f(0.0f);
     if (const std::optional<SeparatingAxis> axis = slidingAxis(collision.axis, first, second, pose, recycled)) {
         slideAlong(collision, *axis, first, second, pose, margin);
-    } else if (collision.axis.separation > margin && isFast) {
+    } else if (collision.axis.separation > margin && isFast && mayMeet(collision.axis, inFirst)) {
         sweep(collision, first, second, pose, inFirst);
     }
     return collision;

@@ -2,7 +2,6 @@
 
 #include "core/base/Assert.h"
 #include "core/base/math/Power.h"
-#include "core/physics/state/Contacts.h"
 
 #include <algorithm>
 #include <tuple>
@@ -14,10 +13,20 @@ constexpr float kActiveSeparation = 0.002f;  // m: nearer manifolds carry load, 
 constexpr float kMaxImpulseScale = 0.9f;     // part of the impulse that a sub-step may release
 constexpr double kMinShared = 1.01;          // manifolds; fewer are one
 
-/// A manifold of a body, with its normal away from the body.
-struct Manifold {
-    std::uint32_t other = 0;
+/// Where a manifold is of two bodies of which at least one has several hulls.
+struct ManifoldPlace {
+    std::uint32_t low = 0;  // bodies, low < high
+    std::uint32_t high = 0;
     std::uint32_t contact = 0;
+    std::size_t lane = 0;
+    ContactBlock* block = nullptr;
+    auto order() const { return std::tie(low, high, contact); }
+};
+
+/// A manifold with its normal from the lower to the higher body.
+struct Manifold {
+    ContactBlock* block = nullptr;
+    std::size_t lane = 0;
     Vec3f normal{0.0f, 0.0f, 0.0f};
     bool isActive = false;
 };
@@ -30,26 +39,40 @@ bool isActive(const ContactBlock& block, std::size_t lane) {
     return false;
 }
 
-/// Whether this body handles the manifolds that it has with the other: each pair of bodies is handled once.
-bool handles(const WorldState& state, std::uint32_t body, std::uint32_t other) {
-    const bool isOneHull = state.bodies[body].shape->hulls.size() == 1 && state.bodies[other].shape->hulls.size() == 1;
-    return !isOneHull && (body < other || !state.bodies[other].isDynamic());
+bool hasSeveralHulls(const WorldState& state, std::uint32_t body) {
+    const std::uint32_t proxy = state.bodies[body].firstProxy;
+    return proxy != kNone && state.proxies[proxy].next != kNone;
 }
 
-/// Lists the manifolds that a body handles, by other body and contact.
-void listManifolds(const WorldState& state, std::uint32_t body, std::vector<Manifold>& manifolds) {
-    manifolds.clear();
-    visitContacts(state, body, [&](std::uint32_t number, std::uint32_t other) {
-        const Contact& contact = state.contacts[number];
-        if (!contact.slot.isSet() || !handles(state, body, other)) return;
-        const ContactBlock& block = state.colours.block(contact.slot);
-        const auto lane = static_cast<std::size_t>(ContactColours::laneOf(contact.slot));
-        const float sign = contact.bodies[0] == body ? 1.0f : -1.0f;
-        manifolds.push_back({other, number, block.normal.at(lane) * sign, isActive(block, lane)});
+/// The manifolds of bodies of several hulls, by bodies and contact. It reads the blocks one after the other: the lists
+/// of contacts of all bodies are scattered in memory.
+std::vector<ManifoldPlace> sharedManifolds(WorldState& state, ThreadPool& threads, const Regions& regions) {
+    std::vector<std::vector<ManifoldPlace>> found(regions.count());
+    regions.forEach(threads, [&](std::size_t region) {
+        for (std::size_t number = 0; number < ContactColours::kLists; ++number) {
+            const std::span blocks = regions.part(number, std::span(state.colours.lists()[number].blocks), region);
+            for (ContactBlock& block : blocks) {
+                for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+                    const std::uint32_t first = block.first[lane], second = block.second[lane];
+                    if (first == second) continue;  // an empty lane
+                    if (!hasSeveralHulls(state, first) && !hasSeveralHulls(state, second)) continue;
+                    found[region].push_back(
+                        {std::min(first, second), std::max(first, second), block.contact[lane], lane, &block});
+                }
+            }
+        }
     });
-    std::sort(manifolds.begin(), manifolds.end(), [](const Manifold& a, const Manifold& b) {
-        return std::tie(a.other, a.contact) < std::tie(b.other, b.contact);
-    });
+    for (std::size_t region = 1; region < found.size(); ++region)
+        found[0].insert(found[0].end(), found[region].begin(), found[region].end());
+    std::sort(found[0].begin(), found[0].end(),
+              [](const ManifoldPlace& a, const ManifoldPlace& b) { return a.order() < b.order(); });
+    return std::move(found[0]);
+}
+
+Manifold manifoldAt(const ManifoldPlace& place) {
+    const ContactBlock& block = *place.block;
+    const float sign = block.first[place.lane] == place.low ? 1.0f : -1.0f;
+    return {place.block, place.lane, block.normal.at(place.lane) * sign, isActive(block, place.lane)};
 }
 
 /// The last sharedSoftness(): most manifolds of hulls in one plane share alike.
@@ -66,22 +89,20 @@ struct LastShared {
     }
 };
 
-/// Softens the manifolds that a body has with one other.
-void softenPair(WorldState& state, std::span<const Manifold> pair, const SolverStep& step, LastShared& last) {
+/// Softens the manifolds that two bodies have with each other.
+void softenPair(std::span<const Manifold> pair, const SolverStep& step, LastShared& last) {
     for (const Manifold& manifold : pair) {
         double count = 0.0;
         for (const Manifold& sharing : pair) {
-            const bool counts = sharing.isActive || sharing.contact == manifold.contact;
-            if (counts) count += std::max(0.0, static_cast<double>(dot(manifold.normal, sharing.normal)));
+            if (sharing.isActive || &sharing == &manifold)
+                count += std::max(0.0, static_cast<double>(dot(manifold.normal, sharing.normal)));
         }
         if (count < kMinShared) continue;
-        const ContactSlot slot = state.contacts[manifold.contact].slot;
-        ContactBlock& block = state.colours.block(slot);
-        const auto lane = static_cast<std::size_t>(ContactColours::laneOf(slot));
-        const Softness& ofOne = block.againstFixed[lane] > 0.0f ? step.againstFixed : step.betweenBodies;
+        ContactBlock& block = *manifold.block;
+        const Softness& ofOne = block.againstFixed[manifold.lane] > 0.0f ? step.againstFixed : step.betweenBodies;
         const Softness& shared = last.of(ofOne, count);
-        block.sharedMassScale[lane] = shared.massScale;
-        block.sharedImpulseScale[lane] = shared.impulseScale;
+        block.sharedMassScale[manifold.lane] = shared.massScale;
+        block.sharedImpulseScale[manifold.lane] = shared.impulseScale;
     }
 }
 
@@ -96,22 +117,18 @@ Softness sharedSoftness(const Softness& ofOne, double count) {
 }
 
 void softenSharedContacts(WorldState& state, ThreadPool& threads, const Regions& regions, const SolverStep& step) {
-    if (state.compoundBodies == 0) return;
-    regions.forEach(threads, [&](std::size_t region) {
-        std::vector<Manifold> manifolds;
-        LastShared lastShared;
-        for (const std::uint32_t body : regions.bodies(region)) {
-            if (!state.bodies[body].isDynamic()) continue;
-            listManifolds(state, body, manifolds);
-            for (auto first = manifolds.begin(); first != manifolds.end();) {
-                const auto last = std::find_if(
-                    first, manifolds.end(), [&](const Manifold& manifold) { return manifold.other != first->other; });
-                if (last - first > 1)
-                    softenPair(state, std::span(&*first, static_cast<std::size_t>(last - first)), step, lastShared);
-                first = last;
-            }
-        }
-    });
+    if (state.compoundBodies == 0 || state.colours.contactCount() == 0) return;
+    const std::vector<ManifoldPlace> places = sharedManifolds(state, threads, regions);
+    std::vector<Manifold> pair;
+    LastShared lastShared;
+    for (std::size_t begin = 0, end = 0; begin < places.size(); begin = end) {
+        while (end < places.size() && places[end].low == places[begin].low && places[end].high == places[begin].high)
+            ++end;
+        if (end - begin < 2) continue;
+        pair.clear();
+        for (std::size_t k = begin; k < end; ++k) pair.push_back(manifoldAt(places[k]));
+        softenPair(pair, step, lastShared);
+    }
 }
 
 }  // namespace rubble

@@ -144,6 +144,11 @@ BodyState World::state(BodyId body) const {
             toDouble(motion.angularVelocity), record.isDynamic() && !record.isAwake};
 }
 
+Vec3 World::centre(BodyId body) const {
+    RUBBLE_ASSERT(contains(body));
+    return toDouble(m_state->poses[body.index].centre);
+}
+
 BodyKind World::kind(BodyId body) const {
     RUBBLE_ASSERT(contains(body));
     return m_state->bodies[body.index].kind;
@@ -238,6 +243,16 @@ std::vector<Impact> World::impacts() {
     const SolverStep step = solverStep(*m_state, m_context->dt);
     prepareContacts(*m_state, m_context->threads, m_context->regions, m_context->kernels, step);
     return findImpacts(*m_state, step);
+}
+
+std::vector<Impact> World::impacts(std::span<const BodyId> bodies) {
+    RUBBLE_ASSERT(m_context->isCollided);
+    if (bodies.empty()) return {};
+    std::vector<std::uint8_t> isWanted(m_state->bodies.size(), 0);
+    for (const BodyId body : bodies) isWanted[body.index] = 1;
+    const SolverStep step = solverStep(*m_state, m_context->dt);
+    prepareContacts(*m_state, m_context->threads, m_context->regions, m_context->kernels, step);
+    return findImpacts(*m_state, step, isWanted);
 }
 
 void World::solve(double dt) {

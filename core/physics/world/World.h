@@ -78,6 +78,8 @@ public:
     bool isWithinBounds(BodyId body) const;
 
     BodyState state(BodyId body) const;
+    /// BodyState::centre alone.
+    Vec3 centre(BodyId body) const;
     BodyKind kind(BodyId body) const;
     const Shape& shape(BodyId body) const;
     std::uint64_t tag(BodyId body) const;
@@ -145,6 +147,8 @@ public:
     void sleepInPlace(double dt);
     /// The impacts of the coming step, after collide(), sorted by bodies.
     std::vector<Impact> impacts();
+    /// Those of some bodies, with any others.
+    std::vector<Impact> impacts(std::span<const BodyId> bodies);
     /// Simulates dt seconds, after collide() with the same dt.
     void solve(double dt);
     /// Calls collide() and solve().

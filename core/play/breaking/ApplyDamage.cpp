@@ -181,6 +181,7 @@ Status applyDamage(const SessionParts& parts, const SessionDamage& damage) {
     for (const auto& [origin, target] : *targets) {
         if (target.asset == nullptr) applyToBonds(parts, origin, target.damage);
     }
+    planMortarCollapse(parts);
     for (Diagnostic& one : state.events.diagnostics) before.diagnostics.push_back(std::move(one));
     state.events = std::move(before);
     for (const auto& [origin, target] : *targets) {

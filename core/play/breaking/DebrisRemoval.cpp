@@ -17,7 +17,7 @@ constexpr double kWorldRadius = 2000.0;  // m: bodies beyond it are removed
 std::optional<std::string> reasonToLeave(const SessionParts& parts, const PlayBody& body) {
     if (body.role == PlayRole::Ground) return std::nullopt;
     if (!parts.world.isWithinBounds(body.body)) return "its motion is beyond all bounds";
-    const Vec3 position = parts.world.state(body.body).centre;
+    const Vec3 position = parts.world.centre(body.body);
     if (!(glm::dot(position, position) < kWorldRadius * kWorldRadius)) {
         return "it is farther than " + messageText(kWorldRadius) + " m from the origin";
     }

@@ -3,6 +3,7 @@
 #include "core/base/Assert.h"
 #include "core/physics/world/Split.h"
 #include "core/play/breaking/MortarBreaking.h"
+#include "core/play/breaking/MortarSupport.h"
 #include "core/play/breaking/MovingMass.h"
 #include "core/play/scene/PlayBodyShape.h"
 #include "core/play/state/SessionBodies.h"
@@ -57,14 +58,20 @@ struct Unsupported {
     HeldClusters held;                 // whose bonds they keep
 };
 
-/// Clusters that hold are supported where one of their nodes is.
+/// Of nodes beyond all support, those that lose their bonds: clusters that hold have support where one of their nodes
+/// has. `nodes`: all of the body.
+Unsupported losingNodes(const StructureState& state, std::span<const std::uint32_t> nodes, const HeldClusters& held,
+                        std::span<const std::uint32_t> beyond) {
+    return {wholeClusters(beyond, state.structure->graph, held, state.damage, nodes), held};
+}
+
+/// Those of a held body; nothing of one that mortar joins, see MortarSupport.h.
 Unsupported unsupportedOf(const SessionParts& parts, const PlayBody& body, const StructureState& state,
                           std::span<const std::uint32_t> nodes, const HeldClusters& held) {
     const PlayStructure& structure = *state.structure;
     const std::optional<Vec3> up = upwardsIn(parts, body);
-    if (!body.isHeld || structure.span <= 0.0 || structure.holdsHeaviest || !up) return {};
-    const auto beyond = unsupportedNodes(structure.graph, state.damage, nodes, structure.span, *up);
-    return {wholeClusters(beyond, structure.graph, held, state.damage, nodes), held};
+    if (!body.isHeld || structure.span <= 0.0 || structure.holdsHeaviest || !structure.mortar.empty() || !up) return {};
+    return losingNodes(state, nodes, held, unsupportedNodes(structure.graph, state.damage, nodes, structure.span, *up));
 }
 
 /// The clusters of a body that hold, whatever broke in this step.
@@ -198,6 +205,11 @@ void auditSplit(const SessionParts& parts, std::uint32_t number, double before, 
     parts.state.events.energy.push_back(entry);
 }
 
+std::uint64_t collapseStepOf(const SessionParts& parts, const PlayStructure& structure) {
+    const double steps = std::ceil(structure.collapseDelay / parts.settings.dt - 1e-6);
+    return parts.state.step + 1 + static_cast<std::uint64_t>(std::max(1.0, steps));
+}
+
 /// Plans when a held body loses what has no support; one that has come free does not.
 void planCollapse(const SessionParts& parts, PlayBody& body) {
     if (!body.isHeld) {
@@ -205,11 +217,11 @@ void planCollapse(const SessionParts& parts, PlayBody& body) {
         return;
     }
     const StructureState& state = parts.state.structures[body.structure];
+    if (!state.structure->mortar.empty()) return;  // planMortarCollapse() does
     if (unsupportedOf(parts, body, state, body.nodes, clustersOf(state, body)).nodes.empty()) {
         body.collapseStep = PlayBody::kNever;
     } else if (body.collapseStep == PlayBody::kNever) {
-        const double steps = std::ceil(state.structure->collapseDelay / parts.settings.dt - 1e-6);
-        body.collapseStep = parts.state.step + 1 + static_cast<std::uint64_t>(std::max(1.0, steps));
+        body.collapseStep = collapseStepOf(parts, *state.structure);
     }
 }
 
@@ -390,15 +402,39 @@ bool splitBodies(const SessionParts& parts, std::vector<BrokenBonds> broken) {
     return isAnyFree;
 }
 
+void planMortarCollapse(const SessionParts& parts) {
+    const UnsupportedNodes unsupported = unsupportedByMortar(parts);
+    for (PlayBody& body : parts.state.bodies) {
+        if (!body.isHeld) continue;
+        bool doLose = false;
+        if (const auto found = unsupported.find(body.number); found != unsupported.end()) {
+            const StructureState& state = structureOf(parts, body);
+            doLose = !losingNodes(state, body.nodes, clustersOf(state, body), found->second).nodes.empty();
+        }
+        if (doLose) {
+            const PlayStructure& structure = *parts.state.structures[body.structure].structure;
+            if (body.collapseStep == PlayBody::kNever) body.collapseStep = collapseStepOf(parts, structure);
+        } else if (body.structure != kNone && !parts.state.structures[body.structure].structure->mortar.empty()) {
+            body.collapseStep = PlayBody::kNever;
+        }
+    }
+}
+
 bool collapseUnsupported(const SessionParts& parts) {
     std::vector<BrokenBonds> broken;
+    std::optional<UnsupportedNodes> byMortar;
     for (PlayBody& body : parts.state.bodies) {
         if (body.collapseStep > parts.state.step + 1) continue;
         body.collapseStep = PlayBody::kNever;
         StructureState& state = parts.state.structures[body.structure];
         const HeldClusters held = heldClusters(parts, body);
         BrokenBonds one{.body = body.number, .point = parts.world.state(body.body).centre, .level = held.breaking};
-        breakUnsupported(state, unsupportedOf(parts, body, state, body.nodes, held), one.bonds);
+        if (state.structure->mortar.empty()) {
+            breakUnsupported(state, unsupportedOf(parts, body, state, body.nodes, held), one.bonds);
+        } else {
+            if (!byMortar) byMortar = unsupportedByMortar(parts);
+            breakUnsupported(state, losingNodes(state, body.nodes, held, (*byMortar)[body.number]), one.bonds);
+        }
         if (!one.bonds.empty()) broken.push_back(std::move(one));
     }
     return splitBodies(parts, std::move(broken));

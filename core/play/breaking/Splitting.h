@@ -35,6 +35,9 @@ HeldClusters heldClusters(const SessionParts& parts, const PlayBody& body);
 /// Breaks the bonds of what lost its support and has to come off in this step. True if any did.
 bool collapseUnsupported(const SessionParts& parts);
 
+/// Plans when the held bodies that mortar joins lose what has no support, after splits in a step.
+void planMortarCollapse(const SessionParts& parts);
+
 /// Takes nodes, ascending, out of a body with bonds, and splits what is left of it as splitBodies() does, but lets what
 /// has lost its support come off at once. Without any node left, the body is gone.
 void removeNodes(const SessionParts& parts, std::uint32_t body, std::span<const std::uint32_t> nodes);

@@ -1,6 +1,7 @@
 #include "core/play/queries/PartsRemoved.h"
 
 #include "core/play/breaking/MortarBreaking.h"
+#include "core/play/breaking/PartRemoval.h"
 #include "core/play/breaking/Splitting.h"
 #include "core/play/state/SessionBodies.h"
 
@@ -35,20 +36,11 @@ private:
     std::map<std::uint32_t, std::uint32_t> m_sources;
 };
 
-/// Breaks the mortar of a body.
-void breakMortar(const SessionParts& parts, std::uint32_t number) {
-    PlayBody& body = *findBody(parts.state, number);
-    if (body.bondedFracture() == nullptr) return;
-    StructureState& state = structureOf(parts, body);
-    const BondGraph& graph = state.structure->graph;
-    for (std::uint32_t bond = state.structure->firstMortar(); bond < graph.bondCount(); ++bond)
-        if (state.bodyOfNode[graph.bonds[bond].first] == number) state.damage[bond] = kBroken;
-}
-
 /// Breaks the mortar that holds no longer, and lets come off at once what has lost its support by that.
 void settle(const SessionParts& parts, const Session& session, Sources& sources) {
     parts.state.events = {};
     splitBodies(parts, brokenMortar(parts));
+    planMortarCollapse(parts);
     for (PlayBody& body : parts.state.bodies) {
         const PlayBody* before = session.body(body.number);
         const bool wasPlanned = before != nullptr && before->collapseStep != PlayBody::kNever;
@@ -80,7 +72,7 @@ PartsRemoved withoutParts(const Session& session, std::span<const BodyPart> part
         for (std::uint32_t made = next; made < state.nextNumber; ++made) sources.add(made, part.body);
         removed.reduced.push_back(part.body);
     }
-    for (const std::uint32_t number : gone) breakMortar(copy, number);
+    for (const std::uint32_t number : gone) breakMortarOf(copy, number);
     settle(copy, session, sources);
     removed.world.collide(settings.dt);
     removed.bodies = std::move(state.bodies);

@@ -54,10 +54,15 @@ struct DragInput {
 struct ReleaseInput {
     bool operator==(const ReleaseInput&) const = default;
 };
+/// Takes an instance away, or fragments of it, without any force.
+struct RemoveInput {
+    InstancePart part;
+    bool operator==(const RemoveInput&) const = default;
+};
 
 /// Everything that acts on a session from outside.
 using PlayInput = std::variant<ShotInput, ThresholdInput, MaterialInput, BreakInput, GravityInput, DestructionInput,
-                               GrabInput, DragInput, ReleaseInput>;
+                               GrabInput, DragInput, ReleaseInput, RemoveInput>;
 
 /// An input, applied after `step` steps, before the next one.
 struct TimedInput {

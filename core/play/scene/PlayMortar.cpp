@@ -1,5 +1,7 @@
 #include "core/play/scene/PlayMortar.h"
 
+#include "core/structure/graph/Support.h"
+
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -128,10 +130,21 @@ std::set<Id> anchoredThroughMortar(const std::map<Id, MortarMember>& members, co
     return anchored;
 }
 
+/// Prepares how support spreads in a structure that mortar joins.
+void addSteps(PlayStructure& structure, const Instance& instance, Vec3 gravity) {
+    if (structure.span <= 0.0 || gravity == Vec3(0.0)) return;
+    const BondGraph& graph = structure.graph;
+    structure.up = upIn(poseOf(instance), gravity);
+    for (std::uint32_t node = 0; node < graph.nodeCount(); ++node) {
+        for (const BondLink& link : graph.linksOf(node))
+            structure.steps.push_back(link.node == kNone ? 0.0 : sidewaysStep(graph, node, link, structure.up));
+    }
+}
+
 /// A structure with the mortar that `joints` adds to it. The links lead to bonds among the added ones of the others,
 /// whose structures have `firstMortar` bonds without them.
-std::shared_ptr<const PlayStructure> withMortar(const PlayStructure& structure, const AddedAnchors& added,
-                                                const std::map<Id, std::uint32_t>& firstMortar) {
+std::shared_ptr<PlayStructure> withMortar(const PlayStructure& structure, const AddedAnchors& added,
+                                          const std::map<Id, std::uint32_t>& firstMortar) {
     auto made = std::make_shared<PlayStructure>(structure);
     std::vector<Bond> bonds = structure.graph.bonds;
     bonds.insert(bonds.end(), added.bonds.begin(), added.bonds.end());
@@ -157,8 +170,10 @@ std::vector<JoinedMortar> addMortar(const Project& project, std::span<const Fixe
     for (const auto& [id, member] : members) firstMortar[id] = member.structure->graph.bondCount();
     for (auto& [id, member] : members) {
         const AddedAnchors& added = joints.added().at(id);
-        if (anchored.contains(id) && !added.bonds.empty())
-            member.structure = withMortar(*member.structure, added, firstMortar);
+        if (!anchored.contains(id) || added.bonds.empty()) continue;
+        const std::shared_ptr<PlayStructure> made = withMortar(*member.structure, added, firstMortar);
+        addSteps(*made, *member.instance, project.gravity);
+        member.structure = made;
     }
     const auto isOfAnchored = [&](const MortarJoint& joint) { return anchored.contains(joint.first); };
     for (JoinedMortar& one : joined) one.isHeld = std::ranges::any_of(one.joints, isOfAnchored);

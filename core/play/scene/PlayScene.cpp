@@ -50,10 +50,11 @@ void joinByMortar(PlayScene& scene, std::span<const FixedSolid> surroundings) {
     scene.mortars = addMortar(scene.project, surroundings, members);
     for (std::size_t k = 0; k < scene.mortars.size(); ++k) {
         if (scene.mortars[k].isHeld) continue;
-        scene.diagnostics.push_back(
-            {.code = DiagnosticCode::IdleMortar,
-             .message = "Mortar " + quotedName(scene.project.mortars[k].name) +
-                        " holds nothing: it joins no bonded instances of which one is anchored."});
+        Diagnostic idle;
+        idle.code = DiagnosticCode::IdleMortar;
+        idle.message = "Mortar " + quotedName(scene.project.mortars[k].name) +
+                       " holds nothing: it joins no bonded instances of which one is anchored.";
+        scene.diagnostics.push_back(std::move(idle));
     }
     for (auto& [id, member] : members) scene.structures[id] = std::move(member.structure);
 }

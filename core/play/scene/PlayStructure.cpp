@@ -52,6 +52,11 @@ std::vector<Bond> touchedAnchors(const PlayStructure& whole, const Instance& ins
 
 Pose poseOf(const Instance& instance) { return {instance.pose.position, glm::normalize(instance.pose.orientation)}; }
 
+Vec3 upIn(const Pose& frame, Vec3 gravity) {
+    if (gravity == Vec3(0.0)) return Vec3(0.0);
+    return glm::conjugate(frame.orientation) * -glm::normalize(Vec3(glm::vec3(gravity)));
+}
+
 std::vector<MortarNode> mortarNodes(const PlayStructure& structure, Id instance, const Pose& pose) {
     std::vector<MortarNode> nodes;
     for (std::uint32_t node = 0; node < structure.nodeCount(); ++node) {

@@ -35,6 +35,8 @@ struct PlayStructure {
     double collapseDelay = 0.0;       // s
     std::uint32_t minimumIsland = 1;  // nodes
     bool holdsHeaviest = false;       // fixed, though it touches nothing that is: its heaviest island stays
+    Vec3 up{0.0};                     // joined by mortar, with a span: against the scene's gravity, in its frame
+    std::vector<double> steps;        // m, then: sidewaysStep() of each link of the graph; 0 to anchors
 
     const PlayFracture& fracture() const { return *asset->fractureOf(parent); }
     std::uint32_t nodeCount() const { return graph.nodeCount(); }
@@ -59,6 +61,9 @@ std::shared_ptr<const PlayStructure> playStructure(const Asset& asset, const Mat
 
 /// Where the frame of an instance is in the world.
 Pose poseOf(const Instance& instance);
+
+/// The direction against gravity in a frame, of length 1; zero without gravity. Gravity is rounded as in a world.
+Vec3 upIn(const Pose& frame, Vec3 gravity);
 
 /// The nodes of a structure, in a frame in which the structure's is at `pose`, as mortar and anchors see them.
 std::vector<MortarNode> mortarNodes(const PlayStructure& structure, Id instance, const Pose& pose);

@@ -1,19 +1,41 @@
 #include "core/play/session/PlayTestRun.h"
 
+#include "core/asset/bake/FragmentLookup.h"
 #include "core/base/MessageText.h"
+#include "core/play/session/StandingParts.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace rubble {
 namespace {
 
 constexpr double kUntouched = 0.01;  // m
+constexpr double kLeastLoss = 1e-9;  // of the mass: the rounding of the sum of all fragments
+
+/// What stands of an instance at the start of a test, m³, without what the test removes.
+double standingVolume(const Session& session, const Instance& instance, const PlayTest& test) {
+    const StandingParts standing = standingParts(session, instance.id);
+    const auto removed = std::ranges::find(test.removed, instance.id, &InstancePart::instance);
+    if (removed == test.removed.end()) return standing.volume;
+    if (removed->fragments.empty()) return 0.0;
+    const PlayAsset& asset = *session.scene().assets.at(variantOf(instance));
+    double volume = standing.volume;
+    for (const FragmentPath& path : removed->fragments) {
+        const std::uint32_t fragment = fragmentAt(*asset.bake, path).value_or(kNone);
+        if (std::ranges::binary_search(standing.fragments, fragment))
+            volume -= asset.fragments[fragment].shape->mass.volume;
+    }
+    return volume;
+}
 
 /// Observes the run of a test.
 class TestObserver {
 public:
-    explicit TestObserver(const Session& session) : m_session(session), m_firstStep(session.stepsDone()) {
+    TestObserver(const Session& session, const PlayTest& test) : m_session(session), m_firstStep(session.stepsDone()) {
+        for (const Instance& instance : session.scene().project.instances)
+            m_standing[instance.id] = standingVolume(session, instance, test);
         for (const PlayBody& body : session.bodies()) {
             if (body.role == PlayRole::Instance)
                 m_starts.push_back({body.number, session.world().state(body.body).centre});
@@ -45,6 +67,8 @@ public:
             case ExpectationKind::BreaksIntoAtLeast: return breaksInto(expectation);
             case ExpectationKind::NothingAbove: return nothingAbove(expectation);
             case ExpectationKind::NothingFaster: return nothingFaster(expectation);
+            case ExpectationKind::StaysUp: return staysUp(expectation);
+            case ExpectationKind::HoleAtMost: return holeAtMost(expectation);
         }
         return {};
     }
@@ -189,8 +213,50 @@ private:
                 m_session.stepsDone()};
     }
 
+    /// The matching instance with the largest measure; nothing if none has one.
+    template <class Measure>
+    std::optional<std::pair<Id, double>> worst(Id instance, const Measure& measure) const {
+        std::optional<std::pair<Id, double>> found;
+        for (const Instance& one : m_session.scene().project.instances) {
+            if (instance != 0 && one.id != instance) continue;
+            const std::optional<double> value = measure(one.id);
+            if (value && (!found || *value > found->second)) found = {one.id, *value};
+        }
+        return found;
+    }
+
+    ExpectationOutcome staysUp(const Expectation& expectation) const {
+        const auto lost = worst(expectation.instance, [&](Id instance) -> std::optional<double> {
+            const double before = m_standing.at(instance);
+            if (before <= 0.0) return std::nullopt;
+            const double part = 1.0 - standingParts(m_session, instance).volume / before;
+            return part > kLeastLoss ? part : 0.0;
+        });
+        return {lost && lost->second <= expectation.value,
+                nameOf(expectation.instance, "every instance") + " loses at most " +
+                    roundedText(100.0 * expectation.value, 4) + " % of its mass",
+                lost ? nameOf(lost->first, "") + " lost " + roundedText(100.0 * lost->second, 3) + " %"
+                     : "it did not stand at the start",
+                m_session.stepsDone()};
+    }
+
+    ExpectationOutcome holeAtMost(const Expectation& expectation) const {
+        const auto hole = worst(expectation.instance, [&](Id instance) -> std::optional<double> {
+            const auto structure = m_session.scene().structures.find(instance);
+            if (structure == m_session.scene().structures.end()) return std::nullopt;
+            return holeWidth(*structure->second, standingParts(m_session, instance).fragments);
+        });
+        return {hole && hole->second <= expectation.value,
+                nameOf(expectation.instance, "every instance") + " has holes of at most " +
+                    messageText(expectation.value) + " m",
+                hole ? nameOf(hole->first, "") + " has one of " + roundedText(hole->second, 3) + " m"
+                     : "it does not break along bonds",
+                m_session.stepsDone()};
+    }
+
     const Session& m_session;
     const std::uint64_t m_firstStep;
+    std::map<Id, double> m_standing;  // m³, of each instance at the start, without what is removed
     std::vector<Start> m_starts;
     std::vector<Move> m_firstMoves;
     std::vector<std::uint32_t> m_fragmentCounts;  // by origin
@@ -206,14 +272,24 @@ std::uint64_t PlayTestOutcome::failedAt() const {
     return failed == expectations.end() ? 0 : failed->step;
 }
 
+std::vector<TimedInput> inputsOf(const Project& project, const PlayTest& test, std::uint64_t first, double dt) {
+    std::vector<TimedInput> inputs;
+    for (const InstancePart& part : test.removed) inputs.push_back({first, RemoveInput{part}});
+    for (const Shot& shot : project.shots) {
+        if (std::ranges::find(test.shots, shot.id) == test.shots.end()) continue;
+        inputs.push_back({first + stepOf(shot.time, dt), ShotInput{shot.name, shot.action}});
+    }
+    std::ranges::stable_sort(inputs, {}, &TimedInput::step);
+    return inputs;
+}
+
 Result<Session> sessionOf(std::shared_ptr<const PlayScene> scene, const PlayTest& test, const SessionSettings& settings,
                           const SavedSession* start) {
     Result<Session> session =
         start != nullptr ? resumedSession(scene, *start, settings) : Session::start(scene, settings);
     if (!session) return session.error();
-    for (const Shot& shot : scene->project.shots) {
-        if (std::ranges::find(test.shots, shot.id) == test.shots.end()) continue;
-        if (const Status added = session->add(shot); !added) return added.error();
+    for (const TimedInput& input : inputsOf(scene->project, test, session->stepsDone(), session->stepLength())) {
+        if (const Status added = session->add(input); !added) return added.error();
     }
     return session;
 }
@@ -223,7 +299,7 @@ Result<PlayTestOutcome> runPlayTest(std::shared_ptr<const PlayScene> scene, cons
                                     const SavedSession* start) {
     Result<Session> session = sessionOf(std::move(scene), test, settings, start);
     if (!session) return session.error();
-    TestObserver observer(*session);
+    TestObserver observer(*session, test);
     const std::uint64_t steps = std::max<std::uint64_t>(stepOf(test.duration, session->stepLength()), 1);
     for (std::uint64_t step = 1; step <= steps; ++step) {
         if (task.isCancelled()) return TaskContext::cancelled();

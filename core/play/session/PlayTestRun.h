@@ -26,6 +26,9 @@ struct PlayTestOutcome {
     std::uint64_t failedAt() const;
 };
 
+/// What a test does, from `first` steps on in steps of dt seconds: removals, then shots. Ascending step.
+std::vector<TimedInput> inputsOf(const Project& project, const PlayTest& test, std::uint64_t first, double dt);
+
 /// A session at the start of a test, with its shots pending: at the scene's own, or at a saved moment, from which the
 /// times of the shots count then.
 ///
@@ -40,7 +43,9 @@ Result<Session> sessionOf(std::shared_ptr<const PlayScene> scene, const PlayTest
 /// StandsUntouched: within `value` seconds the instance, or any instance, neither moves more than 1 cm nor breaks.
 /// Breaks, DoesNotBreak: the instance, or any instance. BreaksIntoAtLeast: its fragments at the end, removed ones
 /// included; without an instance, those of the one with the most. NothingAbove, NothingFaster: at the end, of all
-/// bodies that are not fixed, or of the instance and its fragments.
+/// bodies that are not fixed, or of the instance and its fragments. StaysUp: how much of the mass that stood at the
+/// start, removed parts not counted, does not stand at the end, see standingParts(); without an instance, of the one
+/// that lost most. HoleAtMost: see holeWidth(), at the end; without an instance, the widest.
 ///
 /// Errors: those of sessionOf(); Cancelled.
 Result<PlayTestOutcome> runPlayTest(std::shared_ptr<const PlayScene> scene, const PlayTest& test,

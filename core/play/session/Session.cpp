@@ -25,11 +25,20 @@ WorldSettings worldSettings(const PlayScene& scene, const SessionSettings& setti
             .lanes = settings.lanes};
 }
 
+/// The bodies that a hit may break.
+std::vector<BodyId> breakableBodies(const SessionState& state) {
+    std::vector<BodyId> bodies;
+    for (const PlayBody& body : state.bodies) {
+        if (body.fracture() != nullptr || body.bondedFracture() != nullptr) bodies.push_back(body.body);
+    }
+    return bodies;
+}
+
 /// Breaks what is hit hard enough in the coming step. A body that broke bonds and goes on meets what they held in the
 /// same step; what came of a swap breaks in the next one at the earliest.
 void breakBodies(const SessionParts& parts) {
     constexpr int kMaxPasses = 8;  // of a hit through bonds, within a step
-    const std::vector<Impact> impacts = parts.world.impacts();
+    const std::vector<Impact> impacts = parts.world.impacts(breakableBodies(parts.state));
     bool isChanged = collapseUnsupported(parts);
     // Bonds first: what breaks whole is gone after its swap, and could not take the impulse of bonds.
     bool hasFreed = breakHitBonds(parts, impacts);
@@ -37,9 +46,11 @@ void breakBodies(const SessionParts& parts) {
     for (int pass = 1; hasFreed && pass < kMaxPasses; ++pass) {
         parts.world.collide(parts.settings.dt);
         isChanged = false;
-        hasFreed = breakHitBonds(parts, parts.world.impacts());
+        hasFreed = breakHitBonds(parts, parts.world.impacts(breakableBodies(parts.state)));
     }
     if (isChanged || hasFreed) parts.world.collide(parts.settings.dt);
+    const auto wasHeld = [](const PlaySplit& split) { return split.body.isHeld; };
+    if (std::ranges::any_of(parts.state.events.splits, wasHeld)) planMortarCollapse(parts);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "core/play/session/SessionInputs.h"
 
+#include "core/asset/bake/FragmentLookup.h"
 #include "core/asset/checks/PlayFaults.h"
 #include "core/asset/checks/VerifyProject.h"
 #include "core/asset/project/Ranges.h"
@@ -7,6 +8,7 @@
 #include "core/base/MessageText.h"
 #include "core/play/breaking/Blow.h"
 #include "core/play/breaking/BondBreaking.h"
+#include "core/play/breaking/PartRemoval.h"
 #include "core/play/breaking/Swap.h"
 #include "core/play/scene/Projectile.h"
 #include "core/play/session/Blast.h"
@@ -92,6 +94,20 @@ Sentence faultOfInput(const DragInput& input, const PlayScene&, const SessionSta
 }
 
 Sentence faultOfInput(const ReleaseInput&, const PlayScene&, const SessionState&) { return std::nullopt; }
+
+Sentence faultOfInput(const RemoveInput& input, const PlayScene& scene, const SessionState&) {
+    const auto& [id, fragments] = input.part;
+    const Instance* instance = findInstance(scene.project, id);
+    if (instance == nullptr) return "Cannot remove: there is no instance " + std::to_string(id) + ".";
+    const PlayAsset& asset = *scene.assets.at(variantOf(*instance));
+    for (const FragmentPath& path : fragments) {
+        const std::optional<std::uint32_t> fragment = fragmentAt(*asset.bake, path);
+        if (fragment && *fragment != kNone && asset.isBonded) continue;
+        return "Cannot remove " + quotedName(instance->name + "/" + path) + ": " +
+               (asset.isBonded ? "there is no such fragment." : "only fragments of bonded instances can be removed.");
+    }
+    return std::nullopt;
+}
 
 void applyAction(const SessionParts& parts, const std::string& name, const Throw& thrown) {
     const Result<BodyDefinition> definition = projectileBodyOf(thrown, parts.scene, parts.state);
@@ -183,6 +199,15 @@ void applyInput(const SessionParts& parts, const DragInput& input) {
 }
 
 void applyInput(const SessionParts& parts, const ReleaseInput&) { parts.world.release(); }
+
+void applyInput(const SessionParts& parts, const RemoveInput& input) {
+    const auto& [instance, paths] = input.part;
+    if (paths.empty()) return removeInstance(parts, instance);
+    const Bake& bake = *parts.scene.assets.at(variantOf(*findInstance(parts.scene.project, instance)))->bake;
+    std::vector<std::uint32_t> fragments;
+    for (const FragmentPath& path : paths) fragments.push_back(*fragmentAt(bake, path));
+    removeFragments(parts, instance, std::move(fragments));
+}
 
 void applyInput(const SessionParts& parts, const PlayInput& input) {
     std::visit(

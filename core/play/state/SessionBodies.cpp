@@ -88,8 +88,19 @@ double thresholdOf(const SessionState& state, const PlayScene& scene, const Play
 }
 
 PlayBody* findBody(SessionState& state, std::uint32_t number) {
-    const auto found = std::ranges::lower_bound(state.bodies, number, {}, &PlayBody::number);
-    return found != state.bodies.end() && found->number == number ? &*found : nullptr;
+    // Were no body gone, it would be as far from the first as their numbers are apart: it is there, or not far before.
+    std::vector<PlayBody>& bodies = state.bodies;
+    if (bodies.empty() || number < bodies.front().number) return nullptr;
+    std::size_t end = std::min<std::size_t>(bodies.size(), number - bodies.front().number + std::size_t{1});
+    std::size_t step = 1;
+    while (end > step && bodies[end - step].number > number) {
+        end -= step;
+        step *= 2;
+    }
+    const auto begin = bodies.begin() + static_cast<std::ptrdiff_t>(end > step ? end - step : 0);
+    const auto last = bodies.begin() + static_cast<std::ptrdiff_t>(end);
+    const auto found = std::ranges::lower_bound(begin, last, number, {}, &PlayBody::number);
+    return found != last && found->number == number ? &*found : nullptr;
 }
 
 double distanceToBody(const World& world, BodyId body, Vec3 point) {

@@ -130,6 +130,19 @@ void visitFields(Self& self, Visit& visit) {
 template <FieldsOf<ReleaseInput> Self, class Visit>
 void visitFields(Self&, Visit&) {}
 
+template <FieldsOf<InstancePart> Self, class Visit>
+void visitFields(Self& self, Visit& visit) {
+    auto& [instance, fragments] = self;
+    visit("instance", instance);
+    visit("fragments", fragments);
+}
+
+template <FieldsOf<RemoveInput> Self, class Visit>
+void visitFields(Self& self, Visit& visit) {
+    auto& [part] = self;
+    visit("part", part);
+}
+
 template <FieldsOf<TimedInput> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
     auto& [step, input] = self;

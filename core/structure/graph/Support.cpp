@@ -13,19 +13,9 @@
 namespace rubble {
 namespace {
 
-constexpr double kStandsOn = 0.5;                // cosine of 60 degrees: of the angle between a bond's normal and up
 constexpr double kCorbel = 0.57735026918962576;  // tangent of 30 degrees
 constexpr double kUnreached = std::numeric_limits<double>::infinity();
 constexpr double kNotGiven = -1.0;
-
-/// The length sideways of a step from a node over one of its bonds, m.
-double sidewaysStep(const BondGraph& graph, std::uint32_t from, BondLink link, Vec3 up) {
-    const Bond& bond = graph.bonds[link.bond];
-    const double upwards = glm::dot(bond.first == from ? bond.normal : -bond.normal, up);
-    const Vec3 apart = graph.centres[link.node] - graph.centres[from];
-    const double rise = glm::dot(apart, up), sideways = glm::length(apart - rise * up);
-    return upwards >= kStandsOn ? std::max(0.0, sideways - kCorbel * rise) : sideways;
-}
 
 /// Distances from the nearest anchor by node, m; those of nodes that are not given stay below zero.
 class AnchorDistances {
@@ -71,6 +61,14 @@ private:
 };
 
 }  // namespace
+
+double sidewaysStep(const BondGraph& graph, std::uint32_t from, BondLink link, Vec3 up) {
+    const Bond& bond = graph.bonds[link.bond];
+    const double upwards = glm::dot(bond.first == from ? bond.normal : -bond.normal, up);
+    const Vec3 apart = graph.centres[link.node] - graph.centres[from];
+    const double rise = glm::dot(apart, up), sideways = glm::length(apart - rise * up);
+    return upwards >= kStandsOn ? std::max(0.0, sideways - kCorbel * rise) : sideways;
+}
 
 std::vector<std::uint32_t> unsupportedNodes(const BondGraph& graph, std::span<const BondDamage> damage,
                                             std::span<const std::uint32_t> nodes, double span, Vec3 up) {

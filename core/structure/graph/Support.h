@@ -9,6 +9,13 @@
 
 namespace rubble {
 
+/// What is above a bond stands on what is below if the angle between its normal and up is at most 60 degrees: the
+/// cosine of that.
+inline constexpr double kStandsOn = 0.5;
+
+/// The length of a step from a node over one of its bonds to another node, m: see unsupportedNodes().
+double sidewaysStep(const BondGraph& graph, std::uint32_t from, BondLink link, Vec3 up);
+
 /// The nodes that do not reach an anchor within a distance sideways, ascending.
 ///
 /// A node is supported if a path of unbroken bonds leads to it from a node with an unbroken bond to an anchor, and the

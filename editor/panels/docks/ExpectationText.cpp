@@ -17,7 +17,7 @@ struct ExpectationTexts {
 };
 
 /// What the value of an expectation is.
-enum class ValueKind { None, Count, Time, Length, Speed };
+enum class ValueKind { None, Count, Time, Length, Speed, Fraction };
 
 /// The texts of a kind of expectation.
 struct Kind {
@@ -26,7 +26,7 @@ struct Kind {
     const char* ofAll;       // %1: the value
     ValueKind value;
 };
-constexpr std::array<Kind, 6> kKinds{
+constexpr std::array<Kind, kExpectationKinds> kKinds{
     {{QT_TRANSLATE_NOOP("rubble::ExpectationTexts", "Stays intact"),
       QT_TRANSLATE_NOOP("rubble::ExpectationTexts", "%1 stays intact for %2"),
       QT_TRANSLATE_NOOP("rubble::ExpectationTexts", "Everything stays intact for %1"), ValueKind::Time},
@@ -44,7 +44,14 @@ constexpr std::array<Kind, 6> kKinds{
       QT_TRANSLATE_NOOP("rubble::ExpectationTexts", "Everything ends below a height of %1"), ValueKind::Length},
      {QT_TRANSLATE_NOOP("rubble::ExpectationTexts", "Ends below speed"),
       QT_TRANSLATE_NOOP("rubble::ExpectationTexts", "%1 ends below a speed of %2"),
-      QT_TRANSLATE_NOOP("rubble::ExpectationTexts", "Everything ends below a speed of %1"), ValueKind::Speed}}};
+      QT_TRANSLATE_NOOP("rubble::ExpectationTexts", "Everything ends below a speed of %1"), ValueKind::Speed},
+     {QT_TRANSLATE_NOOP("rubble::ExpectationTexts", "Stays up"),
+      QT_TRANSLATE_NOOP("rubble::ExpectationTexts", "%1 loses at most %2 of its mass"),
+      QT_TRANSLATE_NOOP("rubble::ExpectationTexts", "Every instance loses at most %1 of its mass"),
+      ValueKind::Fraction},
+     {QT_TRANSLATE_NOOP("rubble::ExpectationTexts", "Holes at most"),
+      QT_TRANSLATE_NOOP("rubble::ExpectationTexts", "%1 has holes of at most %2"),
+      QT_TRANSLATE_NOOP("rubble::ExpectationTexts", "Every instance has holes of at most %1"), ValueKind::Length}}};
 
 const Kind& kindOf(ExpectationKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
 
@@ -63,6 +70,7 @@ std::optional<NumberFormat> expectationFormat(ExpectationKind kind, const Units&
         case ValueKind::Time: return Units::seconds();
         case ValueKind::Length: return units.lengths();
         case ValueKind::Speed: return Units::speeds();
+        case ValueKind::Fraction: return Units::percents();
     }
     return std::nullopt;
 }
@@ -86,6 +94,8 @@ double defaultExpectationValue(ExpectationKind kind) {
         case ExpectationKind::BreaksIntoAtLeast: return 2.0;  // fragments
         case ExpectationKind::NothingAbove: return 1.0;       // m
         case ExpectationKind::NothingFaster: return 0.5;      // m/s
+        case ExpectationKind::StaysUp: return 0.1;            // of the mass
+        case ExpectationKind::HoleAtMost: return 0.5;         // m
         case ExpectationKind::Breaks:
         case ExpectationKind::DoesNotBreak: break;
     }

@@ -21,8 +21,8 @@ namespace rubble {
 
 namespace {
 
-constexpr int kShotRole = Qt::UserRole;
-constexpr int kShotRows = 4;  // visible rows
+constexpr int kListedRole = Qt::UserRole;  // the id of a saved throw or instance
+constexpr int kListedRows = 4;             // visible rows
 
 }  // namespace
 
@@ -60,9 +60,14 @@ Section* PlayTestForm::makeTestForm(const DocumentFile& file) {
     connect(m_duration, &NumberField::edited, this, [this](double value) {
         changeTest(tr("Set Duration"), [value](PlayTest& changed) { changed.duration = value; });
     });
+    m_removed = form->addRow(tr("Removed"), new QListWidget, tr("Instances that are taken away at the start"));
+    m_removed->setObjectName("removed");
+    m_removed->setMaximumHeight(kListedRows * (fontMetrics().height() + 8));
+    connect(m_removed, &QListWidget::itemChanged, this, &PlayTestForm::applyRemoved);
     m_shots = form->addRow(tr("Saved throws"), new QListWidget,
                            tr("Saved throws that the test repeats; save throws from the Play menu"));
-    m_shots->setMaximumHeight(kShotRows * (fontMetrics().height() + 8));
+    m_shots->setObjectName("shots");
+    m_shots->setMaximumHeight(kListedRows * (fontMetrics().height() + 8));
     connect(m_shots, &QListWidget::itemChanged, this, &PlayTestForm::applyShot);
     return form;
 }
@@ -131,13 +136,30 @@ void PlayTestForm::refreshTest(const PlayTest& test) {
     m_name->setModified(false);
     m_state->setState(QString::fromStdString(test.state));
     m_duration->setValue(test.duration);
+    refreshRemoved(test);
     m_shots->clear();
     for (const Shot& shot : m_document.project().shots) {
         auto* item = new QListWidgetItem(nameText(shot.name), m_shots);
-        item->setData(kShotRole, shot.id);
+        item->setData(kListedRole, shot.id);
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
         const bool isFired = std::ranges::find(test.shots, shot.id) != test.shots.end();
         item->setCheckState(isFired ? Qt::Checked : Qt::Unchecked);
+    }
+}
+
+/// An instance of which only fragments are removed is half checked.
+void PlayTestForm::refreshRemoved(const PlayTest& test) {
+    m_removed->clear();
+    for (const Instance& instance : m_document.project().instances) {
+        const auto part = std::ranges::find(test.removed, instance.id, &InstancePart::instance);
+        const bool isRemoved = part != test.removed.end();
+        QString text = nameText(instance.name);
+        if (isRemoved && !part->fragments.empty())
+            text = tr("%1 (%n fragment(s))", nullptr, static_cast<int>(part->fragments.size())).arg(text);
+        auto* item = new QListWidgetItem(text, m_removed);
+        item->setData(kListedRole, instance.id);
+        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+        item->setCheckState(!isRemoved ? Qt::Unchecked : part->fragments.empty() ? Qt::Checked : Qt::PartiallyChecked);
     }
 }
 
@@ -169,9 +191,19 @@ void PlayTestForm::changeExpectation(const QString& text, const std::function<vo
     if (m_expectation) changeTest(text, [&](PlayTest& changed) { change(changed.expectations[*m_expectation]); });
 }
 
+void PlayTestForm::applyRemoved(QListWidgetItem* item) {
+    const Id id = item->data(kListedRole).toUInt();
+    const bool isRemoved = item->checkState() == Qt::Checked;
+    changeTest(tr("Select Removed Instances"), [&](PlayTest& changed) {
+        std::erase_if(changed.removed, [&](const InstancePart& part) { return part.instance == id; });
+        const auto place = std::ranges::upper_bound(changed.removed, id, {}, &InstancePart::instance);
+        if (isRemoved) changed.removed.insert(place, {.instance = id});
+    });
+}
+
 /// Keeps the shots in the project's order.
 void PlayTestForm::applyShot(QListWidgetItem* item) {
-    const Id id = item->data(kShotRole).toUInt();
+    const Id id = item->data(kListedRole).toUInt();
     const bool isFired = item->checkState() == Qt::Checked;
     changeTest(tr("Select Saved Throws"), [&](PlayTest& changed) {
         std::erase(changed.shots, id);

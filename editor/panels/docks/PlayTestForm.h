@@ -40,9 +40,11 @@ private:
     Section* makeExpectationForm();
     void refresh();
     void refreshTest(const PlayTest& test);
+    void refreshRemoved(const PlayTest& test);
     void refreshExpectation(const Expectation& expectation);
     void changeTest(const QString& text, const std::function<void(PlayTest&)>& change);
     void changeExpectation(const QString& text, const std::function<void(Expectation&)>& change);
+    void applyRemoved(QListWidgetItem* item);
     void applyShot(QListWidgetItem* item);
     const PlayTest* test() const;
 
@@ -54,6 +56,7 @@ private:
     QLineEdit* m_name = nullptr;
     StateField* m_state = nullptr;
     NumberField* m_duration = nullptr;
+    QListWidget* m_removed = nullptr;
     QListWidget* m_shots = nullptr;
     QComboBox* m_kind = nullptr;
     QComboBox* m_instance = nullptr;

@@ -3,6 +3,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/House.h"
 #include "tests/support/play/BondedWalls.h"
+#include "tests/support/play/MortarPortal.h"
 #include "tests/support/play/Sessions.h"
 
 using namespace rubble;
@@ -156,6 +157,48 @@ private slots:
         for (const ExpectationOutcome& one : outcome->expectations) areMet.push_back(one.isMet);
         QCOMPARE(areMet, (std::vector<bool>{true, false, false, true, false}));
         QCOMPARE(outcome->expectations[0].step, broken);
+    }
+    void holesAndWhatStaysUp() {
+        using enum ExpectationKind;
+        Project project = test::bondedWall();
+        const Id wall = project.instances[0].id;
+        const Id ball = test::addShot(project, "ball", 0.0, test::ballAtWall());
+        const PlayTest test{.id = 1,
+                            .name = "test",
+                            .shots = {ball},
+                            .duration = 2.0,
+                            .expectations = {{.kind = StaysUp, .instance = wall, .value = 0.3},
+                                             {.kind = StaysUp, .value = 0.001},
+                                             {.kind = HoleAtMost, .instance = wall, .value = 2.0},
+                                             {.kind = HoleAtMost, .value = 0.1}}};
+        const Result<PlayTestOutcome> outcome = runPlayTest(test::playSceneOf(project), test);
+        QVERIFY(outcome.hasValue());
+        std::vector<bool> areMet;
+        for (const ExpectationOutcome& one : outcome->expectations) areMet.push_back(one.isMet);
+        QCOMPARE(areMet, (std::vector<bool>{true, false, true, false}));
+        QCOMPARE(outcome->expectations[0].expected, std::string("\"wall\" loses at most 30 % of its mass"));
+        QVERIFY2(outcome->expectations[1].seen.starts_with("\"wall\" lost "), outcome->expectations[1].seen.c_str());
+        QCOMPARE(outcome->expectations[3].expected, std::string("every instance has holes of at most 0.1 m"));
+        QVERIFY2(outcome->expectations[3].seen.starts_with("\"wall\" has one of "),
+                 outcome->expectations[3].seen.c_str());
+    }
+    void whatIsRemovedIsNotLost() {
+        using enum ExpectationKind;
+        Project project = test::mortarPortal();
+        const Id left = project.instances[0].id, right = project.instances[1].id, beam = project.instances[2].id;
+        const auto areMet = [&](const std::vector<InstancePart>& removed) {
+            const PlayTest test{
+                .id = 1,
+                .name = "test",
+                .removed = removed,
+                .duration = 2.0,
+                .expectations = {{.kind = StaysUp, .instance = beam, .value = 0.01}, {.kind = StaysUp, .value = 0.01}}};
+            const Result<PlayTestOutcome> outcome = runPlayTest(test::playSceneOf(project), test);
+            return std::vector<bool>{outcome->expectations[0].isMet, outcome->expectations[1].isMet};
+        };
+        QCOMPARE(areMet({}), (std::vector<bool>{true, true}));
+        QCOMPARE(areMet({{left, {}}}), (std::vector<bool>{true, true}));
+        QCOMPARE(areMet({{left, {}}, {right, {}}}), (std::vector<bool>{false, false}));
     }
 
 private:

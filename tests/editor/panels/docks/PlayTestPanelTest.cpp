@@ -3,6 +3,7 @@
 #include "editor/panels/docks/PlayTestPanel.h"
 
 #include "core/io/play/StateFile.h"
+#include "editor/commands/ProjectEdits.h"
 #include "editor/panels/docks/PlayTestTree.h"
 #include "editor/widgets/NumberField.h"
 #include "editor/widgets/StateField.h"
@@ -115,13 +116,29 @@ private slots:
         emit field("Duration")->edited(2.0);
         QCOMPARE(tests()[1].duration, 2.0);
         QCOMPARE(m_tree->test()->name, "falls");  // the selection is kept
-        auto* shots = m_panel->findChild<QListWidget*>();
+        auto* shots = m_panel->findChild<QListWidget*>("shots");
         shots->item(1)->setCheckState(Qt::Checked);
         shots->item(0)->setCheckState(Qt::Checked);
         QCOMPARE(tests()[1].shots, (std::vector<Id>{shotIds()[0], shotIds()[1]}));
         shots->item(0)->setCheckState(Qt::Unchecked);
         QCOMPARE(tests()[1].shots, (std::vector<Id>{shotIds()[1]}));
         QCOMPARE(tests()[0], testedBlock().playTests[0]);
+    }
+    void instancesAreRemovedAtTheStart() {
+        m_tree->select(tests()[1].id);
+        const Id block = m_stage->document.project().instances[0].id;
+        auto* removed = m_panel->findChild<QListWidget*>("removed");
+        QCOMPARE(removed->count(), 1);
+        removed->item(0)->setCheckState(Qt::Checked);
+        QCOMPARE(tests()[1].removed, (std::vector<InstancePart>{{block, {}}}));
+        QCOMPARE(removed->item(0)->checkState(), Qt::Checked);
+        removed->item(0)->setCheckState(Qt::Unchecked);
+        QCOMPARE(tests()[1].removed, std::vector<InstancePart>());
+        PlayTest test = tests()[1];
+        test.removed = {{block, {"5.1", "5.2"}}};
+        QVERIFY(m_stage->document.push(modify("Change", std::move(test))));
+        QCOMPARE(removed->item(0)->checkState(), Qt::PartiallyChecked);
+        QVERIFY(removed->item(0)->text().startsWith("block ("));
     }
     void conditionChangesToItsDefaultValue() {
         m_tree->setCurrentItem(m_tree->topLevelItem(1)->child(0));
