@@ -59,7 +59,8 @@ void hit(Wall& wall, double x, double y, double impulse) {
     // An engine does this after bonding.collapseDelay. It turns up, the y axis, into the frame of the asset.
     const Fragments unsupported =
         rubble_pack::unsupported(wall.structure, wall.damage, wall.standing, bonding.span, {0.0, 1.0, 0.0});
-    rubble_pack::breakOff(wall.structure, unsupported, wall.damage);
+    rubble_pack::breakOff(wall.structure, unsupported, wall.damage,
+                          rubble_pack::breakingLevel(wall.structure, wall.damage, wall.standing));
     split(wall, "collapses:");
     std::printf("  stands: %zu fragments of %.1f kg\n", wall.standing.size(), massOf(wall, wall.standing));
 }

@@ -129,6 +129,7 @@ struct Bond {
     Vec3 centroid;                                              // m, in the asset's frame
     Vec3 normal;                                                // from the first to the second, or out of the first
     double capacity = std::numeric_limits<double>::infinity();  // N·s, that breaks it; infinite: it never breaks
+    std::uint32_t clusterLevel = 0;                             // it holds until bonds of lower levels have broken
 };
 
 /// The bonds between the fragments of a body.
@@ -231,8 +232,13 @@ struct HitOutcome {
     std::vector<std::uint32_t> damaged;  // bonds with new damage that hold
 };
 
-/// Breaks and damages bonds of a body by a hit, as pack.md describes. `body`: its fragments, ascending. Leaves the rest
-/// of the impulse, hit.impulse - taken, to the bodies.
+/// The cluster level at which a body breaks: the lowest of the unbroken bonds between its fragments that can break;
+/// kNone without such. `body`: its fragments, ascending.
+inline std::uint32_t breakingLevel(const Structure& structure, const std::vector<Damage>& damage,
+                                   const std::vector<std::uint32_t>& body);
+
+/// Breaks and damages bonds of a body by a hit, as pack.md describes: those of its breakingLevel() only. `body`: its
+/// fragments, ascending. Leaves the rest of the impulse, hit.impulse - taken, to the bodies.
 inline HitOutcome applyHit(const Structure& structure, const Bonding& rule, const Hit& hit,
                            const std::vector<std::uint32_t>& body, std::vector<Damage>& damage);
 
@@ -246,15 +252,17 @@ struct Island {
 inline std::vector<Island> islandsOf(const Structure& structure, const std::vector<Damage>& damage,
                                      const std::vector<std::uint32_t>& body);
 
-/// The fragments of a body that do not reach an anchor within a distance sideways, ascending: see pack.md. `span` in m,
-/// 0: any distance; `up` of length 1, in the asset's frame.
+/// The fragments of a body that do not reach an anchor within a distance sideways, ascending: see pack.md. Those of a
+/// cluster of its breakingLevel() only if none of them does. `span` in m, 0: any distance; `up` of length 1, in the
+/// asset's frame.
 inline std::vector<std::uint32_t> unsupported(const Structure& structure, const std::vector<Damage>& damage,
                                               const std::vector<std::uint32_t>& body, double span, Vec3 up);
 
 /// Breaks all bonds of some fragments that can break: so what has lost its support comes off, in single fragments,
-/// which do not jam between what stands. Returns the bonds that broke, ascending.
+/// which do not jam between what stands; or in clusters, where bonds of cluster levels above `level`, the
+/// breakingLevel() of their body, hold. Returns the bonds that broke, ascending.
 inline std::vector<std::uint32_t> breakOff(const Structure& structure, const std::vector<std::uint32_t>& fragments,
-                                           std::vector<Damage>& damage);
+                                           std::vector<Damage>& damage, std::uint32_t level = kNone);
 
 /// The damages of all structures of an instance as bytes for networks and files, which Rubble reads, too: see state.md.
 /// `damages`: of each fracture, in the order of Bonding::fractures; `bake`: Bonding::bake.
@@ -790,6 +798,8 @@ public:
             if (fault.empty() && number(v) < 0.0) refuse(v, "expected a number of at least 0");
             return number(v);
         });
+        read.clusterLevel = at(
+            value, "clusterLevel", [&](const Value& v) { return index(v, kNone); }, 0);
         return read;
     }
     Fracture fracture(const Value& value, const std::vector<Body>& fragments) {
@@ -1017,13 +1027,45 @@ struct LoadedBond {
     double distance = 0.0;     // m
 };
 
+/// The flags of fragments, by number.
+inline std::vector<bool> flagsOf(const Structure& structure, const std::vector<std::uint32_t>& fragments) {
+    std::vector<bool> flags(structure.fragments.size());
+    for (const std::uint32_t fragment : fragments) flags[structure.numberOf(fragment)] = true;
+    return flags;
+}
+
+/// Adds to some fragments of a body the rest of their clusters: what bonds of levels above `level` connect with them.
+inline void addClusters(const Structure& structure, const std::vector<Damage>& damage, const std::vector<bool>& isIn,
+                        std::uint32_t level, std::vector<bool>& isFound) {
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t number = 0; number < isFound.size(); ++number) {
+        if (isFound[number]) found.push_back(number);
+    }
+    while (!found.empty()) {
+        const std::uint32_t number = found.back();
+        found.pop_back();
+        for (const std::uint32_t bond : structure.fragmentBonds[number]) {
+            const std::uint32_t other = otherEnd(structure, bond, number);
+            if (other == kNone || !isIn[other] || isFound[other]) continue;
+            if (damage[bond] == kBroken || structure.bonds[bond].clusterLevel <= level) continue;
+            isFound[other] = true;
+            found.push_back(other);
+        }
+    }
+}
+
 /// A body that is hit at points.
 class StruckBody {
 public:
-    StruckBody(const Structure& structure, const std::vector<std::uint32_t>& body, const std::vector<Vec3>& points)
-        : m_structure(structure), m_points(points), m_isIn(structure.fragments.size()), m_isStruck(m_isIn.size()) {
-        for (const std::uint32_t fragment : body) m_isIn[structure.numberOf(fragment)] = true;
+    StruckBody(const Structure& structure, const std::vector<std::uint32_t>& body, const std::vector<Vec3>& points,
+               const std::vector<Damage>& damage)
+        : m_structure(structure),
+          m_points(points),
+          m_level(breakingLevel(structure, damage, body)),
+          m_isIn(flagsOf(structure, body)),
+          m_isStruck(m_isIn.size()) {
         for (const Vec3& point : points) strike(point);
+        addClusters(structure, damage, m_isIn, m_level, m_isStruck);
     }
 
     /// The bonds that the hit loads enough to damage them, in the order in which they take of it.
@@ -1032,6 +1074,7 @@ public:
         for (std::uint32_t bond = 0; bond < m_structure.bonds.size(); ++bond) {
             const auto [first, second] = m_structure.ends[bond];
             if (damage[bond] == kBroken || !m_isIn[first] || (second != kNone && !m_isIn[second])) continue;
+            if (m_structure.bonds[bond].clusterLevel > m_level) continue;
             const double distance = distanceOf(m_structure.bonds[bond].centroid);
             const bool isStruck = m_isStruck[first] || (second != kNone && m_isStruck[second]);
             const double fraction = isStruck ? 1.0 : loadFraction(rule, distance);
@@ -1066,6 +1109,7 @@ private:
 
     const Structure& m_structure;
     const std::vector<Vec3>& m_points;
+    std::uint32_t m_level;         // of clusters
     std::vector<bool> m_isIn;      // by number
     std::vector<bool> m_isStruck;  // likewise
 };
@@ -1252,9 +1296,21 @@ inline Structure structureOf(const Pack& pack, std::size_t fracture, double stre
 
 inline void addAnchor(Structure& structure, const Bond& anchor) { detail::link(structure, anchor); }
 
+inline std::uint32_t breakingLevel(const Structure& structure, const std::vector<Damage>& damage,
+                                   const std::vector<std::uint32_t>& body) {
+    const std::vector<bool> isIn = detail::flagsOf(structure, body);
+    std::uint32_t level = kNone;
+    for (std::size_t bond = 0; bond < structure.bonds.size(); ++bond) {
+        const auto [first, second] = structure.ends[bond];
+        if (second == kNone || !isIn[first] || !isIn[second] || damage[bond] == kBroken) continue;
+        if (std::isfinite(structure.bonds[bond].capacity)) level = std::min(level, structure.bonds[bond].clusterLevel);
+    }
+    return level;
+}
+
 inline HitOutcome applyHit(const Structure& structure, const Bonding& rule, const Hit& hit,
                            const std::vector<std::uint32_t>& body, std::vector<Damage>& damage) {
-    const detail::StruckBody struck(structure, body, hit.points);
+    const detail::StruckBody struck(structure, body, hit.points, damage);
     HitOutcome outcome;
     double left = hit.impulse;
     for (const detail::LoadedBond& loaded : struck.loadedBonds(rule, hit.impulse, damage)) {
@@ -1334,22 +1390,27 @@ inline std::vector<std::uint32_t> unsupported(const Structure& structure, const 
             if (reached <= farthest) reach(next, reached);
         }
     }
+    std::vector<bool> isHeld(distances.size());
+    for (std::size_t number = 0; number < distances.size(); ++number)
+        isHeld[number] = distances[number] >= 0.0 && distances[number] < kUnreached;
+    detail::addClusters(structure, damage, detail::flagsOf(structure, body), breakingLevel(structure, damage, body),
+                        isHeld);
     std::vector<std::uint32_t> found;
     for (const std::uint32_t fragment : body) {
-        if (!(distances[structure.numberOf(fragment)] < kUnreached)) found.push_back(fragment);
+        if (!isHeld[structure.numberOf(fragment)]) found.push_back(fragment);
     }
     return found;
 }
 
 inline std::vector<std::uint32_t> breakOff(const Structure& structure, const std::vector<std::uint32_t>& fragments,
-                                           std::vector<Damage>& damage) {
-    std::vector<bool> isOff(structure.fragments.size());
-    for (const std::uint32_t fragment : fragments) isOff[structure.numberOf(fragment)] = true;
+                                           std::vector<Damage>& damage, std::uint32_t level) {
+    const std::vector<bool> isOff = detail::flagsOf(structure, fragments);
     std::vector<std::uint32_t> broken;
     for (std::uint32_t bond = 0; bond < structure.bonds.size(); ++bond) {
         const auto [first, second] = structure.ends[bond];
         if (!isOff[first] && (second == kNone || !isOff[second])) continue;
         if (damage[bond] == kBroken || !std::isfinite(structure.bonds[bond].capacity)) continue;
+        if (structure.bonds[bond].clusterLevel > level) continue;
         damage[bond] = kBroken;
         broken.push_back(bond);
     }

@@ -1,5 +1,6 @@
 #include "editor/actions/FragmentActions.h"
 
+#include "editor/actions/ClusterActions.h"
 #include "editor/canvas/widget/PatternCanvas.h"
 #include "editor/document/EnteredFragment.h"
 #include "editor/document/ShownText.h"
@@ -52,6 +53,7 @@ FragmentActions::FragmentActions(Views& views)
     m_restore = add(
         {"fragment-restore", tr("&Restore"), tr("Remove the merges, splits and patterns of the selected fragments")},
         &FragmentActions::restore);
+    m_clusters = m_menu->addMenu((new ClusterActions(views))->menu());
     m_menu->addSeparator();
     m_enter = add({"fragment-enter", tr("&Enter Fragment"),
                    tr("Edit the pattern of the selected fragment in the canvas"), QKeySequence("Ctrl+Down")},

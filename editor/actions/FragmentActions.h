@@ -22,7 +22,9 @@ public:
 
     QMenu* menu() const { return m_menu; }
     QList<QAction*> navigationActions() const { return {m_enter, m_exit}; }
-    QList<QAction*> editingActions() const { return {m_fracture, m_keepWhole, m_merge, m_split, m_restore}; }
+    QList<QAction*> editingActions() const {
+        return {m_fracture, m_keepWhole, m_merge, m_split, m_restore, m_clusters};
+    }
 
 private:
     using FragmentEdit = Edit (*)(const Project&, Id asset, const std::vector<SelectedFragment>& fragments);
@@ -47,6 +49,7 @@ private:
     QAction* m_merge = nullptr;
     QAction* m_split = nullptr;
     QAction* m_restore = nullptr;
+    QAction* m_clusters = nullptr;  // the submenu
     QAction* m_enter = nullptr;
     QAction* m_exit = nullptr;
 };

@@ -172,7 +172,7 @@ void ViewActions::addColourings(QMenu& menu) {
         {CellColouring::Area, tr("&Area")},           {CellColouring::Neighbours, tr("N&eighbours")},
         {CellColouring::Aspect, tr("A&spect Ratio")}, {CellColouring::Level, tr("&Level")},
         {CellColouring::Volume, tr("&Volume")},       {CellColouring::Mass, tr("&Mass")},
-        {CellColouring::Threshold, tr("&Threshold")}};
+        {CellColouring::Threshold, tr("&Threshold")}, {CellColouring::Cluster, tr("&Cluster")}};
     for (const auto& [colouring, text] : entries) {
         QAction* action = colourings->addAction(text);
         action->setCheckable(true);

@@ -154,6 +154,9 @@ Edit restoreFragments(const Project& project, Id asset, const std::set<SeedId>& 
     std::erase_if(changed.fragmentLevels, [&](const FragmentLevel& leaf) { return filter.matches(leaf); });
     std::erase_if(changed.fragmentThresholds, [&](const FragmentThreshold& own) { return filter.matches(own); });
     std::erase_if(changed.bonding.neverBreaks, [&](const FragmentPath& path) { return filter.matches(path); });
+    for (FragmentCluster& cluster : changed.bonding.clusters)
+        std::erase_if(cluster.fragments, [&](const FragmentPath& path) { return filter.matches(path); });
+    sortClusters(changed.bonding.clusters);
     return modify(FragmentEditsTexts::tr("Restore Fragments"), std::move(changed));
 }
 
@@ -162,7 +165,10 @@ bool canRestoreFragments(const Asset& asset, const std::set<SeedId>& seeds, cons
     const auto matches = [&](const auto& setting) { return filter.matches(setting); };
     return std::ranges::any_of(asset.edits, matches) || std::ranges::any_of(asset.fragmentLevels, matches) ||
            std::ranges::any_of(asset.fragmentThresholds, matches) ||
-           std::ranges::any_of(asset.bonding.neverBreaks, matches);
+           std::ranges::any_of(asset.bonding.neverBreaks, matches) ||
+           std::ranges::any_of(asset.bonding.clusters, [&](const FragmentCluster& cluster) {
+               return std::ranges::any_of(cluster.fragments, matches);
+           });
 }
 
 }  // namespace rubble

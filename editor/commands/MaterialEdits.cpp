@@ -37,6 +37,7 @@ void applyPattern(const Project& project, const MaterialPreset& preset, Asset& a
     asset.fragmentLevels.clear();
     asset.fragmentThresholds.clear();
     asset.bonding.neverBreaks.clear();
+    asset.bonding.clusters.clear();
     asset.edits.clear();
 }
 

@@ -145,6 +145,10 @@ void renameFragments(const std::map<Id, Id>& layers, Asset& asset) {
     std::ranges::sort(asset.fragmentThresholds, {}, &FragmentThreshold::fragment);
     for (FragmentPath& path : asset.bonding.neverBreaks) path = withLayers(path, layers);
     std::ranges::sort(asset.bonding.neverBreaks);
+    for (FragmentCluster& cluster : asset.bonding.clusters) {
+        for (FragmentPath& path : cluster.fragments) path = withLayers(path, layers);
+    }
+    sortClusters(asset.bonding.clusters);
     for (FragmentEdit& edit : asset.edits) {
         if (auto* split = std::get_if<FragmentSplit>(&edit)) {
             split->fragment = withLayers(split->fragment, layers);

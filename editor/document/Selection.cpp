@@ -23,6 +23,12 @@ void Selection::activate(Id asset) {
     emit hiddenChanged();
 }
 
+void Selection::setClusterLevel(std::uint32_t level) {
+    if (level == m_clusterLevel) return;
+    m_clusterLevel = level;
+    emit clusterLevelChanged();
+}
+
 void Selection::setEnteredFragment(FragmentPath fragment) {
     if (fragment == m_enteredFragment) return;
     m_enteredFragment = std::move(fragment);

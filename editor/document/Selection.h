@@ -33,6 +33,8 @@ public:
     /// The seeds of the shown pattern that selected fragments come from.
     const Seeds& seeds() const { return m_seeds; }
     const FragmentSelection& hidden() const { return m_hidden; }
+    /// The level of clusters of fragments that is edited.
+    std::uint32_t clusterLevel() const { return m_clusterLevel; }
     const std::set<Id>& instances() const { return m_instances; }
     Id material() const { return m_material; }
     /// The mortar whose numbers and joints are shown; 0: none.
@@ -50,6 +52,7 @@ public:
     /// Adds the seed to the selection or removes it.
     void toggleSeed(SeedId seed);
     void setHidden(FragmentSelection hidden);
+    void setClusterLevel(std::uint32_t level);
     /// Selects instances. Their asset becomes active if all have the same.
     void setInstances(const Project& project, std::set<Id> instances);
     void setMaterial(Id material);
@@ -65,6 +68,7 @@ signals:
     /// The selected seeds or fragments changed.
     void seedsChanged();
     void hiddenChanged();
+    void clusterLevelChanged();
     void instancesChanged();
     void materialChanged();
     void mortarChanged();
@@ -81,6 +85,7 @@ private:
     FragmentSelection m_fragments;
     Seeds m_seeds;  // of m_fragments, in the pattern of m_enteredFragment
     FragmentSelection m_hidden;
+    std::uint32_t m_clusterLevel = 0;
     std::set<Id> m_instances;
 };
 

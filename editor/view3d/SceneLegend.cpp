@@ -29,7 +29,8 @@ QString titleOf(SceneColouring colouring) {
         case SceneColouring::Threshold: return SceneLegend::tr("Parent threshold");
         case SceneColouring::BondStrength: return SceneLegend::tr("Impulse per area of bonds");
         case SceneColouring::Material:
-        case SceneColouring::Fragment: break;
+        case SceneColouring::Fragment:
+        case SceneColouring::Cluster: break;
     }
     return {};
 }

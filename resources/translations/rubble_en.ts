@@ -38,6 +38,13 @@
             <numerusform>%Ln fragments that never break</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln cluster(s) of fragments</source>
+        <translation>
+            <numerusform>%Ln cluster of fragments</numerusform>
+            <numerusform>%Ln clusters of fragments</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -162,6 +169,16 @@
         <translation>
             <numerusform>%Ln stroke</numerusform>
             <numerusform>%Ln strokes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::ClusterSection</name>
+    <message numerus="yes">
+        <source>%Ln cluster(s)</source>
+        <translation>
+            <numerusform>%Ln cluster</numerusform>
+            <numerusform>%Ln clusters</numerusform>
         </translation>
     </message>
 </context>

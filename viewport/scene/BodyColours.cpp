@@ -5,10 +5,12 @@
 #include "core/asset/strength/FragmentThreshold.h"
 #include "core/asset/strength/Threshold.h"
 #include "core/play/scene/PlayAsset.h"
+#include "core/structure/clusters/ClusterColours.h"
 #include "viewport/scene/BondStrengths.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace rubble {
 namespace {
@@ -29,7 +31,8 @@ const Material* insideOf(const AssetModel& model, const Project& project) {
 }
 
 bool isQuantity(SceneColouring colouring) {
-    return colouring != SceneColouring::Material && colouring != SceneColouring::Fragment;
+    return colouring != SceneColouring::Material && colouring != SceneColouring::Fragment &&
+           colouring != SceneColouring::Cluster;
 }
 
 double thresholdOf(const Project& project, const AssetModel& model, Id instance) {
@@ -70,7 +73,8 @@ public:
             case SceneColouring::Threshold: return thresholdOfParent(solid);
             case SceneColouring::BondStrength: return m_factor * m_strengths[index];
             case SceneColouring::Material:
-            case SceneColouring::Fragment: break;
+            case SceneColouring::Fragment:
+            case SceneColouring::Cluster: break;
         }
         return 0.0;
     }
@@ -130,6 +134,21 @@ std::optional<ValueRange> rangeOf(const RenderScene& scene, std::span<const Asse
     return range.least <= range.most ? std::optional(range) : std::nullopt;
 }
 
+/// The colour of each fragment of a model by its clusters; empty without a bake.
+std::vector<Colour> coloursByCluster(const AssetModel& model, const Project& project) {
+    std::vector<Colour> colours;
+    const Asset* asset = findAsset(project, model.asset.id);
+    if (asset == nullptr || model.bake == nullptr) return colours;
+    const bool hasClusters = asset->breakAs == BreakAs::Bonded && model.variant == 0;
+    for (std::uint32_t fracture = 0; fracture < model.bake->fractures.size(); ++fracture) {
+        const std::vector<Colour> some =
+            hasClusters ? clusterColours(*asset, *model.bake, fracture)
+                        : std::vector<Colour>(model.bake->fractures[fracture].fragments.count(), kUnclusteredColour);
+        colours.insert(colours.end(), some.begin(), some.end());
+    }
+    return colours;
+}
+
 }  // namespace
 
 void colourBodies(RenderScene& scene, std::span<const AssetModel* const> models, const Project& project,
@@ -142,6 +161,15 @@ void colourBodies(RenderScene& scene, std::span<const AssetModel* const> models,
         const double spread = scene.colourRange->most - scene.colourRange->least;
         return rampColour(spread > 0.0 ? (value - scene.colourRange->least) / spread : 0.5);
     };
+    std::map<const AssetModel*, std::vector<Colour>> byCluster;
+    if (colouring == SceneColouring::Cluster) {
+        for (const AssetModel* model : models) byCluster[model] = coloursByCluster(*model, project);
+    }
+    const auto ownColour = [&](const AssetModel& model, const ModelSolid& solid) {
+        const auto found = byCluster.find(&model);
+        const bool isKnown = found != byCluster.end() && solid.fragment < found->second.size();
+        return isKnown ? found->second[solid.fragment] : byCluster.empty() ? solid.colour : kUnclusteredColour;
+    };
     forEachInstance(scene, models, [&](const AssetModel& model, Id instance, std::uint32_t first) {
         const SolidQuantity quantity(project, model, instance, colouring);
         const Material* material = colouring == SceneColouring::Material ? materialOf(model, project) : nullptr;
@@ -150,7 +178,7 @@ void colourBodies(RenderScene& scene, std::span<const AssetModel* const> models,
             const ModelSolid& shown = model.solids[solid];
             const Colour outside = isOnRamp              ? colourOf(quantity.of(model, solid))
                                    : material != nullptr ? material->outside
-                                                         : shown.colour;
+                                                         : ownColour(model, shown);
             const Material* cut = cutMaterial != nullptr ? cutMaterial : material;
             scene.appearances[first + solid].outside =
                 packedSurface(outside, material != nullptr ? material->opacity : 1.0);

@@ -11,7 +11,7 @@ namespace rubble {
 
 /// The property that solids are coloured by. Threshold: that of the parent, whose break releases the solid.
 /// BondStrength: the mean of the solid's bonds.
-enum class SceneColouring { Material, Fragment, Level, Volume, Mass, Aspect, Threshold, BondStrength };
+enum class SceneColouring { Material, Fragment, Level, Volume, Mass, Aspect, Threshold, BondStrength, Cluster };
 
 /// The content of a scene.
 struct SceneOptions {

@@ -31,7 +31,8 @@ constexpr std::pair<const char*, SceneColouring> kColourings[] = {
     {"material", SceneColouring::Material},   {"piece", SceneColouring::Fragment},
     {"level", SceneColouring::Level},         {"volume", SceneColouring::Volume},
     {"mass", SceneColouring::Mass},           {"aspect", SceneColouring::Aspect},
-    {"threshold", SceneColouring::Threshold}, {"bond-strength", SceneColouring::BondStrength}};
+    {"threshold", SceneColouring::Threshold}, {"bond-strength", SceneColouring::BondStrength},
+    {"cluster", SceneColouring::Cluster}};
 
 /// Adds an option whose value must be accepted by `parse`.
 template <class Parse>
@@ -57,7 +58,8 @@ void addStyleOptions(Command& command, PictureOptions& options) {
     for (const auto& [word, colouring] : kColourings) colourings.emplace_back(word);
     command
         .option("--colour", options.colour,
-                "Colour by material (default), piece, level, volume, mass, aspect, threshold or bond-strength")
+                "Colour by material (default), piece, level, volume, mass, aspect, threshold, bond-strength or "
+                "cluster")
         .oneOf(colourings)
         .valueName("BY");
     command.option("--theme", options.theme, "light (default) or dark").oneOf({"light", "dark"}).valueName("THEME");

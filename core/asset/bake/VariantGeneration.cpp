@@ -164,9 +164,10 @@ Asset child(std::span<const Asset> parents, const VariantRecipe& recipe, std::ui
         scattering[picked]->randomSeed = random.next();
         if (picked >= ownCount) scattering[picked]->overrides.clear();  // they were made for other seeds
     }
-    made.fragmentLevels.clear();  // this and the next three: they refer to the old fragments
+    made.fragmentLevels.clear();  // this and the next four: they refer to the old fragments
     made.fragmentThresholds.clear();
     made.bonding.neverBreaks.clear();
+    made.bonding.clusters.clear();
     made.edits.clear();
     return made;
 }

@@ -4,6 +4,9 @@
 #include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"
 
+#include <map>
+#include <set>
+
 namespace rubble {
 namespace {
 
@@ -67,6 +70,40 @@ Sentence neverBreaksFault(const std::string& owner, const std::vector<FragmentPa
     return std::nullopt;
 }
 
+/// The fault of one cluster, given those of its level before it.
+Sentence clusterFault(const std::string& owner, const FragmentCluster& cluster, std::set<FragmentPath>& before) {
+    if (Sentence fault = rangeFault(owner, {{ProjectNumber::BondClusterLevel, static_cast<double>(cluster.level)}}))
+        return fault;
+    if (cluster.fragments.empty()) return owner + " has no fragments, but it must have at least one.";
+    const FragmentPath* previous = nullptr;
+    for (const FragmentPath& path : cluster.fragments) {
+        if (!isFragmentPath(path)) return owner + ": " + quotedName(path) + " is not a fragment path.";
+        if (previous && *previous >= path) {
+            return owner + ": fragment " + path + " comes after " + *previous + "; paths must ascend.";
+        }
+        if (parentOf(path) != parentOf(cluster.fragments.front())) {
+            return owner + ": fragments " + cluster.fragments.front() + " and " + path + " have different parents.";
+        }
+        if (!before.insert(path).second) {
+            return owner + ": fragment " + path + " is in another cluster of level " + std::to_string(cluster.level) +
+                   " already.";
+        }
+        previous = &path;
+    }
+    return std::nullopt;
+}
+
+Sentence clustersFault(const std::string& owner, const std::vector<FragmentCluster>& clusters) {
+    std::map<std::uint32_t, std::set<FragmentPath>> ofLevels;
+    for (std::size_t k = 0; k < clusters.size(); ++k) {
+        const std::string one = owner + ": cluster " + std::to_string(k);
+        if (Sentence fault = clusterFault(one, clusters[k], ofLevels[clusters[k].level])) return fault;
+        if (k > 0 && clusters[k - 1] >= clusters[k])
+            return one + " is out of order; clusters must ascend by level, then by fragments.";
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> bondFault(const Asset& asset) {
@@ -89,7 +126,8 @@ std::optional<std::string> bondFault(const Asset& asset) {
     if (bonding.strengthImage) {
         if (Sentence fault = imageFault(owner + ": the strength image", *bonding.strengthImage)) return fault;
     }
-    return neverBreaksFault(owner, bonding.neverBreaks);
+    if (Sentence fault = neverBreaksFault(owner, bonding.neverBreaks)) return fault;
+    return clustersFault(owner, bonding.clusters);
 }
 
 std::optional<std::string> faultOf(const Mortar& mortar) {

@@ -34,7 +34,7 @@ public:
 
     std::vector<Diagnostic> found(int threads) {
         for (const Diagnostic& one : m_bake.diagnostics) add(one);
-        addLostUnbreakable();
+        addLostOfBonding();
         const std::vector<SeedId> seeds = rootSeeds();
         for (const BakedFracture& fracture : m_bake.fractures) addPieces(fracture, seeds, threads);
         std::vector<Diagnostic> problems = std::move(m_problems).list({.asset = m_asset.id});
@@ -68,19 +68,24 @@ private:
         m_problems.add(std::move(problem));
     }
 
-    /// Paths of fragments that never break, but do not exist.
-    void addLostUnbreakable() {
-        const std::vector<FragmentPath>& listed = m_asset.bonding.neverBreaks;
-        if (m_asset.breakAs != BreakAs::Bonded || listed.empty()) return;
+    /// Paths of fragments that never break or are in a cluster, but do not exist.
+    void addLostOfBonding() {
+        const Bonding& bonding = m_asset.bonding;
+        if (m_asset.breakAs != BreakAs::Bonded || (bonding.neverBreaks.empty() && bonding.clusters.empty())) return;
         std::vector<FragmentPath> paths;
         paths.reserve(m_bake.fragmentCount());
         for (std::uint32_t k = 0; k < m_bake.fragmentCount(); ++k) paths.push_back(m_bake.fragmentPath(k));
         std::ranges::sort(paths);
-        for (const FragmentPath& path : listed) {
-            if (std::ranges::binary_search(paths, path)) continue;
-            m_problems.add(diagnostic(DiagnosticCode::LostPiece, {.asset = m_asset.id, .path = path},
-                                      "Fragment " + path + " of asset " + quotedName(m_asset.name) +
-                                          " is set to never break, but does not exist."));
+        const auto addIfLost = [&](const FragmentPath& path, const std::string& what) {
+            if (std::ranges::binary_search(paths, path)) return;
+            m_problems.add(diagnostic(
+                DiagnosticCode::LostPiece, {.asset = m_asset.id, .path = path},
+                "Fragment " + path + " of asset " + quotedName(m_asset.name) + what + ", but does not exist."));
+        };
+        for (const FragmentPath& path : bonding.neverBreaks) addIfLost(path, " is set to never break");
+        for (const FragmentCluster& cluster : bonding.clusters) {
+            for (const FragmentPath& path : cluster.fragments)
+                addIfLost(path, " is in a cluster of level " + std::to_string(cluster.level));
         }
     }
 

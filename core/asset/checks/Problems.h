@@ -27,10 +27,10 @@ double badness(const Diagnostic& problem);
 std::vector<Diagnostic> outlineProblems(const Asset& asset);
 
 /// The diagnostics of a bake that an artist should look at, by code, then by seed and fragment: its warnings, slivers,
-/// tiny pieces and many hulls, and Bonding::neverBreaks of missing fragments. DiagnosticPlace::index is set only for
-/// seeds of the asset's own pattern: the seed concerned, or the one that a fragment of any level comes from. Of each
-/// code there are ProblemLimits::most, and one that tells how many more there would be. O(corners · log corners of a
-/// piece) on task.threads; adds the number of visited diagnostics and fragments to `visited`.
+/// tiny pieces and many hulls, and Bonding::neverBreaks and clusters of missing fragments. DiagnosticPlace::index is
+/// set only for seeds of the asset's own pattern: the seed concerned, or the one that a fragment of any level comes
+/// from. Of each code there are ProblemLimits::most, and one that tells how many more there would be. O(corners · log
+/// corners of a piece) on task.threads; adds the number of visited diagnostics and fragments to `visited`.
 std::vector<Diagnostic> problemsOf(const Asset& asset, const Bake& bake, const ProblemLimits& limits = {},
                                    const TaskContext& task = {}, std::size_t* visited = nullptr);
 

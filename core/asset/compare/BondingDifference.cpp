@@ -4,6 +4,7 @@
 #include "core/base/QuantityText.h"
 
 #include <array>
+#include <map>
 
 namespace rubble {
 namespace {
@@ -46,6 +47,16 @@ std::string pathsText(const std::vector<FragmentPath>& paths) {
     return text.empty() ? "none" : text;
 }
 
+/// "3 of level 0, 8 of level 1".
+std::string clustersText(const std::vector<FragmentCluster>& clusters) {
+    std::map<std::uint32_t, std::size_t> counts;
+    for (const FragmentCluster& cluster : clusters) ++counts[cluster.level];
+    std::string text;
+    for (const auto& [level, count] : counts)
+        text += (text.empty() ? "" : ", ") + std::to_string(count) + " of level " + std::to_string(level);
+    return text.empty() ? "none" : text;
+}
+
 }  // namespace
 
 std::vector<RecipeChange> bondingChanges(const Asset& before, const Asset& after) {
@@ -71,6 +82,7 @@ std::vector<RecipeChange> bondingChanges(const Asset& before, const Asset& after
     add(from.strengthImage == to.strengthImage, "bond strength by picture", imageText(from.strengthImage),
         imageText(to.strengthImage));
     addText("fragments that never break", pathsText(from.neverBreaks), pathsText(to.neverBreaks));
+    add(from.clusters == to.clusters, "clusters of fragments", clustersText(from.clusters), clustersText(to.clusters));
     return changes;
 }
 

@@ -57,6 +57,16 @@ struct StrengthImage {
     bool operator==(const StrengthImage& other) const;
 };
 
+/// Sibling fragments that come off as one, and break apart only afterwards.
+struct FragmentCluster {
+    std::uint32_t level = 0;              // 0: the coarsest, breaks first
+    std::vector<FragmentPath> fragments;  // ascending, one at least
+    auto operator<=>(const FragmentCluster&) const = default;
+};
+
+/// Puts clusters, and the fragments of each, into the order that an asset has them in; those without any are removed.
+void sortClusters(std::vector<FragmentCluster>& clusters);
+
 /// How the bonds between the fragments of an asset hold and break, by the simple rule: see SimpleRule.
 struct Bonding {
     // N·s/m², > 0: the impulse that breaks a bond, by its area; none: follows from the material, see bondImpulseOf().
@@ -71,6 +81,7 @@ struct Bonding {
     std::vector<HeightStrength> heightStrengths;  // ascending height
     std::optional<StrengthImage> strengthImage;
     std::vector<FragmentPath> neverBreaks;  // ascending: single fragments, beside those that are painted
+    std::vector<FragmentCluster> clusters;  // ascending; a fragment is in one of a level at most
     bool operator==(const Bonding&) const = default;
 };
 

@@ -51,6 +51,11 @@ Colour fragmentColour(std::string_view fragmentId) {
     return oklch(lightness, 0.085, hue);
 }
 
+Colour seriesColour(std::uint32_t number, double lightness) {
+    constexpr double kGoldenAngle = 2.399963229728653;  // rad
+    return oklch(lightness, 0.1, kGoldenAngle * number);
+}
+
 Colour rampColour(double value) {
     static constexpr std::array<Colour, 6> kStops = {{{0.28, 0.14, 0.46},
                                                       {0.25, 0.29, 0.54},

@@ -14,6 +14,10 @@ std::uint32_t packed(const Colour& colour);
 /// its neighbours'.
 Colour fragmentColour(std::string_view fragmentId);
 
+/// The colour of a member of a series, by its number: its hue is far from those of the members before it. `lightness`:
+/// perceived, in [0, 1].
+Colour seriesColour(std::uint32_t number, double lightness);
+
 /// A colour for a value in [0, 1], from dark blue over green to yellow, with uniformly increasing lightness; readable
 /// with red-green colour blindness.
 /// Source: six stops of "viridis", van der Walt and Smith 2015.

@@ -121,6 +121,7 @@ constexpr std::array<NumberRange, kProjectNumbers> kRanges{{
     zeroOrAbove("height", "m", kMaxExtent, 0.0, "heights count from the lowest point; no prism is higher"),
     zeroOrAbove("widest joint", "m", 1.0, 0.005, "faces that are farther apart do not lie against each other"),
     zeroOrAbove("least area", "m²", kMaxExtent* kMaxExtent, 1e-4, "0 joins every face; no prism has a larger one"),
+    {"level of a cluster", "", 0.0, 9.0, false, 0.0, "the levels break one after the other; 0 is the coarsest"},
 }};
 
 std::string nameOf(ProjectNumber number, const char* name) { return name ? name : rangeOf(number).name; }

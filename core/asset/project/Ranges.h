@@ -85,8 +85,9 @@ enum class ProjectNumber {
     BondStrengthHeight,  // above the lowest point of the outline
     MortarTolerance,
     MortarLeastArea,
+    BondClusterLevel,  // 0: the coarsest
 };
-inline constexpr int kProjectNumbers = 73;
+inline constexpr int kProjectNumbers = 74;
 
 /// The values that a number of a project can have. Files, command line, inspector and play read them here.
 struct NumberRange {

@@ -20,9 +20,10 @@ Asset variantOf(Asset asset, std::uint32_t variant) {
     if (variant == 0) return asset;
     mixInVariant(variant, asset.pattern);
     for (Level& level : asset.levels) mixInVariant(variant, level.pattern);
-    asset.fragmentLevels.clear();  // this and the next three: they refer to the old fragments
+    asset.fragmentLevels.clear();  // this and the next four: they refer to the old fragments
     asset.fragmentThresholds.clear();
     asset.bonding.neverBreaks.clear();
+    asset.bonding.clusters.clear();
     asset.edits.clear();
     asset.name = nameOfVariant(asset.name, variant);
     return asset;

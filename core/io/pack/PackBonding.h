@@ -19,6 +19,7 @@ struct PackBond {
     Vec3 centroid{0.0};                                    // m, in the asset's frame
     Vec3 normal{0.0};                                      // of length 1, from the first to the second
     std::optional<double> capacity;                        // N·s, >= 0; none: it never breaks
+    std::uint32_t clusterLevel = 0;                        // see clusterLevels()
 };
 
 /// The bonds between the fragments of a body.

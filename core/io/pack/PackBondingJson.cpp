@@ -6,6 +6,7 @@
 #include "core/io/project/BondingJson.h"
 #include "core/play/damage/InstanceDamage.h"
 #include "core/structure/bonds/Bond.h"
+#include "core/structure/clusters/ClusterLevels.h"
 #include "core/structure/strength/BondCapacities.h"
 
 #include <cmath>
@@ -13,13 +14,15 @@
 namespace rubble {
 namespace {
 
-void writePackBond(JsonWriter& json, const Bond& bond, std::uint32_t firstFragment, double capacity) {
+void writePackBond(JsonWriter& json, const Bond& bond, std::uint32_t firstFragment, double capacity,
+                   std::uint32_t clusterLevel) {
     json.openObject();
     json.wholeNumbers("fragments", std::array{firstFragment + bond.first, firstFragment + bond.second});
     json.number("area", bond.area);
     writeVector(json, "centroid", bond.centroid);
     writeVector(json, "normal", bond.normal);
     json.number("capacity", std::isfinite(capacity) ? std::optional(capacity) : std::nullopt);
+    if (clusterLevel > 0) json.wholeNumber("clusterLevel", clusterLevel);
     json.close();
 }
 
@@ -28,24 +31,27 @@ void writePackFracture(JsonWriter& json, const Bake& bake, const Asset& asset, c
     const BakedFracture& baked = bake.fractures[fracture];
     const std::vector<Bond> bonds = bondsOf(baked.fragments, baked.seeds.positions);
     const std::vector<double> capacities = bondCapacities(asset, material, bake, fracture, bonds);
+    const std::vector<ClusterLevel> levels = clusterLevels(asset, bake, fracture, bonds);
     json.openObject();
     json.wholeNumber("fragment", baked.parent == kNone ? std::nullopt : std::optional{baked.parent});
     json.openArray("bonds");
-    for (std::size_t k = 0; k < bonds.size(); ++k) writePackBond(json, bonds[k], baked.first, capacities[k]);
+    for (std::size_t k = 0; k < bonds.size(); ++k)
+        writePackBond(json, bonds[k], baked.first, capacities[k], levels.empty() ? 0u : levels[k]);
     json.close();
     json.close();
 }
 
 PackBond readPackBond(const JsonValue& value) {
-    value.requireObject({"fragments", "area", "centroid", "normal", "capacity"});
+    value.requireObject({"fragments", "area", "centroid", "normal", "capacity"}, {"clusterLevel"});
     const auto pair = value["fragments"].list([](const JsonValue& fragment) { return fragment.index(0, kNone - 1); });
     if (pair.size() != 2) value["fragments"].fail("expected an array of 2 fragments");
-    const JsonValue capacity = value["capacity"];
+    const JsonValue capacity = value["capacity"], level = value["clusterLevel"];
     return {.fragments = pair.size() == 2 ? std::array{pair[0], pair[1]} : std::array<std::uint32_t, 2>{},
             .area = value["area"].number(above(0.0)),
             .centroid = readVector(value["centroid"]),
             .normal = readVector(value["normal"]),
-            .capacity = capacity.isNull() ? std::nullopt : std::optional(capacity.number(atLeast(0.0)))};
+            .capacity = capacity.isNull() ? std::nullopt : std::optional(capacity.number(atLeast(0.0))),
+            .clusterLevel = level.isPresent() ? level.index(0, kEveryLevel - 1) : 0};
 }
 
 PackFracture readPackFracture(const JsonValue& value) {

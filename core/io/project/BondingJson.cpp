@@ -64,6 +64,20 @@ StrengthImage readStrengthImage(const JsonValue& value) {
             .image = readGreyImage(value["image"])};
 }
 
+void writeCluster(JsonWriter& json, const FragmentCluster& cluster) {
+    json.openObject();
+    json.wholeNumber("level", cluster.level);
+    json.openArray("fragments");
+    for (const FragmentPath& path : cluster.fragments) json.text({}, path);
+    json.close();
+    json.close();
+}
+
+FragmentCluster readCluster(const JsonValue& value) {
+    value.requireObject({"level", "fragments"});
+    return {.level = value["level"].index(), .fragments = value["fragments"].list(&JsonValue::text)};
+}
+
 void writeMembers(JsonWriter& json, const Bonding& bonding) {
     json.number("impulsePerArea", bonding.impulsePerArea);
     json.number("radius", bonding.radius);
@@ -78,11 +92,14 @@ void writeMembers(JsonWriter& json, const Bonding& bonding) {
     json.openArray("neverBreaks");
     for (const FragmentPath& path : bonding.neverBreaks) json.text({}, path);
     json.close();
+    if (!bonding.clusters.empty()) json.list("clusters", bonding.clusters, writeCluster);
 }
 
 Bonding readMembers(const JsonValue& value) {
     value.requireObject({"impulsePerArea", "radius", "falloff", "damageFrom", "span", "collapseDelay", "minimumIsland",
-                         "strokes", "heightStrengths", "strengthImage", "neverBreaks"});
+                         "strokes", "heightStrengths", "strengthImage", "neverBreaks"},
+                        {"clusters"});
+    const JsonValue clusters = value["clusters"];
     return {.impulsePerArea = value["impulsePerArea"].optionalNumber(),
             .radius = value["radius"].number(),
             .falloff = static_cast<HitFalloff>(value["falloff"].oneOf(kFalloffs)),
@@ -93,7 +110,8 @@ Bonding readMembers(const JsonValue& value) {
             .strokes = value["strokes"].list(readStroke),
             .heightStrengths = value["heightStrengths"].list(readHeightStrength),
             .strengthImage = value["strengthImage"].optional(readStrengthImage),
-            .neverBreaks = value["neverBreaks"].list(&JsonValue::text)};
+            .neverBreaks = value["neverBreaks"].list(&JsonValue::text),
+            .clusters = clusters.isPresent() ? clusters.list(readCluster) : std::vector<FragmentCluster>{}};
 }
 
 }  // namespace

@@ -108,13 +108,16 @@ std::vector<std::uint32_t> bondsOf(const StructureState& state, const PlayBody& 
     return bonds;
 }
 
-/// Breaks and damages bonds of a body, each by its own load, and splits the body.
-void breakByLoads(const SessionParts& parts, const PlayBody& body, std::span<const BondLoad> loads, Vec3 point) {
+/// Breaks and damages bonds of a body, each by its own load, and splits the body. Clusters that hold are not loaded.
+void breakByLoads(const SessionParts& parts, const PlayBody& body, std::vector<BondLoad> loads, Vec3 point) {
     StructureState& state = parts.state.structures[body.structure];
+    const HeldClusters held = heldClusters(parts, body);
+    std::erase_if(loads, [&](const BondLoad& load) { return held.holds(load.bond); });
     HitOutcome outcome = applyLoads(state.structure->capacities, state.structure->rule, loads, state.damage);
     shareMortarDamage(parts, body.structure);
     if (outcome.broken.empty()) return;
-    splitBodies(parts, {{.body = body.number, .point = point, .bonds = std::move(outcome.broken)}});
+    splitBodies(parts,
+                {{.body = body.number, .point = point, .level = held.breaking, .bonds = std::move(outcome.broken)}});
 }
 
 }  // namespace
@@ -129,7 +132,9 @@ bool breakHitBonds(const SessionParts& parts, std::span<const Impact> impacts) {
             tellWeakHit(parts, *structure, strike);
             continue;
         }
-        BrokenBonds damaged = damageBonds(parts, body, strike.points, impulse);
+        const auto before = broken.find(body.number);  // an earlier hit, which may have broken the last of a level
+        const auto level = before != broken.end() ? std::optional(before->second.level) : std::nullopt;
+        BrokenBonds damaged = damageBonds(parts, body, strike.points, impulse, level);
         if (damaged.impulse <= 0.0) continue;
         damaged.normal = strike.impact.first == body.body ? -strike.impact.normal : strike.impact.normal;
         damaged.point = strike.impact.point;
@@ -144,16 +149,23 @@ bool breakHitBonds(const SessionParts& parts, std::span<const Impact> impacts) {
     return splitBodies(parts, std::move(bodies));
 }
 
-BrokenBonds damageBonds(const SessionParts& parts, PlayBody& body, std::span<const Vec3> points, double impulse) {
+BrokenBonds damageBonds(const SessionParts& parts, PlayBody& body, std::span<const Vec3> points, double impulse,
+                        std::optional<ClusterLevel> level) {
     StructureState& state = structureOf(parts, body);
     const PlayStructure& structure = *state.structure;
     const std::vector<Vec3> local = inStructure(parts, body, points);
-    HitOutcome outcome = applyHit(structure.graph, structure.capacities, structure.rule, {local, impulse},
+    HeldClusters held = heldClusters(parts, body);
+    held.breaking = level.value_or(held.breaking);
+    HitOutcome outcome = applyHit(structure.graph, structure.capacities, structure.rule, {local, impulse, held},
                                   state.bodyOfNode, body.number, state.damage);
     if (outcome.utilization > 0.0)
         parts.state.events.impacts.push_back({body.number, impulse, impulse / outcome.utilization, points.front()});
     shareMortarDamage(parts, body.structure);
-    return {.body = body.number, .impulse = outcome.taken, .point = points.front(), .bonds = std::move(outcome.broken)};
+    return {.body = body.number,
+            .impulse = outcome.taken,
+            .point = points.front(),
+            .level = held.breaking,
+            .bonds = std::move(outcome.broken)};
 }
 
 void breakAllBonds(const SessionParts& parts, PlayBody& body) {
@@ -162,7 +174,7 @@ void breakAllBonds(const SessionParts& parts, PlayBody& body) {
     for (const std::uint32_t bond : bondsOf(state, body)) {
         loads.push_back({bond, 2.0 * state.structure->capacities[bond]});
     }
-    breakByLoads(parts, body, loads, parts.world.state(body.body).centre);
+    breakByLoads(parts, body, std::move(loads), parts.world.state(body.body).centre);
 }
 
 void blastBonds(const SessionParts& parts, Vec3 origin, const Explosion& explosion) {
@@ -183,7 +195,7 @@ void blastBonds(const SessionParts& parts, Vec3 origin, const Explosion& explosi
             const double fraction = 1.0 - glm::distance(local, bond.centroid) / explosion.radius;
             if (fraction > 0.0) loads.push_back({index, explosion.impulse * fraction * bond.area});
         }
-        breakByLoads(parts, body, loads, origin);
+        breakByLoads(parts, body, std::move(loads), origin);
     }
 }
 

@@ -3,6 +3,7 @@
 #include "core/physics/state/StepResults.h"
 #include "core/play/breaking/Splitting.h"
 
+#include <optional>
 #include <span>
 
 namespace rubble {
@@ -11,12 +12,13 @@ namespace rubble {
 /// What the bonds took is an impulse between the body and its impactor. True if any body came free.
 bool breakHitBonds(const SessionParts& parts, std::span<const Impact> impacts);
 
-/// Breaks all bonds of a body that can break.
+/// Breaks all bonds of a body that can break; with clusters, those of the level at which it breaks.
 void breakAllBonds(const SessionParts& parts, PlayBody& body);
 
 /// Damages and breaks bonds of a body by an impulse, N·s, at points in the world. The body stays as it is: the result
-/// is for splitBodies(), if bonds broke.
-BrokenBonds damageBonds(const SessionParts& parts, PlayBody& body, std::span<const Vec3> points, double impulse);
+/// is for splitBodies(), if bonds broke. `level`: at which it breaks; none: that of heldClusters().
+BrokenBonds damageBonds(const SessionParts& parts, PlayBody& body, std::span<const Vec3> points, double impulse,
+                        std::optional<ClusterLevel> level = {});
 
 /// Damages and breaks the bonds within a blast by its impulse per area there, and splits their bodies.
 void blastBonds(const SessionParts& parts, Vec3 origin, const Explosion& explosion);

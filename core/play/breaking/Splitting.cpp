@@ -52,20 +52,41 @@ std::optional<Vec3> upwardsIn(const SessionParts& parts, const PlayBody& body) {
     return glm::conjugate(parts.world.state(body.body).pose.orientation) * -glm::normalize(gravity);
 }
 
-/// The nodes of a held body that have no support; nothing of one that mortar joins, see MortarSupport.h.
-std::vector<std::uint32_t> unsupportedOf(const SessionParts& parts, const PlayBody& body, const StructureState& state,
-                                         std::span<const std::uint32_t> nodes) {
+/// Nodes of a held body that lose their bonds, since they have no support.
+struct Unsupported {
+    std::vector<std::uint32_t> nodes;  // ascending
+    HeldClusters held;                 // whose bonds they keep
+};
+
+/// Of nodes beyond all support, those that lose their bonds: clusters that hold have support where one of their nodes
+/// has. `nodes`: all of the body.
+Unsupported losingNodes(const StructureState& state, std::span<const std::uint32_t> nodes, const HeldClusters& held,
+                        std::span<const std::uint32_t> beyond) {
+    return {wholeClusters(beyond, state.structure->graph, held, state.damage, nodes), held};
+}
+
+/// Those of a held body; nothing of one that mortar joins, see MortarSupport.h.
+Unsupported unsupportedOf(const SessionParts& parts, const PlayBody& body, const StructureState& state,
+                          std::span<const std::uint32_t> nodes, const HeldClusters& held) {
     const PlayStructure& structure = *state.structure;
     const std::optional<Vec3> up = upwardsIn(parts, body);
     if (!body.isHeld || structure.span <= 0.0 || structure.holdsHeaviest || !structure.mortar.empty() || !up) return {};
-    return unsupportedNodes(structure.graph, state.damage, nodes, structure.span, *up);
+    return losingNodes(state, nodes, held, unsupportedNodes(structure.graph, state.damage, nodes, structure.span, *up));
 }
 
-/// Breaks all bonds of what has no support: in one piece it would jam between what stands.
-void breakUnsupported(StructureState& state, std::span<const std::uint32_t> unsupported,
-                      std::vector<std::uint32_t>& broken) {
-    const auto canBreak = [&](const BondLink& link) { return std::isfinite(state.structure->capacities[link.bond]); };
-    breakBonds(state, unsupported, canBreak, broken);
+/// The clusters of a body that hold, whatever broke in this step.
+HeldClusters clustersOf(const StructureState& state, const PlayBody& body) {
+    const PlayStructure& structure = *state.structure;
+    return {structure.clusterLevels,
+            breakingLevel(structure.graph, structure.capacities, structure.clusterLevels, state.damage, body.nodes)};
+}
+
+/// Breaks all bonds of what has no support but those of its clusters: in one piece it would jam between what stands.
+void breakUnsupported(StructureState& state, const Unsupported& unsupported, std::vector<std::uint32_t>& broken) {
+    const auto canBreak = [&](const BondLink& link) {
+        return std::isfinite(state.structure->capacities[link.bond]) && !unsupported.held.holds(link.bond);
+    };
+    breakBonds(state, unsupported.nodes, canBreak, broken);
 }
 
 double volumeOf(const PlayStructure& structure, std::span<const std::uint32_t> nodes) {
@@ -197,7 +218,7 @@ void planCollapse(const SessionParts& parts, PlayBody& body) {
     }
     const StructureState& state = parts.state.structures[body.structure];
     if (!state.structure->mortar.empty()) return;  // planMortarCollapse() does
-    if (unsupportedOf(parts, body, state, body.nodes).empty()) {
+    if (unsupportedOf(parts, body, state, body.nodes, clustersOf(state, body)).nodes.empty()) {
         body.collapseStep = PlayBody::kNever;
     } else if (body.collapseStep == PlayBody::kNever) {
         body.collapseStep = collapseStepOf(parts, *state.structure);
@@ -299,9 +320,12 @@ bool splitBody(const SessionParts& parts, BrokenBonds broken) {
                     .impulse = broken.impulse,
                     .approachSpeed = broken.speed,
                     .point = broken.point,
-                    .normal = broken.normal};
+                    .normal = broken.normal,
+                    .level = broken.level};
     if (state.structure->collapseDelay == 0.0) {
-        breakUnsupported(state, unsupportedOf(parts, body, state, body.nodes), broken.bonds);
+        HeldClusters held = heldClusters(parts, body);
+        held.breaking = std::min(held.breaking, broken.level);
+        breakUnsupported(state, unsupportedOf(parts, body, state, body.nodes, held), broken.bonds);
     }
     crumble(state, body.nodes, broken.bonds);
     std::vector<PartOfBody> islands = islandsOfBody(state, body.nodes);
@@ -323,6 +347,17 @@ bool splitBody(const SessionParts& parts, BrokenBonds broken) {
 
 }  // namespace
 
+HeldClusters heldClusters(const SessionParts& parts, const PlayBody& body) {
+    HeldClusters held = clustersOf(parts.state.structures[body.structure], body);
+    if (held.levels.empty()) return held;
+    for (const PlaySplit& split : parts.state.events.splits) {
+        const bool wasPart =
+            split.body.structure == body.structure && std::ranges::binary_search(split.body.nodes, body.nodes.front());
+        if (wasPart) held.breaking = std::min(held.breaking, split.level);
+    }
+    return held;
+}
+
 void removeNodes(const SessionParts& parts, std::uint32_t number, std::span<const std::uint32_t> nodes) {
     PlayBody& body = *findBody(parts.state, number);
     StructureState& state = structureOf(parts, body);
@@ -337,7 +372,7 @@ void removeNodes(const SessionParts& parts, std::uint32_t number, std::span<cons
         eraseRemovedBodies(parts.state);
         return;
     }
-    breakUnsupported(state, unsupportedOf(parts, body, state, kept), broken);
+    breakUnsupported(state, unsupportedOf(parts, body, state, kept, heldClusters(parts, body)), broken);
     crumble(state, kept, broken);
     std::vector<std::uint32_t> freed;
     replaceBody(parts, PlayBody(body), islandsOfBody(state, kept), freed);
@@ -371,8 +406,13 @@ void planMortarCollapse(const SessionParts& parts) {
     const UnsupportedNodes unsupported = unsupportedByMortar(parts);
     for (PlayBody& body : parts.state.bodies) {
         if (!body.isHeld) continue;
-        if (unsupported.contains(body.number)) {
-            const PlayStructure& structure = *structureOf(parts, body).structure;
+        bool doLose = false;
+        if (const auto found = unsupported.find(body.number); found != unsupported.end()) {
+            const StructureState& state = structureOf(parts, body);
+            doLose = !losingNodes(state, body.nodes, clustersOf(state, body), found->second).nodes.empty();
+        }
+        if (doLose) {
+            const PlayStructure& structure = *parts.state.structures[body.structure].structure;
             if (body.collapseStep == PlayBody::kNever) body.collapseStep = collapseStepOf(parts, structure);
         } else if (body.structure != kNone && !parts.state.structures[body.structure].structure->mortar.empty()) {
             body.collapseStep = PlayBody::kNever;
@@ -387,12 +427,13 @@ bool collapseUnsupported(const SessionParts& parts) {
         if (body.collapseStep > parts.state.step + 1) continue;
         body.collapseStep = PlayBody::kNever;
         StructureState& state = parts.state.structures[body.structure];
-        BrokenBonds one{.body = body.number, .point = parts.world.state(body.body).centre};
+        const HeldClusters held = heldClusters(parts, body);
+        BrokenBonds one{.body = body.number, .point = parts.world.state(body.body).centre, .level = held.breaking};
         if (state.structure->mortar.empty()) {
-            breakUnsupported(state, unsupportedOf(parts, body, state, body.nodes), one.bonds);
+            breakUnsupported(state, unsupportedOf(parts, body, state, body.nodes, held), one.bonds);
         } else {
             if (!byMortar) byMortar = unsupportedByMortar(parts);
-            breakUnsupported(state, (*byMortar)[body.number], one.bonds);
+            breakUnsupported(state, losingNodes(state, body.nodes, held, (*byMortar)[body.number]), one.bonds);
         }
         if (!one.bonds.empty()) broken.push_back(std::move(one));
     }

@@ -15,16 +15,22 @@ struct BrokenBonds {
     double restitution = 0.0;          // of the pair
     Vec3 point{0.0, 0.0, 0.0};         // m, in the world
     Vec3 normal{0.0, 0.0, 0.0};        // from the impactor into the body
+    ClusterLevel level = kEveryLevel;  // at which it broke, see heldClusters()
     std::vector<std::uint32_t> bonds;  // that broke, ascending
 };
 
 /// Splits bodies whose bonds have broken into their islands, in the given order: the heaviest island keeps the body's
 /// number, those with anchors stay in place, the others move as they did in the body. Islands with fewer nodes than
 /// PlayStructure::minimumIsland fall apart. What has lost its support loses all of its bonds at once, or in a later
-/// step, see PlayStructure::collapseDelay. What comes off a held body within the impactor's bounding radius of the
-/// point that was hit is pushed together: the hole guides it, where its parts would jam if they were pushed one by
-/// one. Then the same for the mortar that holds no longer, see brokenMortar(). True if any body came free.
+/// step, see PlayStructure::collapseDelay; clusters come off as one, where none of their fragments has support. What
+/// comes off a held body within the impactor's bounding radius of the point that was hit is pushed together: the hole
+/// guides it, where its parts would jam if they were pushed one by one. Then the same for the mortar that holds no
+/// longer, see brokenMortar(). True if any body came free.
 bool splitBodies(const SessionParts& parts, std::vector<BrokenBonds> broken);
+
+/// The clusters of a body that hold in this step: of a body that was part of another one at the beginning of the step,
+/// those that held in that, so that levels break one after the other. Of a body with damaged bonds.
+HeldClusters heldClusters(const SessionParts& parts, const PlayBody& body);
 
 /// Breaks the bonds of what lost its support and has to come off in this step. True if any did.
 bool collapseUnsupported(const SessionParts& parts);

@@ -92,6 +92,7 @@ std::shared_ptr<const PlayStructure> playStructure(const Asset& asset, const Mat
     const BakedFracture& baked = bake.fractures[fracture];
     std::vector<Bond> bonds = bondsOf(baked.fragments, baked.seeds.positions);
     std::vector<double> capacities = bondCapacities(asset, material, bake, fracture, bonds);
+    std::vector<ClusterLevel> levels = clusterLevels(asset, bake, fracture, bonds);
     std::vector<Vec3> centres;
     for (std::uint32_t node = 0; node < baked.fragments.count(); ++node) {
         centres.push_back(centreInAsset(ready->fragments[baked.first + node]));
@@ -102,6 +103,7 @@ std::shared_ptr<const PlayStructure> playStructure(const Asset& asset, const Mat
                                                          .parent = parent,
                                                          .graph = bondGraph(std::move(centres), std::move(bonds)),
                                                          .capacities = std::move(capacities),
+                                                         .clusterLevels = std::move(levels),
                                                          .rule = rule,
                                                          .leastImpulse = least,
                                                          .span = asset.bonding.span,

@@ -24,10 +24,11 @@ struct MortarLink {
 /// fragments of the fracture, in order; its frame is the asset's.
 struct PlayStructure {
     std::shared_ptr<const PlayAsset> asset;
-    std::uint32_t parent = kNone;    // the fragment that is fractured; kNone: the whole
-    BondGraph graph;                 // with the bonds to anchors, of which the last are mortar
-    std::vector<MortarLink> mortar;  // of these
-    std::vector<double> capacities;  // N·s, of each bond; infinite: it never breaks
+    std::uint32_t parent = kNone;             // the fragment that is fractured; kNone: the whole
+    BondGraph graph;                          // with the bonds to anchors, of which the last are mortar
+    std::vector<MortarLink> mortar;           // of these
+    std::vector<double> capacities;           // N·s, of each bond; infinite: it never breaks
+    std::vector<ClusterLevel> clusterLevels;  // of the bonds between nodes; empty: there are no clusters
     SimpleRule rule;
     double leastImpulse = 0.0;        // N·s: a weaker hit breaks and damages nothing
     double span = 0.0;                // m; 0: any

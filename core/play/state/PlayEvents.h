@@ -4,6 +4,7 @@
 #include "core/play/scene/PlayInput.h"
 #include "core/play/state/EnergyAudit.h"
 #include "core/play/state/EventRecord.h"
+#include "core/structure/clusters/ClusterLevels.h"
 
 #include <memory>
 #include <vector>
@@ -49,6 +50,7 @@ struct PlaySplit {
     Vec3 normal{0.0, 0.0, 0.0};        // from the impactor into the body
     std::uint32_t bonds = 0;           // that broke
     double area = 0.0;                 // m²: of the faces that they open, of both sides
+    ClusterLevel level = kEveryLevel;  // at which it broke
     std::vector<std::uint32_t> freed;  // numbers of the bodies that came free, ascending
 };
 

@@ -34,23 +34,31 @@ struct StruckBody {
     std::span<const std::uint32_t> ownerOfNode;
     std::uint32_t owner;
     std::span<const BondDamage> damage;
-    std::span<const Vec3> points;
+    const BondHit& hit;
 
-    bool holds(std::uint32_t bond) const {
-        if (damage[bond] == kBroken) return false;
+    /// Whether a bond is one of the body that can break.
+    bool has(std::uint32_t bond) const {
+        if (damage[bond] == kBroken || hit.held.holds(bond)) return false;
         const Bond& joined = graph.bonds[bond];
         return ownerOfNode[joined.first] == owner && (joined.second == kNone || ownerOfNode[joined.second] == owner);
     }
     /// The distance of a bond's centroid from the nearest point, m.
     double distanceOf(Vec3 centroid) const {
         double least = kInfinite;
-        for (const Vec3& point : points) least = std::min(least, glm::distance(point, centroid));
+        for (const Vec3& point : hit.points) least = std::min(least, glm::distance(point, centroid));
         return least;
     }
-    /// The nodes that are hit, ascending.
+    std::vector<std::uint32_t> allNodes() const {
+        std::vector<std::uint32_t> nodes;
+        for (std::uint32_t node = 0; node < ownerOfNode.size(); ++node) {
+            if (ownerOfNode[node] == owner) nodes.push_back(node);
+        }
+        return nodes;
+    }
+    /// The nodes that are hit, with their clusters, ascending.
     std::vector<std::uint32_t> struckNodes() const {
         std::vector<std::uint32_t> nodes;
-        for (const Vec3& point : points) {
+        for (const Vec3& point : hit.points) {
             std::uint32_t nearest = kNone;
             double least = kInfinite;
             for (std::uint32_t node = 0; node < ownerOfNode.size(); ++node) {
@@ -65,6 +73,7 @@ struct StruckBody {
         }
         std::ranges::sort(nodes);
         nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+        if (!hit.held.levels.empty()) addClustersOf(nodes, graph, hit.held, damage, allNodes());
         return nodes;
     }
 };
@@ -83,11 +92,11 @@ double consistentUtilization(double utilization, bool isAnyBroken) {
 
 /// The bonds that may be damaged. `largest`: see HitOutcome::utilization.
 std::vector<LoadedBond> loadedBonds(const StruckBody& body, std::span<const double> capacities, const SimpleRule& rule,
-                                    double impulse, double& largest) {
+                                    double& largest) {
     constexpr double kMargin = 1.0 + 1e-9;  // for the rounding of boxes
     std::vector<LoadedBond> loaded;
     const auto add = [&](std::uint32_t bond, double distance, double fraction) {
-        const double utilization = utilizationOf(impulse * fraction, capacities[bond]);
+        const double utilization = utilizationOf(body.hit.impulse * fraction, capacities[bond]);
         largest = std::max(largest, utilization / breakingUtilization(body.damage[bond], rule.damageFrom));
         if (utilization >= rule.damageFrom) loaded.push_back({bond, fraction, utilization, distance});
     };
@@ -99,18 +108,18 @@ std::vector<LoadedBond> loadedBonds(const StruckBody& body, std::span<const doub
     for (const std::uint32_t node : struck) {
         for (const BondLink& link : body.graph.linksOf(node)) {
             const bool isSecond = link.node < node && std::ranges::binary_search(struck, link.node);
-            if (body.holds(link.bond) && !isSecond)
+            if (body.has(link.bond) && !isSecond)
                 add(link.bond, body.distanceOf(body.graph.bonds[link.bond].centroid), 1.0);
         }
     }
     Box3 box;
-    for (const Vec3& point : body.points) box.include(point);
+    for (const Vec3& point : body.hit.points) box.include(point);
     const Vec3 farthest{rule.radius * kMargin};
     body.graph.centroids.visitOverlapping(
         {box.min - farthest, box.max + farthest}, [&](std::uint32_t bond, const Box3& centroid) {
             // The tree has centroids in order of visits; those beyond the radius need not be read from the bonds.
             const double distance = body.distanceOf(centroid.min), fraction = loadFraction(rule, distance);
-            if (fraction > 0.0 && body.holds(bond) && !isStruck(bond)) add(bond, distance, fraction);
+            if (fraction > 0.0 && body.has(bond) && !isStruck(bond)) add(bond, distance, fraction);
         });
     std::ranges::sort(loaded, [](const LoadedBond& a, const LoadedBond& b) {
         return std::tuple(-a.utilization, a.distance, a.bond) < std::tuple(-b.utilization, b.distance, b.bond);
@@ -148,8 +157,8 @@ HitOutcome applyHit(const BondGraph& graph, std::span<const double> capacities, 
     RUBBLE_ASSERT(ownerOfNode.size() == graph.nodeCount() && !hit.points.empty());
     HitOutcome outcome;
     double left = hit.impulse;
-    for (const LoadedBond& loaded : loadedBonds({graph, ownerOfNode, owner, damage, hit.points}, capacities, rule,
-                                                hit.impulse, outcome.utilization)) {
+    for (const LoadedBond& loaded :
+         loadedBonds({graph, ownerOfNode, owner, damage, hit}, capacities, rule, outcome.utilization)) {
         const double capacity = capacities[loaded.bond];
         const BondDamage before = damage[loaded.bond];
         const BondDamage after = damageAfter(before, utilizationOf(left * loaded.fraction, capacity), rule.damageFrom);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/asset/project/Bonding.h"
+#include "core/structure/clusters/ClusterLevels.h"
 #include "core/structure/graph/BondDamage.h"
 #include "core/structure/graph/BondGraph.h"
 
@@ -23,6 +24,7 @@ SimpleRule simpleRuleOf(const Bonding& bonding);
 struct BondHit {
     std::span<const Vec3> points;  // m, in the structure's frame; one at least
     double impulse = 0.0;          // N·s, >= 0
+    HeldClusters held;             // its bonds that do not break yet
 };
 
 /// The effect of a hit. No bond is in both lists.
@@ -41,8 +43,10 @@ double loadFraction(const SimpleRule& rule, double distance);
 /// Breaks and damages bonds of a body by a hit.
 ///
 /// The fragments that are hit, those whose centres are nearest to its points, give the whole impulse to each of their
-/// bonds: any fragment can be broken off. The bonds around them are loaded by their distance from the nearest point, as
-/// loadFraction() says. Only unbroken bonds between nodes of `owner`, and from them to anchors, count.
+/// bonds: any fragment can be broken off. With clusters, so do the other fragments of theirs, and bonds that are
+/// held get nothing: any cluster can be broken off, as one. The bonds around them are loaded by their distance from the
+/// nearest point, as loadFraction() says. Only unbroken bonds between nodes of `owner`, and from them to anchors,
+/// count.
 ///
 /// In order of utilization, impulse * fraction / capacity, largest first, ties by distance, then index, each bond takes
 /// from what is left of the impulse J:

@@ -16,10 +16,11 @@ constexpr double kSymbolSize = 12.0;
 constexpr double kSymbolGap = 2.0;         // between two symbols
 constexpr double kSymbolClearance = 14.0;  // of a symbol from the seed below it
 constexpr double kMarkWidth = 2.0;         // of the border of marked fragments
-constexpr double kNeutralWidth = 1.5;      // of bonds of factor 1
-constexpr double kExtremeWidth = 3.5;      // of those at the ends of the scale
-constexpr double kHaloWidth = 1.5;         // on each side
-constexpr double kMinSpacing = 24.0;       // between seeds; bonds are thinner where they are closer
+constexpr double kClusterBorderWidth = 3.0;
+constexpr double kNeutralWidth = 1.5;  // of bonds of factor 1
+constexpr double kExtremeWidth = 3.5;  // of those at the ends of the scale
+constexpr double kHaloWidth = 1.5;     // on each side
+constexpr double kMinSpacing = 24.0;   // between seeds; bonds are thinner where they are closer
 
 constexpr int kMarkAlpha = 60;  // of marked fragments, of 255
 constexpr int kScaleSteps = 8;  // on each side of factor 1: bonds are drawn step by step
@@ -71,6 +72,24 @@ public:
             paintAreas(isMarked, isAnchorPass ? m_colours.anchored : m_colours.neverBreaks,
                        isAnchorPass ? Qt::SolidLine : Qt::DashLine);
         }
+    }
+
+    /// The borders between clusters: hues alone cannot be told apart by everyone.
+    void paintClusterBorders() {
+        const std::vector<Colour>& colours = m_marks.clusterColours;
+        const Partition& partition = m_pattern.partition();
+        QList<QLineF> borders;
+        for (std::uint32_t piece = 0; piece < colours.size(); ++piece) {
+            if (!isShown(piece)) continue;
+            forEachEdge(partition, piece, [&](std::uint32_t from, std::uint32_t to, std::uint32_t neighbour) {
+                if (neighbour == kNone || neighbour < piece || colours[neighbour] == colours[piece]) return;
+                borders.push_back({m_view.pixels(partition.origin + partition.points[from]),
+                                   m_view.pixels(partition.origin + partition.points[to])});
+            });
+        }
+        m_painter.setRenderHint(QPainter::Antialiasing);
+        m_painter.setPen(roundPen(m_colours.cellEdge, kClusterBorderWidth));
+        m_painter.drawLines(borders);
     }
 
     void paintSymbols() {
@@ -188,6 +207,7 @@ void paintBondMarks(QPainter& painter, const CanvasView& view, const CanvasConte
                     const CanvasColours& colours) {
     if (!contents.bondMarks || !contents.pattern || !contents.overlays.hasCells) return;
     BondMarkPainter marks(painter, view, contents, colours);
+    if (contents.colouring() == CellColouring::Cluster) marks.paintClusterBorders();
     marks.paintFragments();
     if (!contents.moved) marks.paintBonds();
     marks.paintSymbols();

@@ -1,5 +1,6 @@
 #include "editor/canvas/painting/BondMarks.h"
 
+#include "core/structure/clusters/ClusterColours.h"
 #include "core/structure/strength/BondCapacities.h"
 #include "core/structure/strength/StrengthMap.h"
 #include "editor/canvas/painting/FragmentEdges.h"
@@ -43,6 +44,7 @@ BondMarks BondMarker::marks(const Asset& asset, bool showsStrengths) {
     for (const std::uint32_t fragment : anchoredFragments(asset, *m_bake, m_fracture)) isAnchored[fragment] = true;
     BondMarks marks{ofPieces(fragments(), isAnchored), ofPieces(fragments(), neverBreaks)};
     marks.showsStrengths = showsStrengths;
+    marks.clusterColours = coloursByCluster(asset);
     if (showsStrengths) {
         if (m_bonds.empty()) {
             m_bonds = bondsOf(fragments());
@@ -67,6 +69,18 @@ std::vector<BondEdge> BondMarker::edges(const Asset& asset, const std::vector<bo
         edges.push_back({edge.from, edge.to, factor});
     }
     return edges;
+}
+
+/// Kept while clusters stay: strokes that are being painted do not change them.
+const std::vector<Colour>& BondMarker::coloursByCluster(const Asset& asset) {
+    if (asset.bonding.clusters == m_clusters) return m_clusterColours;
+    m_clusters = asset.bonding.clusters;
+    m_clusterColours.clear();
+    if (m_clusters.empty()) return m_clusterColours;
+    const std::vector<Colour> colours = clusterColours(asset, *m_bake, m_fracture);
+    for (const std::uint32_t fragment : fragments().fragmentOfPiece)
+        m_clusterColours.push_back(fragment == kNone ? kUnclusteredColour : colours[fragment]);
+    return m_clusterColours;
 }
 
 }  // namespace rubble

@@ -19,9 +19,10 @@ struct BondEdge {
 
 /// What the canvas marks of an asset that breaks as bonded.
 struct BondMarks {
-    std::vector<bool> isAnchored;   // of each piece
-    std::vector<bool> neverBreaks;  // of each piece
-    std::vector<BondEdge> edges;    // empty unless strengths are shown
+    std::vector<bool> isAnchored;        // of each piece
+    std::vector<bool> neverBreaks;       // of each piece
+    std::vector<BondEdge> edges;         // empty unless strengths are shown
+    std::vector<Colour> clusterColours;  // of each piece, see clusterColours(); empty: there are no clusters
     bool showsStrengths = false;
     bool operator==(const BondMarks&) const = default;
 };
@@ -42,11 +43,14 @@ public:
 private:
     const Fragments& fragments() const;
     std::vector<BondEdge> edges(const Asset& asset, const std::vector<bool>& neverBreaks) const;
+    const std::vector<Colour>& coloursByCluster(const Asset& asset);
 
     std::shared_ptr<const Bake> m_bake;
     std::uint32_t m_fracture;   // index
     std::vector<Bond> m_bonds;  // of the fragments; empty until strengths are shown, as m_edges
     std::vector<FaceEdge> m_edges;
+    std::vector<FragmentCluster> m_clusters;  // of the colours
+    std::vector<Colour> m_clusterColours;     // of each piece
 };
 
 }  // namespace rubble

@@ -1,11 +1,16 @@
 #include "editor/canvas/painting/CanvasContents.h"
 
 #include "core/asset/project/FragmentColours.h"
+#include "core/structure/clusters/ClusterColours.h"
 #include "editor/widgets/ColourConversion.h"
 
 namespace rubble {
 
 QColor CanvasContents::colour(const DrawablePattern& from, std::uint32_t piece) const {
+    if (overlays.colouring == CellColouring::Cluster) {
+        const bool isKnown = bondMarks && &from == pattern.get() && piece < bondMarks->clusterColours.size();
+        return toQColor(isKnown ? bondMarks->clusterColours[piece] : kUnclusteredColour);
+    }
     if (overlays.colouring != CellColouring::Level) return from.colour(piece, overlays.colouring, range);
     const auto depth = depths.find(from.fragmentId(piece));
     const double fraction = range.most > 0.0 && depth != depths.end() ? depth->second / range.most : 0.0;

@@ -4,7 +4,13 @@ namespace rubble {
 
 /// The quantity that cells are coloured by, as in the 3D view. Level: the number of further levels that fracture the
 /// piece.
-enum class CellColouring { None, Fragment, Area, Neighbours, Aspect, Level, Volume, Mass, Threshold };
+enum class CellColouring { None, Fragment, Area, Neighbours, Aspect, Level, Volume, Mass, Threshold, Cluster };
+
+/// Whether cells are coloured by a number, on a scale.
+inline bool isQuantity(CellColouring colouring) {
+    return colouring != CellColouring::None && colouring != CellColouring::Fragment &&
+           colouring != CellColouring::Cluster;
+}
 
 /// The elements that a canvas shows besides the outline.
 struct CanvasOverlays {

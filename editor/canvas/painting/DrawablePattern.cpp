@@ -271,14 +271,14 @@ double DrawablePattern::value(std::uint32_t piece, CellColouring colouring) cons
         case CellColouring::Threshold: return 1.0;
         case CellColouring::Level:
         case CellColouring::None:
-        case CellColouring::Fragment: break;
+        case CellColouring::Fragment:
+        case CellColouring::Cluster: break;
     }
     return 0.0;
 }
 
 DrawablePattern::Range DrawablePattern::range(CellColouring colouring) const {
-    const bool isNumeric = colouring != CellColouring::None && colouring != CellColouring::Fragment;
-    if (!isNumeric || colouring == CellColouring::Level || m_areas.empty()) return {};
+    if (!isQuantity(colouring) || colouring == CellColouring::Level || m_areas.empty()) return {};
     Range range{1e308, -1e308};
     for (std::uint32_t piece = 0; piece < partition().pieceCount(); ++piece) {
         const double number = value(piece, colouring);

@@ -49,7 +49,8 @@ QString scaleTitle(CellColouring colouring) {
         case CellColouring::Mass: return CanvasLegendTexts::tr("Mass");
         case CellColouring::Threshold: return CanvasLegendTexts::tr("Break threshold");
         case CellColouring::None:
-        case CellColouring::Fragment: break;
+        case CellColouring::Fragment:
+        case CellColouring::Cluster: break;
     }
     return {};
 }
@@ -134,10 +135,7 @@ private:
         return font;
     }
 
-    bool hasScale() const {
-        const CellColouring colouring = m_contents.colouring();
-        return m_contents.overlays.hasCells && colouring != CellColouring::None && colouring != CellColouring::Fragment;
-    }
+    bool hasScale() const { return m_contents.overlays.hasCells && isQuantity(m_contents.colouring()); }
 
     bool hasBondScale() const {
         return m_contents.overlays.hasCells && m_contents.bondMarks && m_contents.bondMarks->showsStrengths;

@@ -94,6 +94,14 @@ void CanvasContentsUpdater::refreshFragments() {
 }
 
 void CanvasContentsUpdater::refreshBonds() {
+    const std::shared_ptr<const BondMarks> before = m_contents.bondMarks;
+    refreshBondMarks();
+    const auto& now = m_contents.bondMarks;
+    const bool isSame = before && now ? before->clusterColours == now->clusterColours : before == now;
+    if (!isSame && m_contents.overlays.colouring == CellColouring::Cluster) m_backingStore.invalidateAll();
+}
+
+void CanvasContentsUpdater::refreshBondMarks() {
     const Asset* asset = m_state.asset();
     const bool isMarked = asset && asset->breakAs == BreakAs::Bonded && !m_contents.compared;
     if (isMarked) refreshBondMarker();
@@ -194,8 +202,7 @@ bool CanvasContentsUpdater::isLocal() const {
 /// The box that a moved part repaints. If cells are coloured by a quantity, all changed cells are in it.
 Box2 CanvasContentsUpdater::movedBox(const MovedPart* part) const {
     if (!part) return {};
-    const CellColouring colouring = m_contents.overlays.colouring;
-    return colouring == CellColouring::None || colouring == CellColouring::Fragment ? part->moved : part->changed;
+    return isQuantity(m_contents.overlays.colouring) ? part->changed : part->moved;
 }
 
 }  // namespace rubble

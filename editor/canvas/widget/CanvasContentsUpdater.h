@@ -40,6 +40,7 @@ private:
     void refreshDepths();
     void refreshComparison();
     DrawablePattern::Range scale() const;
+    void refreshBondMarks();
     void refreshBondMarker();
     void computeMovedPart();
     bool isLocal() const;

@@ -53,11 +53,13 @@ QString fragmentChanges(const Asset& asset) {
     QStringList lines;
     const auto edits = static_cast<int>(asset.edits.size()), leaves = static_cast<int>(asset.fragmentLevels.size()),
                thresholds = static_cast<int>(asset.fragmentThresholds.size()),
-               unbreakable = static_cast<int>(asset.bonding.neverBreaks.size());
+               unbreakable = static_cast<int>(asset.bonding.neverBreaks.size()),
+               clusters = static_cast<int>(asset.bonding.clusters.size());
     if (edits > 0) lines += ContactSheetTexts::tr("%Ln merge(s) or split(s)", nullptr, edits);
     if (leaves > 0) lines += ContactSheetTexts::tr("%Ln pattern(s) of single fragments", nullptr, leaves);
     if (thresholds > 0) lines += ContactSheetTexts::tr("%Ln threshold(s) of single fragments", nullptr, thresholds);
     if (unbreakable > 0) lines += ContactSheetTexts::tr("%Ln fragment(s) that never break", nullptr, unbreakable);
+    if (clusters > 0) lines += ContactSheetTexts::tr("%Ln cluster(s) of fragments", nullptr, clusters);
     lines += QString();
     lines += ContactSheetTexts::tr(
         "The variant has fragments of the same names in other places. What does not fit them is "

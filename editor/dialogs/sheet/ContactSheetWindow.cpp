@@ -388,9 +388,10 @@ ContactSheetWindow::FragmentSettings ContactSheetWindow::askForSettings(const As
     const Asset& own = *asset();
     const bool isSame = own.edits == variant.edits && own.fragmentLevels == variant.fragmentLevels &&
                         own.fragmentThresholds == variant.fragmentThresholds &&
-                        own.bonding.neverBreaks == variant.bonding.neverBreaks;
+                        own.bonding.neverBreaks == variant.bonding.neverBreaks &&
+                        own.bonding.clusters == variant.bonding.clusters;
     const bool hasNone = own.edits.empty() && own.fragmentLevels.empty() && own.fragmentThresholds.empty() &&
-                         own.bonding.neverBreaks.empty();
+                         own.bonding.neverBreaks.empty() && own.bonding.clusters.empty();
     if (isSame || hasNone) return FragmentSettings::OfVariant;
     Question question{.text = tr("Keep what was changed in single fragments of \"%1\"?").arg(nameText(own.name)),
                       .informativeText = fragmentChanges(own),
@@ -416,6 +417,7 @@ void ContactSheetWindow::apply() {
         changed.edits = variant.edits;
         changed.fragmentThresholds = variant.fragmentThresholds;
         changed.bonding.neverBreaks = variant.bonding.neverBreaks;
+        changed.bonding.clusters = variant.bonding.clusters;
     }
     const QScopedValueRollback applying(m_isApplying, true);  // the variants stay to be compared
     if (m_workspace.document().push(modify(tr("Apply Variant"), std::move(changed))))

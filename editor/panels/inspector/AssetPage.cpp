@@ -36,7 +36,7 @@ bool isRectangle(const Ring& ring) {
 
 }  // namespace
 
-AssetPage::AssetPage(Document& document, const Selection& selection, const Bakes& bakes, QWidget* parent)
+AssetPage::AssetPage(Document& document, Selection& selection, const Bakes& bakes, QWidget* parent)
     : QWidget(parent),
       m_document(document),
       m_selection(selection),
@@ -45,14 +45,15 @@ AssetPage::AssetPage(Document& document, const Selection& selection, const Bakes
     m_asset = new Section("asset", tr("Asset"), this);
     auto* shape = new Section("shape", tr("Shape"), this);
     m_bonds = new BondSection(document, selection, this);
+    m_clusters = new ClusterSection(document, selection, bakes, this);
     m_fragments = new FragmentSection(document, selection, bakes, this);
     m_shaping = new ShapingSection(document, selection, this);
     auto* pattern = new Section("pattern", tr("Pattern"), this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    for (Section* section : {m_asset, static_cast<Section*>(m_fragments), static_cast<Section*>(m_bonds), shape,
-                             static_cast<Section*>(m_shaping), pattern})
+    for (Section* section : {m_asset, static_cast<Section*>(m_fragments), static_cast<Section*>(m_bonds),
+                             static_cast<Section*>(m_clusters), shape, static_cast<Section*>(m_shaping), pattern})
         layout->addWidget(section);
     layout->addStretch();
     m_form.setFault([this](const Asset& value) { return faultOf(value); });
@@ -63,6 +64,7 @@ AssetPage::AssetPage(Document& document, const Selection& selection, const Bakes
     pattern->addWide(m_pattern);
     connect(m_pattern, &PatternEditor::refused, this, &AssetPage::refused);
     connect(m_bonds, &BondSection::refused, this, &AssetPage::refused);
+    connect(m_clusters, &ClusterSection::refused, this, &AssetPage::refused);
     connect(m_fragments, &FragmentSection::refused, this, &AssetPage::refused);
     connect(m_shaping, &ShapingSection::refused, this, &AssetPage::refused);
 }
@@ -302,6 +304,7 @@ void AssetPage::refresh() {
     m_outline->refresh(m_selection.asset());
     m_fragments->refresh();
     m_bonds->refresh();
+    m_clusters->refresh();
     m_shaping->refresh();
     m_pattern->refresh(m_selection.asset(), m_selection.enteredFragment());
 }

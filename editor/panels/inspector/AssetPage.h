@@ -2,6 +2,7 @@
 
 #include "editor/document/Selection.h"
 #include "editor/panels/inspector/BondSection.h"
+#include "editor/panels/inspector/ClusterSection.h"
 #include "editor/panels/inspector/FragmentSection.h"
 #include "editor/panels/inspector/OutlineEditor.h"
 #include "editor/panels/inspector/PatternEditor.h"
@@ -15,7 +16,7 @@ namespace rubble {
 class AssetPage : public QWidget {
     Q_OBJECT
 public:
-    AssetPage(Document& document, const Selection& selection, const Bakes& bakes, QWidget* parent = nullptr);
+    AssetPage(Document& document, Selection& selection, const Bakes& bakes, QWidget* parent = nullptr);
 
     void refresh();
     /// Sets the action that opens the material library, shown as a button.
@@ -54,6 +55,7 @@ private:
     QLabel* m_summary = nullptr;
     std::array<NumberField*, 3> m_size{};
     BondSection* m_bonds = nullptr;
+    ClusterSection* m_clusters = nullptr;
     FragmentSection* m_fragments = nullptr;
     OutlineEditor* m_outline = nullptr;
     ShapingSection* m_shaping = nullptr;

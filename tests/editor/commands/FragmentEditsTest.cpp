@@ -147,6 +147,14 @@ private slots:
         setNeverBreaks(asset, "3.0", false);
         QCOMPARE(asset.bonding.neverBreaks, (std::vector<FragmentPath>{"3.1"}));
     }
+    void restoreRemovesFragmentsOfTheseSeedsFromClusters() {
+        Asset asset = wall();
+        asset.bonding.clusters = {{0, {"3.0", "3.1", "3.2"}}};
+        m_document.push(modify("Make Cluster", asset));
+        QVERIFY(canRestoreFragments(wall(), {seed(1)}) && !canRestoreFragments(wall(), {seed(3)}));
+        m_document.push(restoreFragments(m_document.project(), kWall, {seed(1)}));
+        QCOMPARE(wall().bonding.clusters, (std::vector<FragmentCluster>{{0, {"3.0", "3.2"}}}));
+    }
     void restoreRemovesThresholdsOfTheseSeeds() {
         Asset asset = wall();
         for (const char* path : {"3.1", "3.0", "3.1"}) setFragmentThreshold(asset, path, 2.5);

@@ -76,10 +76,12 @@ private slots:
         wall.fragmentLevels = {{.fragment = layer + ".3", .level = {}}};
         wall.fragmentThresholds = {{layer + ".4", 2.5}};
         wall.bonding.neverBreaks = {layer + ".5"};
+        wall.bonding.clusters = {{0, {layer + ".5", layer + ".6"}}};
         const Project project =
             test::editedProject(before, applyPreset(before, wall.id, preset("stone"), {.appliesPattern = true}));
         QVERIFY(project.assets[0].edits.empty() && project.assets[0].fragmentLevels.empty());
         QVERIFY(project.assets[0].fragmentThresholds.empty() && project.assets[0].bonding.neverBreaks.empty());
+        QVERIFY(project.assets[0].bonding.clusters.empty());
         const Project kept = test::editedProject(before, applyPreset(before, wall.id, preset("stone"), {}));
         QVERIFY(!kept.assets[0].edits.empty() && !kept.assets[0].fragmentLevels.empty());
     }

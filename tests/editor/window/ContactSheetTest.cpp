@@ -181,6 +181,7 @@ private slots:
         changed.edits = {FragmentMerge{.into = "3.0", .merged = {"3.1"}}};
         changed.fragmentThresholds = {{"3.2", 4.0}};
         changed.bonding.neverBreaks = {"3.4"};
+        changed.bonding.clusters = {{0, {"3.4", "3.5"}}};
         m_window->workspace().document().push(modify("Merge", changed));
         QTRY_VERIFY(sheet()->generator().isBusy());
         QTRY_VERIFY_WITH_TIMEOUT(!sheet()->generator().isBusy(), kPatience);
@@ -198,11 +199,13 @@ private slots:
             });
             sheet()->apply();
             QVERIFY2(question.contains("1 merge or split") && question.contains("1 threshold of single fragments") &&
-                         question.contains("1 fragment that never breaks"),
+                         question.contains("1 fragment that never breaks") &&
+                         question.contains("1 cluster of fragments"),
                      qPrintable(question));
             QCOMPARE(asset().edits == changed.edits, isKept);
             QCOMPARE(asset().fragmentThresholds == changed.fragmentThresholds, isKept);
             QCOMPARE(asset().bonding.neverBreaks == changed.bonding.neverBreaks, isKept);
+            QCOMPARE(asset().bonding.clusters == changed.bonding.clusters, isKept);
             QCOMPARE(asset() == start, answer == "Cancel");
             stack().setIndex(before);
             QVERIFY(asset() == start);

@@ -24,7 +24,9 @@ inline Bonding everyBonding(const std::string& layer) {
                         {.brush = BondBrush::Anchor, .points = {{0.5, 0.0}, {0.75, 0.0}}}},
             .heightStrengths = {{.height = 0.25, .factor = 3.0}, {.height = 0.5, .factor = 0.125}},
             .strengthImage = StrengthImage{.darkest = 0.25, .brightest = 4.0, .image = fourPixels()},
-            .neverBreaks = {layer + ".1", layer + ".4"}};
+            .neverBreaks = {layer + ".1", layer + ".4"},
+            .clusters = {{.level = 0, .fragments = {layer + ".1", layer + ".2", layer + ".3"}},
+                         {.level = 1, .fragments = {layer + ".2", layer + ".3"}}}};
 }
 
 }  // namespace rubble

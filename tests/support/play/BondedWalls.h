@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/structure/clusters/ClusterEditing.h"
 #include "tests/support/play/Sessions.h"
 
 namespace rubble::test {
@@ -32,6 +33,17 @@ inline Project bondedPortal(double span, double delay) {
     asset.bonding.span = span;
     asset.bonding.collapseDelay = delay;
     project.instances[0].pose.position = {0.0, 1.25, 0.0};
+    return project;
+}
+
+/// bondedWall() in clusters of two levels: of `coarse` clusters, each of about four fine ones.
+inline Project clusteredWall(std::uint32_t pieces = 300, std::uint32_t coarse = 12, double impulsePerArea = 100.0) {
+    Project project = bondedWall(pieces, impulsePerArea);
+    Asset& asset = project.assets[0];
+    const Bake baked = *bake(asset);
+    for (const std::uint32_t level : {0u, 1u})
+        asset.bonding.clusters =
+            ClusterEditing(asset, baked, 0, level).propose({.value = level == 0 ? coarse : 4 * coarse});
     return project;
 }
 

@@ -3,8 +3,10 @@
 #include "core/asset/library/StarterProject.h"
 #include "core/asset/project/FragmentColours.h"
 #include "core/geometry/hull/AspectRatio.h"
+#include "core/structure/clusters/ClusterColours.h"
 #include "tests/support/Closeness.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/ClusteredRow.h"
 #include "tests/support/files/TestImages.h"
 #include "viewport/scene/SceneBuilder.h"
 
@@ -159,6 +161,21 @@ private slots:
             const bool isOwn = bakes.begin()->second->fragment(scene.picks[body].fragment).parent == 0;
             QCOMPARE(scene.appearances[body].outside, packed(rampColour(isOwn ? 0.0 : 1.0)));
         }
+    }
+    void clustersHaveColoursOfTheirOwn() {
+        Project project = boxProject(UniformScatter{});
+        project.assets = {test::clusteredRow({{0, {"3.0", "3.1"}}, {0, {"3.2", "3.3"}}})};
+        const Asset& row = project.assets[0];
+        const AssetBakes bakes = allBakes(project);
+        RenderScene scene = sceneOf(project, bakes, {.colouring = SceneColouring::Cluster});
+        const std::vector<Colour> colours = clusterColours(row, *bakes.begin()->second, 0);
+        QCOMPARE(scene.picks.size(), std::size_t{8});
+        for (std::size_t body = 0; body < 8; ++body)
+            QCOMPARE(scene.appearances[body].outside, packed(colours[scene.picks[body].fragment]));
+        QVERIFY(scene.appearances[0].outside != scene.appearances[2].outside && !scene.colourRange);
+        project.assets[0].breakAs = BreakAs::Whole;
+        scene = sceneOf(project, bakes, {.colouring = SceneColouring::Cluster});
+        QCOMPARE(scene.appearances[0].outside, packed(kUnclusteredColour));
     }
     void bondLinesJoinCentres() {
         const Project project = starterProject();

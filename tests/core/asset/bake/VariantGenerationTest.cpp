@@ -194,6 +194,7 @@ private slots:
         QVERIFY(!parents[0].bonding.neverBreaks.empty());
         for (const Asset& child : std::span(children).subspan(parents.size())) {
             QVERIFY(child.fragmentThresholds.empty() && child.bonding.neverBreaks.empty());
+            QVERIFY(child.bonding.clusters.empty());
             QVERIFY(child.bonding.strokes == parents[0].bonding.strokes);
         }
     }

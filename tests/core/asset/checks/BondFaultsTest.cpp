@@ -49,6 +49,11 @@ private slots:
         other.strengthImage->image = nullptr;
         QVERIFY(bonding != other);
     }
+    void clustersAreSorted() {
+        std::vector<FragmentCluster> clusters{{1, {"3.4", "3.1"}}, {0, {}}, {0, {"3.7"}}, {0, {"3.5", "3.6"}}};
+        sortClusters(clusters);
+        QCOMPARE(clusters, (std::vector<FragmentCluster>{{0, {"3.5", "3.6"}}, {0, {"3.7"}}, {1, {"3.1", "3.4"}}}));
+    }
     void endsOfRangesAreAccepted() {
         Project project = bondedProject();
         Bonding& bonding = bondsOf(project);
@@ -60,6 +65,7 @@ private slots:
         bonding.heightStrengths = {{.height = 0.0, .factor = 0.0}};
         bonding.strengthImage = StrengthImage{.darkest = 0.0, .brightest = 0.0, .image = nullptr};
         bonding.neverBreaks.clear();
+        bonding.clusters = {{.level = 9, .fragments = {"3.1"}}};
         project.mortars[0] = {.id = project.mortars[0].id, .name = "all", .tolerance = 0.0, .leastArea = 0.0};
         QCOMPARE(verifyProject(project).value_or("no fault"), std::string("no fault"));
     }
@@ -105,6 +111,20 @@ private slots:
         row("Asset 2 \"box\": \"3.x\" is not a fragment path.", [](Project& p) { bondsOf(p).neverBreaks[0] = "3.x"; });
         row("Asset 2 \"box\": fragment 3.4, which never breaks, comes after 3.4; paths must ascend.",
             [](Project& p) { bondsOf(p).neverBreaks[0] = "3.4"; });
+        row("Asset 2 \"box\": cluster 1: the level of a cluster is 10, but it must be from 0 to 9.",
+            [](Project& p) { bondsOf(p).clusters[1].level = 10; });
+        row("Asset 2 \"box\": cluster 0 has no fragments, but it must have at least one.",
+            [](Project& p) { bondsOf(p).clusters[0].fragments.clear(); });
+        row("Asset 2 \"box\": cluster 0: \"3.x\" is not a fragment path.",
+            [](Project& p) { bondsOf(p).clusters[0].fragments[0] = "3.x"; });
+        row("Asset 2 \"box\": cluster 0: fragment 3.2 comes after 3.2; paths must ascend.",
+            [](Project& p) { bondsOf(p).clusters[0].fragments[0] = "3.2"; });
+        row("Asset 2 \"box\": cluster 0: fragments 3.1 and 3.2/4.0 have different parents.",
+            [](Project& p) { bondsOf(p).clusters[0].fragments[1] = "3.2/4.0"; });
+        row("Asset 2 \"box\": cluster 1: fragment 3.2 is in another cluster of level 0 already.",
+            [](Project& p) { bondsOf(p).clusters[1].level = 0; });
+        row("Asset 2 \"box\": cluster 1 is out of order; clusters must ascend by level, then by fragments.",
+            [](Project& p) { std::swap(bondsOf(p).clusters[0], bondsOf(p).clusters[1]); });
         row("Asset 2 \"box\": the bond strength is -1, but it must be from 0 to 1000000.",
             [](Project& p) { p.assets[0].levels[0].bondStrength = -1.0; });
     }

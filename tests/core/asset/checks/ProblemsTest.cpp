@@ -87,6 +87,18 @@ private slots:
         asset.breakAs = BreakAs::Whole;  // without bonds it means nothing
         QVERIFY(ofKind(problemsIn(asset), DiagnosticCode::LostPiece).empty());
     }
+    void fragmentsOfClustersThatAreGoneAreReported() {
+        Asset asset = boxAsset(3, 5, UniformScatter{.count = 4});
+        asset.breakAs = BreakAs::Bonded;
+        asset.bonding.clusters = {{0, {"5.0", "5.1", "5.8"}}, {2, {"5.1", "5.9"}}};
+        const auto problems = ofKind(problemsIn(asset), DiagnosticCode::LostPiece);
+        QCOMPARE(problems.size(), std::size_t{2});
+        QCOMPARE(problems[0].place.path, std::string("5.8"));
+        QCOMPARE(problems[1].message,
+                 std::string("Fragment 5.9 of asset \"box\" is in a cluster of level 2, but does not exist."));
+        asset.breakAs = BreakAs::Whole;
+        QVERIFY(ofKind(problemsIn(asset), DiagnosticCode::LostPiece).empty());
+    }
     void scatterWithoutRoomIsReported() {
         const Asset asset = boxAsset(3, 5, BlueNoise{.minimumDistance = 0.4, .count = 500});
         const auto problems = ofKind(problemsIn(asset), DiagnosticCode::NoRoom);

@@ -48,11 +48,17 @@ private slots:
                                    "strokes of bond brushes: 3, was 0\n"
                                    "bond strength by height: 3 at 0.25 m, 0.125 at 0.5 m, was none\n"
                                    "bond strength by picture: 0.25 to 4, 2 x 2 pixels, was none\n"
-                                   "fragments that never break: 3.1, 3.4, was none\n"));
+                                   "fragments that never break: 3.1, 3.4, was none\n"
+                                   "clusters of fragments: 1 of level 0, 1 of level 1, was none\n"));
     }
     void differencesThatTheirTextsDoNotShowAreTold() {
         QCOMPARE(changesAfter([](Asset& box) { box.bonding.strokes[0].radius = 0.3; }),
                  std::string("strokes of bond brushes: 3, changed, was 3\n"));
+        QCOMPARE(changesAfter([](Asset& box) {
+                     box.bonding.clusters[1].fragments = {"3.1", "3.2"};
+                 }),
+                 std::string("clusters of fragments: 1 of level 0, 1 of level 1, changed, was 1 of level 0, 1 of level "
+                             "1\n"));
         QCOMPARE(
             changesAfter([](Asset& box) {
                 auto other = std::make_shared<GreyImage>(*box.bonding.strengthImage->image);

@@ -68,6 +68,7 @@ private slots:
         QCOMPARE(defaultOf(ProjectNumber::BondSpan), bonding.span);
         QCOMPARE(defaultOf(ProjectNumber::BondCollapseDelay), bonding.collapseDelay);
         QCOMPARE(defaultOf(ProjectNumber::BondMinimumIsland), static_cast<double>(bonding.minimumIsland));
+        QCOMPARE(defaultOf(ProjectNumber::BondClusterLevel), static_cast<double>(FragmentCluster().level));
         QCOMPARE(defaultOf(ProjectNumber::BondBrushRadius), BondStroke().radius);
         QCOMPARE(defaultOf(ProjectNumber::BondStrengthHeight), HeightStrength().height);
         for (const double factor : {Level().bondStrength, Instance().bondStrength, BondStroke().strength,

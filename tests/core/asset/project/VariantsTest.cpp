@@ -41,6 +41,7 @@ private slots:
     void onlyPaintedFragmentsNeverBreakInVariants() {
         const Asset asset = fullProject().assets[0], variant = variantOf(asset, 1);
         QVERIFY(!asset.bonding.neverBreaks.empty() && variant.bonding.neverBreaks.empty());
+        QVERIFY(!asset.bonding.clusters.empty() && variant.bonding.clusters.empty());
         QVERIFY(variant.bonding.strokes == asset.bonding.strokes);
         QCOMPARE(variant.levels[0].bondStrength, 0.75);
     }

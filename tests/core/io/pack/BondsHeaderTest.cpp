@@ -1,6 +1,7 @@
 // Tests the bonds of docs/formats/rubble_pack.hpp, and bonded_wall_example.cpp.
 #include "core/io/system/AtomicFile.h"
 #include "core/play/damage/DamageBytes.h"
+#include "core/structure/clusters/ClusterEditing.h"
 #include "core/structure/graph/Islands.h"
 #include "core/structure/graph/Support.h"
 #include "core/structure/rule/SimpleRule.h"
@@ -53,6 +54,16 @@ Asset randomRing(Random& random, int round) {
     bonding.falloff = HitFalloff::Constant;
     bonding.heightStrengths.clear();
     return ringOf(JitteredGrid{.columns = 8, .rows = 8, .jitter = 0.0}, bonding);
+}
+
+/// Clusters on no level, one or two.
+void addRandomClusters(Random& random, Asset& asset) {
+    const Bake baked = *bake(asset);
+    const auto levels = static_cast<std::uint32_t>(random.below(3));
+    for (std::uint32_t level = 0; level < levels; ++level) {
+        const auto count = static_cast<std::uint32_t>(2 + random.below(6 * (level + 1)));
+        asset.bonding.clusters = ClusterEditing(asset, baked, 0, level).propose({.value = count});
+    }
 }
 
 rubble_pack::Pack headerPack(const std::string& json) {
@@ -146,7 +157,11 @@ class BondsHeaderTest : public QObject {
 
 private slots:
     void structuresAreThoseOfPlay() {
-        const BothStructures both{ringOf(UniformScatter{.count = 40}, everyBonding("4"))};
+        Asset ring = ringOf(UniformScatter{.count = 40}, everyBonding("4"));
+        ring.bonding.clusters = {};
+        for (const std::uint32_t level : {0, 1})
+            ring.bonding.clusters = ClusterEditing(ring, *bake(ring), 0, level).propose({.value = 4 * (level + 1)});
+        const BothStructures both{ring};
         QCOMPARE(both.pack.bonding->anchored.size() > 3, true);
         QCOMPARE(both.theirs.bonds.size(), std::size_t{both.ours->graph.bondCount()});
         QCOMPARE(both.theirs.fragments.size(), std::size_t{both.ours->nodeCount()});
@@ -154,7 +169,10 @@ private slots:
             QCOMPARE(both.theirs.ends[bond][0], both.ours->graph.bonds[bond].first);
             QCOMPARE(both.theirs.ends[bond][1], both.ours->graph.bonds[bond].second);
             QCOMPARE(both.theirs.bonds[bond].capacity, both.ours->capacities[bond]);
+            const std::vector<ClusterLevel>& levels = both.ours->clusterLevels;
+            QCOMPARE(both.theirs.bonds[bond].clusterLevel, bond < levels.size() ? levels[bond] : 0u);
         }
+        QVERIFY(std::ranges::count(both.ours->clusterLevels, 2) > 0);
         const rubble_pack::Structure doubled = rubble_pack::structureOf(both.pack, 0, 2.0);
         const auto strong = strengthened(*both.ours, 2.0);
         for (std::uint32_t bond = 0; bond < both.ours->graph.bondCount(); ++bond)
@@ -167,7 +185,9 @@ private slots:
         Random random(kSeed);
         std::size_t broken = 0, damaged = 0, islands = 0, unsupported = 0;
         for (int round = 0; round < 80; ++round) {
-            BothStructures both{randomRing(random, round)};
+            Asset ring = randomRing(random, round);
+            addRandomClusters(random, ring);
+            BothStructures both{std::move(ring)};
             Damages ours(both.theirs.bonds.size()), theirs = ours;
             for (int hit = 0; hit < 10; ++hit) {
                 std::vector<std::uint32_t> owners(both.ours->nodeCount());
@@ -187,8 +207,12 @@ private slots:
                     points.emplace_back(at, 0.25);
                     theirHit.points.push_back(asHeader(points.back()));
                 }
+                const auto clusters = [&] {
+                    return HeldClusters{both.ours->clusterLevels, breakingLevel(both.ours->graph, both.ours->capacities,
+                                                                                both.ours->clusterLevels, ours, body)};
+                };
                 const HitOutcome our = applyHit(both.ours->graph, both.ours->capacities, both.ours->rule,
-                                                {points, theirHit.impulse}, owners, 0, ours);
+                                                {points, theirHit.impulse, clusters()}, owners, 0, ours);
                 const rubble_pack::HitOutcome their =
                     rubble_pack::applyHit(both.theirs, *both.pack.bonding, theirHit, body, theirs);
                 QCOMPARE(their.broken, our.broken);
@@ -198,7 +222,9 @@ private slots:
                 QCOMPARE(islandFault(both, ours, body), std::string());
                 const Vec3 up = glm::normalize(
                     Vec3{random.between(-1.0, 1.0), random.between(0.1, 1.0), random.between(-1.0, 1.0)});
-                const Indices fallen = unsupportedNodes(both.ours->graph, ours, body, both.ours->span, up);
+                const Indices fallen =
+                    wholeClusters(unsupportedNodes(both.ours->graph, ours, body, both.ours->span, up), both.ours->graph,
+                                  clusters(), ours, body);
                 QCOMPARE(rubble_pack::unsupported(both.theirs, theirs, body, both.pack.bonding->span, asHeader(up)),
                          fallen);
                 broken += our.broken.size();
@@ -327,6 +353,18 @@ private slots:
         QVERIFY(!rubble_pack::readDamage(changed(35, 0), kBake, kept, fault));
         QCOMPARE(kept, (std::vector<Damages>{{1, 2, 3}, {4, 5}}));
     }
+    void clustersBreakOffAsOne() {
+        BothStructures both{ringOf(UniformScatter{.count = 20}, {})};
+        for (rubble_pack::Bond& bond : both.theirs.bonds) bond.clusterLevel = bond.fragments[1] == kNone ? 0 : 2;
+        both.theirs.bonds[0].clusterLevel = 1;
+        Damages damage(both.theirs.bonds.size());
+        const Indices& all = both.theirs.fragments;
+        QCOMPARE(rubble_pack::breakingLevel(both.theirs, damage, all), 1u);
+        QCOMPARE(rubble_pack::breakOff(both.theirs, all, damage, 1), Indices{0});
+        QCOMPARE(rubble_pack::breakingLevel(both.theirs, damage, all), 2u);
+        QVERIFY(!rubble_pack::breakOff(both.theirs, all, damage, 2).empty());
+        QCOMPARE(rubble_pack::breakingLevel(both.theirs, damage, all), rubble_pack::kNone);
+    }
     /// Three holes above the ground; what they carried comes off, too.
     void exampleHitsAWall() {
         Asset wall = boxAsset(3, 4, UniformScatter{.count = 40});
@@ -371,6 +409,8 @@ private slots:
                             "/bonding/fractures/0/bonds/0/fragments", "[0, 20]");
         test::addWrongValue("bonding.fractures[0].bonds[0].capacity: expected a number of at least 0.",
                             "/bonding/fractures/0/bonds/0/capacity", "-1");
+        test::addWrongValue("bonding.fractures[0].bonds[0].clusterLevel: expected a whole number below 4294967295.",
+                            "/bonding/fractures/0/bonds/0/clusterLevel", "-1");
         test::addWrongValue("bonding.anchored[0]: expected a fragment of the whole.", "/bonding/anchored/0", "19");
     }
     void wrongBondsAreReported() {

@@ -46,6 +46,7 @@ const std::set<std::string> kFree{"asset.name",
                                   "bonding.fractures.bonds.centroid",
                                   "bonding.fractures.bonds.normal",
                                   "bonding.fractures.bonds.capacity",
+                                  "bonding.fractures.bonds.clusterLevel",
                                   "bonding.anchored"};
 /// Beside a gap, only bounds of contact areas are known.
 const std::set<std::string> kFreeBesideGaps{"fragments.neighbours.area"};

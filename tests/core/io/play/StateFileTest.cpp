@@ -32,6 +32,9 @@ std::vector<std::shared_ptr<const PlayScene>> demoScenes() {
     bonded.assets[0].levels = {{.pattern = test::patternOf(bonded, {UniformScatter{.count = 3}})}};
     bonded.assets[0].bonding.span = 1.0;
     scenes.push_back(test::playSceneOf(bonded));
+    Project clustered = test::clusteredWall(120, 6);
+    clustered.assets[0].bonding.span = 1.0;
+    scenes.push_back(test::playSceneOf(clustered));
     return scenes;
 }
 

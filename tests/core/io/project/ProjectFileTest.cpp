@@ -73,7 +73,8 @@ bool isOptionalValue(const std::string& place, const nlohmann::json& value) {
     if (value.is_discarded()) {
         if (place == "shots[2].action.radius") return true;  // the hammer's
         if (place == "events" || place == "mortars" || place.ends_with("].state")) return true;
-        if (place.ends_with("].breakAs") || place.ends_with("].bonding") || place.ends_with("bondStrength"))
+        if (place.ends_with(".bonding.clusters") || place.ends_with("].breakAs") || place.ends_with("].bonding") ||
+            place.ends_with("bondStrength"))
             return true;
         return place.ends_with("].unbreakable") || place.ends_with("].anchored") ||
                place.ends_with("].youngsModulus") || place.ends_with("].strengthRule") ||

@@ -108,6 +108,7 @@ private slots:
         QVERIFY(!afterBonds([](Bonding& bonding) { bonding.heightStrengths.push_back({.height = 1.0}); }));
         QVERIFY(!afterBonds([](Bonding& bonding) { bonding.strengthImage.emplace(); }));
         QVERIFY(!afterBonds([](Bonding& bonding) { bonding.neverBreaks = {"3.1"}; }));
+        QVERIFY(!afterBonds([](Bonding& bonding) { bonding.clusters = {{0, {"3.1", "3.2"}}}; }));
     }
     void clearingAnInstancesThresholdNeedsARestart() {
         Project played = test::floatingBlock();

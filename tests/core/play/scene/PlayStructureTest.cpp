@@ -38,6 +38,20 @@ private slots:
             QVERIFY(bond.normal.y < -0.999);
         }
     }
+    void bondsOfClustersHaveLevels() {
+        const auto plain = test::playSceneOf(test::bondedWall(40));
+        QVERIFY(onlyStructure(*plain).clusterLevels.empty());
+        const auto scene = test::playSceneOf(test::clusteredWall(40, 3));
+        const PlayStructure& structure = onlyStructure(*scene);
+        std::size_t anchors = 0;
+        for (const Bond& bond : structure.graph.bonds) anchors += bond.second == kNone ? 1 : 0;
+        QVERIFY(anchors > 3);
+        QCOMPARE(structure.clusterLevels.size() + anchors, structure.graph.bonds.size());
+        for (ClusterLevel level = 0; level < 3; ++level)
+            QVERIFY(std::ranges::count(structure.clusterLevels, level) > 0);
+        for (std::size_t k = structure.clusterLevels.size(); k < structure.graph.bonds.size(); ++k)
+            QVERIFY(structure.graph.bonds[k].second == kNone);
+    }
     void freeWallHasNoAnchors() {
         Project project = test::bondedWall();
         project.instances[0].isAnchored = false;

@@ -171,6 +171,67 @@ private slots:
             applyHit(struck.graph, struck.capacities, {.radius = 0.9}, {points, 5.0}, struck.owners, 0, struck.damage);
         QCOMPARE(outcome.broken, (Bonds{0, 6, 7}));  // all bonds of the nodes at 0 and 7 m
     }
+    /// Two clusters of three: a hit anywhere in one parts them at the bond between, and leaves the bonds within whole.
+    void aHitAnywhereInAClusterBreaksItOff() {
+        const std::array<ClusterLevel, 5> levels{1, 1, 0, 1, 1};
+        for (const double at : {0.0, 1.0, 2.0}) {
+            Struck struck(row(6));
+            const Vec3 point{at, 0.0, 0.0};
+            const BondHit hit{{&point, 1}, 1.0, {levels, 0}};
+            const HitOutcome outcome =
+                applyHit(struck.graph, struck.capacities, {.radius = 0.1}, hit, struck.owners, 0, struck.damage);
+            QCOMPARE(outcome.broken, Bonds{2});
+            QCOMPARE(outcome.taken, 1.0);
+        }
+    }
+    void theNextLevelBreaksAfterwards() {
+        const std::array<ClusterLevel, 5> levels{1, 1, 0, 1, 1};
+        Struck struck(row(6));
+        struck.damage[2] = kBroken;
+        struck.owners = {0, 0, 0, 1, 1, 1};
+        const Vec3 point{1.0, 0.0, 0.0};
+        const BondHit hit{{&point, 1}, 9.0, {levels, 1}};
+        const HitOutcome outcome =
+            applyHit(struck.graph, struck.capacities, {.radius = 0.1}, hit, struck.owners, 0, struck.damage);
+        QCOMPARE(outcome.broken, (Bonds{0, 1}));
+        QCOMPARE(outcome.taken, 2.0);
+    }
+    void heldBondsAreNeverDamaged() {
+        int changed = 0;
+        for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+            Random random(seed);
+            RandomHit hit(random);
+            std::vector<ClusterLevel> levels(hit.struck.damage.size());
+            for (ClusterLevel& level : levels) level = static_cast<ClusterLevel>(random.below(4));
+            const RandomHit before = hit;
+            const HeldClusters held{levels, static_cast<ClusterLevel>(random.below(3))};
+            const HitOutcome outcome =
+                applyHit(hit.struck.graph, hit.struck.capacities, hit.rule, {hit.points, hit.impulse, held},
+                         hit.struck.owners, 0, hit.struck.damage);
+            std::string fault = faultOf(before, hit, outcome);
+            for (std::uint32_t bond = 0; bond < levels.size(); ++bond) {
+                if (held.holds(bond) && hit.struck.damage[bond] != before.struck.damage[bond]) fault = "a bond is held";
+            }
+            QVERIFY2(fault.empty(), qPrintable(faultOfSeed(seed, fault)));
+            changed += outcome.broken.empty() ? 0 : 1;
+        }
+        QVERIFY(changed > 500);
+    }
+    /// Levels that hold nothing are the same bits as none.
+    void levelsThatHoldNothingChangeNothing() {
+        for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+            Random random(seed);
+            RandomHit hit(random), other = hit;
+            const std::vector<ClusterLevel> levels(hit.struck.damage.size(), 1);
+            const HitOutcome outcome = hit.apply();
+            const HitOutcome same =
+                applyHit(other.struck.graph, other.struck.capacities, other.rule,
+                         {other.points, other.impulse, {levels, 1}}, other.struck.owners, 0, other.struck.damage);
+            QVERIFY2(outcome.taken == same.taken && outcome.utilization == same.utilization &&
+                         hit.struck.damage == other.struck.damage,
+                     qPrintable(faultOfSeed(seed, "levels change a hit")));
+        }
+    }
     void aHitNeverTakesMoreThanItsImpulse() {
         int changed = 0;
         for (std::uint64_t seed = 0; seed < 5000; ++seed) {
