@@ -46,7 +46,7 @@ constexpr std::array kColourings{
     ColouringItem{SceneColouring::Mass, QT_TRANSLATE_NOOP("rubble::SceneView", "Mass")},
     ColouringItem{SceneColouring::Aspect, QT_TRANSLATE_NOOP("rubble::SceneView", "Aspect")},
     ColouringItem{SceneColouring::Threshold, QT_TRANSLATE_NOOP("rubble::SceneView", "Threshold")},
-    ColouringItem{SceneColouring::BondStrength, QT_TRANSLATE_NOOP("rubble::SceneView", "Bond strength")},
+    ColouringItem{SceneColouring::BondStrength, QT_TRANSLATE_NOOP("rubble::SceneView", "Strength")},
     ColouringItem{SceneColouring::Cluster, QT_TRANSLATE_NOOP("rubble::SceneView", "Cluster")}};
 constexpr double kInstanceMargin = 0.25;  // of its size, on each side
 constexpr double kFragmentMargin = 1.5;   // of its size, on each side

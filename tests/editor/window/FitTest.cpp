@@ -1,7 +1,7 @@
 // Tests the layout of editor/views/DockLayout.cpp and of all docks and dialogs: every text fits into its rectangle.
 #include "core/asset/library/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
-#include "editor/dialogs/ImportDialog.h"
+#include "editor/dialogs/import/ImportDialog.h"
 #include "editor/views/Views.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Dialogs.h"

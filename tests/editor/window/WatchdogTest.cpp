@@ -1,7 +1,7 @@
 // Tests that no event of the interface takes long, whatever is done in the background: editor/document/Autosave.cpp,
-// editor/document/DocumentFile.cpp, editor/background/Baker.cpp, editor/dialogs/ImportDialog.cpp.
+// editor/document/DocumentFile.cpp, editor/background/Baker.cpp, editor/dialogs/import/ImportDialog.cpp.
 #include "core/asset/library/StarterProject.h"
-#include "editor/dialogs/ImportDialog.h"
+#include "editor/dialogs/import/ImportDialog.h"
 #include "editor/document/FilePath.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/ProjectParts.h"

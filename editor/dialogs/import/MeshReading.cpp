@@ -1,4 +1,4 @@
-#include "editor/dialogs/MeshReading.h"
+#include "editor/dialogs/import/MeshReading.h"
 
 #include "core/io/mesh/MeshImport.h"
 #include "editor/dialogs/MessageBoxes.h"

@@ -1,4 +1,4 @@
-#include "editor/dialogs/MeshSeedsDialog.h"
+#include "editor/dialogs/import/MeshSeedsDialog.h"
 
 #include "editor/document/Translations.h"
 #include "tests/support/TestProgram.h"

@@ -1,7 +1,7 @@
-#include "editor/dialogs/MeshSeedsDialog.h"
+#include "editor/dialogs/import/MeshSeedsDialog.h"
 
-#include "editor/dialogs/MeshReading.h"
-#include "editor/dialogs/OutlinePreview.h"
+#include "editor/dialogs/import/MeshReading.h"
+#include "editor/dialogs/import/OutlinePreview.h"
 #include "editor/widgets/ComboBox.h"
 #include "editor/widgets/ScreenFit.h"
 

@@ -1,4 +1,4 @@
-#include "editor/dialogs/OutlinePreview.h"
+#include "editor/dialogs/import/OutlinePreview.h"
 
 #include <QPainter>
 #include <QPainterPath>

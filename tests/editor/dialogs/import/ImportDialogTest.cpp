@@ -1,8 +1,8 @@
-// Tests editor/dialogs/ImportDialog.cpp, editor/dialogs/ImportView.cpp and editor/dialogs/MeshReading.cpp.
-#include "editor/dialogs/ImportDialog.h"
+// Tests editor/dialogs/import/ImportDialog.cpp, editor/dialogs/import/ImportView.cpp and editor/dialogs/import/MeshReading.cpp.
+#include "editor/dialogs/import/ImportDialog.h"
 
 #include "core/asset/library/StarterProject.h"
-#include "editor/dialogs/ImportView.h"
+#include "editor/dialogs/import/ImportView.h"
 #include "editor/document/Document.h"
 #include "editor/document/Translations.h"
 #include "tests/support/Patience.h"

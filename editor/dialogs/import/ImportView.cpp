@@ -1,4 +1,4 @@
-#include "editor/dialogs/ImportView.h"
+#include "editor/dialogs/import/ImportView.h"
 
 #include "editor/workspace/ViewportStyle.h"
 #include "viewport/widget/ViewportWidget.h"
