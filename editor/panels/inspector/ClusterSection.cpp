@@ -32,6 +32,8 @@ ClusterSection::ClusterSection(Document& document, Selection& selection, const B
     buildProposal();
     buildList();
     buildButtons();
+    for (const NumberField* field : {m_level, m_value})
+        connect(field, &NumberField::refused, this, &ClusterSection::refused);
     connect(&selection, &Selection::clusterLevelChanged, this, &ClusterSection::refresh);
     connect(&selection, &Selection::seedsChanged, this, &ClusterSection::refresh);
     connect(&bakes, &Bakes::changed, this, &ClusterSection::refresh);
