@@ -1,4 +1,5 @@
-// Tests editor/dialogs/import/ImportDialog.cpp, editor/dialogs/import/ImportView.cpp and editor/dialogs/import/MeshReading.cpp.
+// Tests editor/dialogs/import/ImportDialog.cpp, editor/dialogs/import/ImportView.cpp and
+// editor/dialogs/import/MeshReading.cpp.
 #include "editor/dialogs/import/ImportDialog.h"
 
 #include "core/asset/library/StarterProject.h"
