@@ -36,12 +36,12 @@ ClusterDialog::ClusterDialog(const ClusterTarget& target, std::uint32_t level, Q
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     QPushButton* propose = buttons->addButton(tr("Propose"), QDialogButtonBox::AcceptRole);
     propose->setFocusPolicy(Qt::TabFocus);  // a click leaves the focus in a field, so that its text can be refused
-    propose->setDefault(true);
     connect(buttons, &QDialogButtonBox::accepted, this, &ClusterDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* rows = new QVBoxLayout(this);
     rows->addLayout(form);
     rows->addWidget(buttons);
+    propose->setDefault(true);  // after the button was added to the dialog
     setMinimumWidth(kMinClusterDialogWidth);
     m_value->selectAll();
     m_value->setFocus();

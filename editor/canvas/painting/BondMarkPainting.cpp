@@ -74,7 +74,7 @@ public:
         }
     }
 
-    /// The borders between clusters: hues alone cannot be told apart by everyone.
+    /// The borders between clusters, in any colouring.
     void paintClusterBorders() {
         const std::vector<Colour>& colours = m_marks.clusterColours;
         const Partition& partition = m_pattern.partition();
@@ -207,7 +207,7 @@ void paintBondMarks(QPainter& painter, const CanvasView& view, const CanvasConte
                     const CanvasColours& colours) {
     if (!contents.bondMarks || !contents.pattern || !contents.overlays.hasCells) return;
     BondMarkPainter marks(painter, view, contents, colours);
-    if (contents.colouring() == CellColouring::Cluster) marks.paintClusterBorders();
+    marks.paintClusterBorders();
     marks.paintFragments();
     if (!contents.moved) marks.paintBonds();
     marks.paintSymbols();

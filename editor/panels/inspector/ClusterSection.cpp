@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kListHeight = 150;  // pixels
 constexpr int kClusterRole = Qt::UserRole;
-constexpr int kButtonColumns = 4;
+constexpr int kButtonColumns = 3;      // more are wider than the dock
 constexpr double kMostClusters = 1e6;  // or fragments of one
 
 }  // namespace
@@ -60,6 +60,7 @@ void ClusterSection::buildList() {
     m_list->setUniformRowHeights(true);
     m_list->setFixedHeight(kListHeight);
     addWide(m_list);
+    m_list->hide();
     connect(m_list, &QTreeWidget::itemSelectionChanged, this, &ClusterSection::selectListed);
 }
 
@@ -133,6 +134,7 @@ void ClusterSection::showList(const Asset& asset) {
     });
     if (listed == m_listed && (m_list->topLevelItemCount() > 0) == !listed.empty()) return;
     m_listed = std::move(listed);
+    m_list->setVisible(!m_listed.empty());
     const QSignalBlocker blocker(m_list);
     m_list->clear();
     QTreeWidgetItem* level = nullptr;

@@ -99,7 +99,7 @@ private slots:
             const QList<NumberField*> fields = dialog->findChildren<NumberField*>();
             fields[0]->setValue(4.0);
             fields[1]->setValue(2.0);
-            dialog->accept();
+            QTest::keyClick(dialog, Qt::Key_Return);  // the button that proposes is the default one
         });
         action("cluster-propose")->trigger();
         QCOMPARE(clusters(), (ClusterList{{2, {"3.0", "3.1", "3.2", "3.3"}}, {2, {"3.4", "3.5", "3.6", "3.7"}}}));
