@@ -14,7 +14,6 @@ namespace rubble {
 namespace {
 
 constexpr int kMinClusterDialogWidth = 320;  // pixels, so that the title fits
-constexpr double kMostClusters = 1e6;        // or fragments of one
 
 }  // namespace
 
@@ -24,7 +23,7 @@ ClusterDialog::ClusterDialog(const ClusterTarget& target, std::uint32_t level, Q
     m_measure->addItem(tr("Number of clusters"));
     m_measure->addItem(tr("Fragments of each"));
     m_measure->setCurrentIndex(static_cast<int>(target.measure));
-    m_value->setRange(FieldRange::whole(1.0, kMostClusters));
+    m_value->setRange(FieldRange::whole(1.0, ClusterTarget::kMost));
     m_value->setValue(target.value);
     m_level->setRange(wholeFieldRange(ProjectNumber::BondClusterLevel));
     m_level->setValue(level);

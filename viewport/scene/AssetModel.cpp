@@ -14,14 +14,33 @@ bool isShown(const BakedFragment& fragment, std::uint32_t level) {
     return fragment.level == level || (fragment.level < level && fragment.childCount == 0);
 }
 
+/// The bonds between the solids of a model of a bake, each once.
+std::vector<ModelBond> bondsOfModel(const AssetModel& model) {
+    std::vector<ModelBond> bonds;
+    std::vector<std::uint32_t> solidOf(model.bake->fragmentCount(), kNone);
+    for (std::uint32_t solid = 0; solid < model.solids.size(); ++solid) {
+        if (model.solids[solid].fragment != kNone) solidOf[model.solids[solid].fragment] = solid;
+    }
+    for (std::uint32_t k = 0; k < model.bake->fractures.size(); ++k) {
+        const BakedFracture& fracture = model.bake->fractures[k];
+        for (const Bond& bond : bondsOf(fracture.fragments)) {
+            const std::uint32_t first = solidOf[fracture.first + bond.first];
+            const std::uint32_t second = solidOf[fracture.first + bond.second];
+            if (first != kNone && second != kNone) bonds.push_back({first, second, k, bond.area, Vec2(bond.centroid)});
+        }
+    }
+    return bonds;
+}
+
 /// An AssetModel under construction.
 class ModelBuilder {
 public:
-    ModelBuilder(AssetModel model, bool hasHulls)
+    ModelBuilder(AssetModel model, const SceneOptions& options)
         : m_model(std::move(model)),
           m_mesher(m_model.asset),
           m_geometry(std::make_shared<SceneGeometry>()),
-          m_hulls(hasHulls ? std::make_shared<SceneGeometry>() : nullptr) {}
+          m_hulls(options.hasHulls ? std::make_shared<SceneGeometry>() : nullptr),
+          m_hasBonds(needBonds(options)) {}
 
     void addFragment(std::uint32_t number, const BakedFragment& fragment, const RoughCuts& cuts) {
         const Fragment& solid = fragment.solid;
@@ -60,6 +79,8 @@ public:
     AssetModel finished() {
         m_model.geometry = std::move(m_geometry);
         m_model.hulls = std::move(m_hulls);
+        if (m_hasBonds && m_model.bake)
+            m_model.bonds = std::make_shared<const std::vector<ModelBond>>(bondsOfModel(m_model));
         return std::move(m_model);
     }
 
@@ -70,26 +91,8 @@ private:
     FragmentMesher m_mesher;
     std::shared_ptr<SceneGeometry> m_geometry;
     std::shared_ptr<SceneGeometry> m_hulls;
+    bool m_hasBonds;
 };
-
-/// The bonds between the solids of a model, each once.
-std::vector<ModelBond> bondsOfModel(const AssetModel& model) {
-    std::vector<ModelBond> bonds;
-    if (!model.bake) return bonds;
-    std::vector<std::uint32_t> solidOf(model.bake->fragmentCount(), kNone);
-    for (std::uint32_t solid = 0; solid < model.solids.size(); ++solid) {
-        if (model.solids[solid].fragment != kNone) solidOf[model.solids[solid].fragment] = solid;
-    }
-    for (std::uint32_t k = 0; k < model.bake->fractures.size(); ++k) {
-        const BakedFracture& fracture = model.bake->fractures[k];
-        for (const Bond& bond : bondsOf(fracture.fragments)) {
-            const std::uint32_t first = solidOf[fracture.first + bond.first];
-            const std::uint32_t second = solidOf[fracture.first + bond.second];
-            if (first != kNone && second != kNone) bonds.push_back({first, second, k, bond.area, Vec2(bond.centroid)});
-        }
-    }
-    return bonds;
-}
 
 /// The asset without a pattern.
 Asset unbroken(Asset asset) {
@@ -113,7 +116,7 @@ SceneBatch batchOf(const AssetModel& model, const SceneOptions& options) {
 }
 
 AssetModel modelOf(const Asset& asset, std::shared_ptr<const Bake> bake, const SceneOptions& options) {
-    ModelBuilder builder({.asset = asset, .bake = bake, .level = options.level}, options.hasHulls);
+    ModelBuilder builder({.asset = asset, .bake = bake, .level = options.level}, options);
     if (bake == nullptr) {
         const Result<Bake> whole = rubble::bake(unbroken(asset));
         if (whole) builder.addWhole(*whole, whole->whole.centre);
@@ -124,19 +127,15 @@ AssetModel modelOf(const Asset& asset, std::shared_ptr<const Bake> bake, const S
         const BakedFragment fragment = bake->fragment(k);
         if (isShown(fragment, options.level)) builder.addFragment(k, fragment, cuts);
     }
-    AssetModel model = builder.finished();
-    if (needBonds(options)) model.bonds = std::make_shared<const std::vector<ModelBond>>(bondsOfModel(model));
-    return model;
+    return builder.finished();
 }
 
 AssetModel playModelOf(const Asset& asset, std::shared_ptr<const Bake> bake, const SceneOptions& options) {
-    ModelBuilder builder({.asset = asset, .bake = bake}, options.hasHulls);
+    ModelBuilder builder({.asset = asset, .bake = bake}, options);
     builder.addWhole(*bake, Vec3(0.0));
     const RoughCuts cuts(*bake, asset);
     for (std::uint32_t k = 0; k < bake->fragmentCount(); ++k) builder.addFragment(k, bake->fragment(k), cuts);
-    AssetModel model = builder.finished();
-    if (needBonds(options)) model.bonds = std::make_shared<const std::vector<ModelBond>>(bondsOfModel(model));
-    return model;
+    return builder.finished();
 }
 
 }  // namespace rubble

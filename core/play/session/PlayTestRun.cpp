@@ -34,8 +34,10 @@ double standingVolume(const Session& session, const Instance& instance, const Pl
 class TestObserver {
 public:
     TestObserver(const Session& session, const PlayTest& test) : m_session(session), m_firstStep(session.stepsDone()) {
+        const bool needsVolumes = std::ranges::find(test.expectations, ExpectationKind::StaysUp, &Expectation::kind) !=
+                                  test.expectations.end();
         for (const Instance& instance : session.scene().project.instances)
-            m_standing[instance.id] = standingVolume(session, instance, test);
+            if (needsVolumes) m_standing[instance.id] = standingVolume(session, instance, test);
         for (const PlayBody& body : session.bodies()) {
             if (body.role == PlayRole::Instance)
                 m_starts.push_back({body.number, session.world().state(body.body).centre});

@@ -1,6 +1,7 @@
 #include "core/play/session/StandingParts.h"
 
 #include "core/base/DisjointSets.h"
+#include "core/geometry/hull/Diameter.h"
 
 #include <algorithm>
 #include <map>
@@ -12,35 +13,6 @@ namespace {
 void addCorners(const Fragment& fragment, std::vector<Vec2>& corners) {
     const Vec3 offset = fragment.offset();
     for (const Vec2& point : fragment.outline().outer) corners.push_back(point + Vec2(offset));
-}
-
-/// The corners of the convex hull of points.
-/// Source: Andrew 1979, the monotone chain.
-std::vector<Vec2> hullOf(std::vector<Vec2> points) {
-    std::ranges::sort(points, [](const Vec2& a, const Vec2& b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); });
-    std::vector<Vec2> hull;
-    for (const bool isUpper : {false, true}) {
-        const std::size_t begin = hull.size();
-        for (const Vec2& point : points) {
-            const auto isTurning = [&] {
-                const Vec2 last = hull.back() - hull[hull.size() - 2], next = point - hull.back();
-                return last.x * next.y - last.y * next.x > 0.0;
-            };
-            while (hull.size() >= begin + 2 && !isTurning()) hull.pop_back();
-            hull.push_back(point);
-        }
-        if (!isUpper) std::ranges::reverse(points);
-    }
-    return hull;
-}
-
-double widthOf(const std::vector<Vec2>& corners) {
-    const std::vector<Vec2> hull = hullOf(corners);
-    double width = 0.0;
-    for (std::size_t i = 0; i < hull.size(); ++i) {
-        for (std::size_t j = i + 1; j < hull.size(); ++j) width = std::max(width, glm::distance(hull[i], hull[j]));
-    }
-    return width;
 }
 
 /// The solid of a body that is not several fragments, and those that it consists of as long as it is whole.
@@ -91,7 +63,7 @@ double holeWidth(const PlayStructure& structure, std::span<const std::uint32_t> 
             addCorners(structure.asset->bake->fragment(structure.fragmentOf(node)).solid, corners[sets.rootOf(node)]);
     }
     double width = 0.0;
-    for (const auto& [root, points] : corners) width = std::max(width, widthOf(points));
+    for (const auto& [root, points] : corners) width = std::max(width, diameterOf(points));
     return width;
 }
 

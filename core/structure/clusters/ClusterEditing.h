@@ -19,8 +19,9 @@ struct ClusterTarget {
         Number,  // of clusters
         Size,    // of each, in fragments
     };
+    static constexpr std::uint32_t kMost = 1'000'000;
     Measure measure = Measure::Number;
-    std::uint32_t value = 8;  // >= 1
+    std::uint32_t value = 8;  // from 1 to kMost
 };
 
 /// Makes the clusters of an asset's bonds at one level, for the fragments of one fracture. Each function returns all

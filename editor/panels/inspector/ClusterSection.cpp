@@ -17,8 +17,7 @@ namespace {
 
 constexpr int kListHeight = 150;  // pixels
 constexpr int kClusterRole = Qt::UserRole;
-constexpr int kButtonColumns = 3;      // more are wider than the dock
-constexpr double kMostClusters = 1e6;  // or fragments of one
+constexpr int kButtonColumns = 3;  // more are wider than the dock
 
 }  // namespace
 
@@ -44,7 +43,7 @@ void ClusterSection::buildProposal() {
     m_measure->addItem(tr("Number of clusters"));
     m_measure->addItem(tr("Fragments of each"));
     m_value = addRow(tr("Proposed value"), new NumberField, tr("Set the number of clusters, or of fragments of each"));
-    m_value->setRange(FieldRange::whole(1.0, kMostClusters));
+    m_value->setRange(FieldRange::whole(1.0, ClusterTarget::kMost));
     m_value->setValue(ClusterTarget().value);
 }
 
@@ -105,10 +104,10 @@ std::shared_ptr<const Bake> ClusterSection::bake() const {
 void ClusterSection::propose() {
     if (!m_value->commit()) return;
     const auto measure = static_cast<ClusterTarget::Measure>(m_measure->currentIndex());
-    if (const std::shared_ptr<const Bake> known = bake()) {
-        push(proposeClusters(*asset(), *known, m_selection.enteredFragment(), m_selection.clusterLevel(),
-                             {measure, static_cast<std::uint32_t>(m_value->value())}));
-    }
+    const std::shared_ptr<const Bake> known = bake();
+    if (!known) return refuseUnbaked();
+    push(proposeClusters(*asset(), *known, m_selection.enteredFragment(), m_selection.clusterLevel(),
+                         {measure, static_cast<std::uint32_t>(m_value->value())}));
 }
 
 void ClusterSection::clear() {
@@ -117,8 +116,13 @@ void ClusterSection::clear() {
 }
 
 void ClusterSection::carryOut(ClusterCommand command) {
-    if (const std::shared_ptr<const Bake> known = bake())
-        push(clusterEdit(*asset(), *known, m_selection.fragments(), command, m_selection.clusterLevel()));
+    const std::shared_ptr<const Bake> known = bake();
+    if (!known) return refuseUnbaked();
+    push(clusterEdit(*asset(), *known, m_selection.fragments(), command, m_selection.clusterLevel()));
+}
+
+void ClusterSection::refuseUnbaked() {
+    emit refused(tr("The fragments are not ready yet. Try again when baking has finished."));
 }
 
 void ClusterSection::push(Result<Edit> edit) {

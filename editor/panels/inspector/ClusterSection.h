@@ -37,6 +37,7 @@ private:
     void propose();
     void clear();
     void carryOut(ClusterCommand command);
+    void refuseUnbaked();
     void push(Result<Edit> edit);
     void showList(const Asset& asset);
     void selectListed();

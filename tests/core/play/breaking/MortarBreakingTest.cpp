@@ -2,6 +2,8 @@
 
 #include "core/base/Random.h"
 #include "core/play/state/SessionState.h"
+#include "core/structure/clusters/ClusterEditing.h"
+#include "core/structure/clusters/ClusterLevels.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/play/MortarPortal.h"
 
@@ -74,6 +76,30 @@ QString faultOfMortar(const Session& session) {
             if (!reached.contains({state.origins[body.origin].instance, node})) return "held by nothing";
     }
     return {};
+}
+
+/// Parts each asset of a project into clusters of one level.
+void addClusters(Project& project, std::uint32_t count) {
+    for (Asset& asset : project.assets) {
+        const Bake made = bake(asset).value();
+        asset.bonding.clusters = ClusterEditing(asset, made, 0, 0).propose({ClusterTarget::Measure::Number, count});
+    }
+}
+
+/// A body that has parts of several clusters has all of each: they break apart only on their own.
+bool areClustersWhole(const Session& session) {
+    for (const PlayBody& body : session.bodies()) {
+        if (body.bondedFracture() == nullptr || body.nodes.empty()) continue;
+        const Asset& asset = *findAsset(session.scene().project, session.origins()[body.origin].asset);
+        const std::vector<std::uint32_t> clusters = clustersOfFragments(asset, *body.asset->bake, 0)[0];
+        std::set<std::uint32_t> found;
+        for (const std::uint32_t node : body.nodes) found.insert(clusters[node]);
+        if (found.size() < 2) continue;
+        for (std::uint32_t node = 0; node < clusters.size(); ++node) {
+            if (found.contains(clusters[node]) && !std::ranges::binary_search(body.nodes, node)) return false;
+        }
+    }
+    return true;
 }
 
 }  // namespace
@@ -207,6 +233,34 @@ private slots:
                 }
             }
         }
+    }
+    void joinedClustersComeOffWhole() {
+        constexpr std::uint64_t kSeed = 59;
+        Random random(kSeed);
+        std::size_t cameOff = 0;
+        for (int round = 0; round < 60; ++round) {
+            Project project = test::mortarPortal(random.between(20.0, 800.0));
+            addClusters(project, 4);
+            for (Asset& asset : project.assets) asset.bonding.span = round % 2 == 0 ? 0.0 : random.between(0.5, 2.0);
+            Session session = started(project);
+            for (int hit = 0; hit < 3; ++hit) {
+                const Vec3 to(random.between(-2.0, 2.0), random.between(0.2, 4.0), 0.0);
+                addInput(session, ShotInput{"ball", Throw{.size = {0.4, 0.4, 0.4},
+                                                          .mass = random.between(50.0, 800.0),
+                                                          .from = to + Vec3(random.between(-2.0, 2.0), 0.5, 4.0),
+                                                          .to = to,
+                                                          .speed = random.between(5.0, 40.0)}});
+                for (int k = 0; k < 30; ++k) {
+                    session.step();
+                    const QString place = QString("seed %1, round %2, hit %3: ").arg(kSeed).arg(round).arg(hit);
+                    const QString fault = faultOfMortar(session);
+                    QVERIFY2(fault.isEmpty(), qPrintable(place + fault));
+                    QVERIFY2(areClustersWhole(session), qPrintable(place + "a body has a part of a cluster"));
+                }
+            }
+            for (const PlayBody& body : session.bodies()) cameOff += body.isDebris() && body.nodes.size() > 1 ? 1 : 0;
+        }
+        QVERIFY2(cameOff > 20, qPrintable(QString::number(cameOff)));
     }
 };
 
