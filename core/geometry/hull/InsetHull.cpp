@@ -1,0 +1,141 @@
+#include "core/geometry/hull/InsetHull.h"
+
+#include "core/base/Assert.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rubble {
+namespace {
+
+constexpr double kMinSine = 1e-12;  // of the angle between two sides whose lines are intersected
+
+std::span<const Plane> sidesOf(const Polytope& prism) { return std::span(prism.planes).subspan(2); }
+
+Vec2 cornerOf(const Polytope& prism, std::size_t corner) { return Vec2(prism.vertices[corner]); }
+
+/// The displacement of the corner between two sides that move outwards by `distance`.
+Vec2 displacement(Vec2 before, Vec2 after, double distance) {
+    return (before + after) * (distance / (1.0 + glm::dot(before, after)));
+}
+
+/// A ring whose sides move inwards until no side runs backwards.
+class ShrinkingRing {
+public:
+    ShrinkingRing(const Polytope& prism, double distance) {
+        const std::span<const Plane> sides = sidesOf(prism);
+        for (std::size_t k = 0; k < sides.size(); ++k) {
+            const Vec2 normal(sides[k].normal), before(sides[(k + sides.size() - 1) % sides.size()].normal);
+            m_sides.push_back({normal, sides[k].offset - distance});
+            m_corners.push_back(cornerOf(prism, k) + displacement(before, normal, -distance));
+        }
+    }
+
+    /// The ring; fewer than three corners: nothing is left.
+    Ring ring() && {
+        while (m_sides.size() >= 3 && removeShortest()) {
+        }
+        return m_sides.size() < 3 ? Ring() : std::move(m_corners);
+    }
+
+private:
+    struct Side {
+        Vec2 normal;
+        double offset = 0.0;
+    };
+    std::size_t after(std::size_t side) const { return side + 1 < m_sides.size() ? side + 1 : 0; }
+
+    /// Removes the side that runs backwards the most; returns whether there is one.
+    bool removeShortest() {
+        std::size_t shortest = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t k = 0; k < m_sides.size(); ++k) {
+            const double length = cross(m_sides[k].normal, m_corners[after(k)] - m_corners[k]);
+            if (length < least) {
+                least = length;
+                shortest = k;
+            }
+        }
+        if (least > 0.0) return false;
+        const std::size_t next = after(shortest);
+        const Vec2 middle = (m_corners[shortest] + m_corners[next]) * 0.5;
+        const Side& before = m_sides[shortest > 0 ? shortest - 1 : m_sides.size() - 1];
+        m_corners[next] = intersection(before, m_sides[next]).value_or(middle);
+        m_sides.erase(m_sides.begin() + static_cast<std::ptrdiff_t>(shortest));
+        m_corners.erase(m_corners.begin() + static_cast<std::ptrdiff_t>(shortest));
+        return true;
+    }
+    static std::optional<Vec2> intersection(const Side& a, const Side& b) {
+        const double sine = cross(a.normal, b.normal);
+        if (std::abs(sine) < kMinSine) return std::nullopt;
+        return Vec2(a.offset * b.normal.y - b.offset * a.normal.y, b.offset * a.normal.x - a.offset * b.normal.x) /
+               sine;
+    }
+
+    std::vector<Side> m_sides;    // counter-clockwise
+    std::vector<Vec2> m_corners;  // where each side starts
+};
+
+}  // namespace
+
+bool isPrism(const Polytope& polytope) {
+    const std::size_t count = polytope.vertices.size() / 2;
+    if (count < 3 || polytope.vertices.size() % 2 != 0 || polytope.faces.size() != count + 2) return false;
+    if (polytope.planes.size() != polytope.faces.size()) return false;
+    const auto hasFace = [&](std::size_t face, std::span<const std::size_t> loop) {
+        return std::ranges::equal(polytope.faces[face], loop);
+    };
+    std::vector<std::size_t> front(count), back(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        front[k] = k;
+        back[k] = 2 * count - 1 - k;
+        const std::size_t next = k + 1 < count ? k + 1 : 0;
+        if (!hasFace(k + 2, std::array{k, count + k, count + next, next})) return false;
+        if (Vec2(polytope.vertices[k]) != Vec2(polytope.vertices[count + k])) return false;
+        if (polytope.planes[k + 2].normal.z != 0.0) return false;
+    }
+    return hasFace(0, front) && hasFace(1, back) && polytope.planes[0].normal == Vec3(0.0, 0.0, 1.0) &&
+           polytope.planes[1].normal == Vec3(0.0, 0.0, -1.0);
+}
+
+double thinnestWidth(const Polytope& prism) {
+    RUBBLE_ASSERT(prism.planes.size() >= 5);
+    // The width of a product of a convex ring and an interval is the smaller of theirs, and that of a ring is across
+    // one of its sides.
+    double thinnest = prism.planes[0].offset + prism.planes[1].offset;
+    for (const Plane& side : sidesOf(prism)) {
+        double width = 0.0;
+        for (std::size_t k = 0; 2 * k < prism.vertices.size(); ++k)
+            width = std::max(width, side.offset - glm::dot(Vec2(side.normal), cornerOf(prism, k)));
+        thinnest = std::min(thinnest, width);
+    }
+    return thinnest;
+}
+
+InsetHull insetHull(const Polytope& prism, double distance) {
+    const double inset = std::min(distance, kMostInset * thinnestWidth(prism));
+    if (!(inset > 0.0)) return {prism, 0.0};
+    const Ring ring = ShrinkingRing(prism, inset).ring();
+    if (ring.size() < 3) return {prism, 0.0};
+    const double front = prism.planes[0].offset - inset, back = inset - prism.planes[1].offset;
+    InsetHull hull{extruded(ring, back, front), inset};
+    return hull.polytope.vertices.empty() ? InsetHull{prism, 0.0} : hull;
+}
+
+std::optional<Polytope> solidOf(const InsetHull& hull) {
+    if (hull.inset == 0.0) return hull.polytope;
+    if (!isPrism(hull.polytope)) return std::nullopt;
+    Polytope solid = hull.polytope;
+    const std::size_t count = solid.vertices.size() / 2;
+    for (Plane& plane : solid.planes) plane.offset += hull.inset;
+    for (std::size_t k = 0; k < count; ++k) {
+        const Vec2 before(solid.planes[k > 0 ? k + 1 : count + 1].normal), after(solid.planes[k + 2].normal);
+        const Vec2 moved = cornerOf(solid, k) + displacement(before, after, hull.inset);
+        solid.vertices[k] = Vec3(moved, solid.planes[0].offset);
+        solid.vertices[count + k] = Vec3(moved, -solid.planes[1].offset);
+    }
+    return solid;
+}
+
+}  // namespace rubble

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/geometry/hull/Polytope.h"
+
+#include <optional>
+
+namespace rubble {
+
+/// A hull for the collisions of other engines: that of a solid with its faces moved inwards, so that the hulls of
+/// solids that touch do not.
+struct InsetHull {
+    Polytope polytope;
+    double inset = 0.0;  // m, >= 0: of each face
+    bool operator==(const InsetHull&) const = default;
+};
+
+/// The most that faces are moved, relative to the thinnestWidth().
+inline constexpr double kMostInset = 0.01;
+
+/// Whether a polytope has the vertices and faces of extruded(), in its order.
+bool isPrism(const Polytope& polytope);
+
+/// The smallest width of a prism, m. O(n²) in its corners.
+double thinnestWidth(const Polytope& prism);
+
+/// A prism with its faces moved inwards by `distance` m >= 0, at most kMostInset of its thinnestWidth(). Faces between
+/// which no room is left vanish. The prism itself where rounding leaves nothing.
+InsetHull insetHull(const Polytope& prism, double distance);
+
+/// The prism whose insetHull() this is: exactly, up to rounding, but for faces that vanished, beside which it extends
+/// up to some insets further. Nothing if the hull is not a prism.
+std::optional<Polytope> solidOf(const InsetHull& hull);
+
+}  // namespace rubble
