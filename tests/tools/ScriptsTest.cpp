@@ -42,6 +42,23 @@ bool makeDebian(const QString& place, const QByteArray& missing) {
            QFile::link("/usr/bin/env", place + "/env");
 }
 
+/// Programs node and npm in that PATH; the latter does this.
+bool makeNpm(const QString& place, const QByteArray& command) {
+    const auto link = [&](const QString& name) { return QFile::link("/usr/bin/" + name, place + '/' + name); };
+    return writeFile(place + "/node", "#!/bin/sh\n") && writeFile(place + "/npm", "#!/bin/sh\n" + command + '\n') &&
+           link("cp") && link("rm") && link("mkdir");
+}
+
+const QString kLock = RUBBLE_SOURCE_DIR "/tests/exchange/package-lock.json";
+
+/// tools/setup in such a place, where it has its packages of npm as well.
+Outcome setup(const QString& group, const QString& place) {
+    qputenv("RUBBLE_NPM", place.toUtf8());
+    const Outcome outcome = run("/bin/bash", {kTools + "setup", group}, place);
+    qunsetenv("RUBBLE_NPM");
+    return outcome;
+}
+
 /// A module core/base, whose only header includes what is given, and a module core/geometry with the sub-folders hull
 /// and mesh, of which mesh may use the other.
 bool makeModules(const QString& root, const QByteArray& baseIncludes) {
@@ -84,9 +101,32 @@ private slots:
     void setupDoesNothingIfAllIsInstalled() {
         const QTemporaryDir place;
         QVERIFY(makeDebian(place.path(), ""));
-        const Outcome outcome = run("/bin/bash", {kTools + "setup", "all"}, place.path());
+        QVERIFY(QFile::copy(kLock, place.filePath("installed-all")));
+        const Outcome outcome = setup("all", place.path());
         QCOMPARE(outcome.err + outcome.out, QString());
         QCOMPARE(outcome.exit, 0);
+    }
+    void setupInstallsPackagesOfNpm() {
+        const QTemporaryDir place;
+        QVERIFY(makeDebian(place.path(), "") && makeNpm(place.path(), "echo npm \"$@\""));
+        QVERIFY(setup("test", place.path()).err.contains("--ignore-scripts --omit=optional"));
+        QVERIFY(QFile::exists(place.filePath("package.json")));
+        QCOMPARE(setup("test", place.path()).err, QString());  // the lock is the same
+        const QString all = setup("all", place.path()).err;
+        QVERIFY(all.contains("--ignore-scripts") && !all.contains("--omit"));
+        QCOMPARE(setup("test", place.path()).err, QString());
+    }
+    void setupGoesOnWithoutNpm() {
+        const QTemporaryDir place;
+        QVERIFY(makeDebian(place.path(), ""));
+        const Outcome absent = setup("test", place.path());
+        QCOMPARE(absent.exit, 0);
+        QVERIFY(absent.err.startsWith("tools/setup: node and npm are not there"));
+        QVERIFY(makeNpm(place.path(), "exit 1"));
+        const Outcome offline = setup("test", place.path());
+        QCOMPARE(offline.exit, 0);
+        QVERIFY(offline.err.startsWith("tools/setup: npm could not install the packages of tests/exchange"));
+        QVERIFY(!QFile::exists(place.filePath("installed-test")));
     }
     void setupInstallsOnlyMissingPackages() {
         const QTemporaryDir place;

@@ -1,0 +1,82 @@
+// Loads packs into an engine and checks what it has and does: node run.mjs ENGINE PACKS NPM. Prints a row for each pack as
+// it is in the file, and with its hulls inset where they touch; checks the latter. Exits with 0, 1 where a figure is
+// beyond its limit, 77 where the engine is not installed.
+import {existsSync, readFileSync} from "node:fs";
+import {createRequire} from "node:module";
+import {join} from "node:path";
+import {pathToFileURL} from "node:url";
+import {fragmentsOfWhole, leaves, readPack, withInset} from "./pack.mjs";
+import {kInset, measure} from "./conformance.mjs";
+
+/// Packs by folder; which of their fragments; whether they lie on the floor; and how far they may settle, m, where that
+/// is more than for others: in high stacks the gaps of many fragments close, one after the other.
+const kCases = [
+  {asset: "roof", of: fragmentsOfWhole},
+  {asset: "wall", of: fragmentsOfWhole},
+  {asset: "pane", of: fragmentsOfWhole, lies: true},
+  {asset: "terraces", of: fragmentsOfWhole, standing: 5e-3},
+  {asset: "two levels", of: leaves, standing: 5e-3},
+];
+/// Errors as in errorsOf(); m/s; m. Engines count in single precision.
+const kLimits = {mass: 1e-6, centre: 1e-6, inertia: 1e-5, volume: 1e-5, friction: 1e-6, pose: 1e-6, swap: 1e-3,
+                 standing: 2e-3, drift: 2e-4};
+
+const [engineName, packs, npm] = process.argv.slice(2);
+if (!npm) {
+  console.error("usage: node run.mjs ENGINE PACKS NPM, the folder with node_modules");
+  process.exit(2);
+}
+const adapter = await import(`./engines/${engineName}.mjs`);
+
+function skip(reason) {
+  console.log(`skipped: ${reason}`);
+  process.exit(77);
+}
+
+/// The folder of an installed package and what it says of itself.
+function installed(name) {
+  const folder = join(npm, "node_modules", name);
+  if (!existsSync(join(folder, "package.json"))) skip(`${name} is not installed; tools/setup test installs it`);
+  return {folder, ...JSON.parse(readFileSync(join(folder, "package.json"), "utf8"))};
+}
+const load = (name) => import(pathToFileURL(createRequire(join(npm, "package.json")).resolve(name)).href);
+
+const rounded = (value) => (value === undefined ? "–" : value === 0 ? "0" : value.toExponential(1));
+const inMillimetres = (value) => (value * 1000).toFixed(value < 1e-2 ? 2 : 0);
+function print(row) {
+  console.log(row.map((cell, k) => String(cell).padEnd([14, 10, 12, 9, 8, 9, 9, 9, 9, 9, 9, 9][k] ?? 0)).join(" "));
+}
+
+let faults = 0;
+/// Says what is beyond its limit.
+function check({asset, standing}, row) {
+  const {swap, drift} = row;
+  for (const [what, is] of Object.entries({...row.errors, swap, standing: row.standing, drift})) {
+    const usual = (what === "standing" && standing) || kLimits[what];
+    const [limit, reason] = adapter.looser?.[`${asset} ${what}`] ?? adapter.looser?.[what] ?? [usual];
+    if (is > usual && is <= limit) console.log(`  ${what} ${is.toExponential(1)}: ${reason}`);
+    if (is === undefined || is <= limit) continue;
+    ++faults;
+    console.log(`  FAULT: ${what} is ${is.toExponential(1)}, and ${limit} is the most`);
+  }
+}
+
+const {version, folder} = adapter.packageName ? installed(adapter.packageName) : {};
+const engine = await adapter.start(load, folder);
+const shown = engine.version ?? version;
+print(["program", "version", "asset", "hulls", "count", "mass", "centre", "inertia", "volume", "friction", "pose",
+       "swap mm/s", "stand mm", "drift mm"]);
+for (const one of kCases) {
+  const {asset, of, lies} = one;
+  const pack = readPack(join(packs, asset, "pack.json"));
+  for (const form of pack.inset > 0 ? [pack] : [pack, withInset(pack, kInset)]) {
+    const fragments = of(form);
+    const row = measure(engine, fragments, lies);
+    print([adapter.program, shown, asset, form.inset > 0 ? "inset" : "touch", row.count,
+           ...["mass", "centre", "inertia", "volume", "friction", "pose"].map((key) => rounded(row.errors[key])),
+           inMillimetres(row.swap), inMillimetres(row.standing), inMillimetres(row.drift)]);
+    if (row.count !== fragments.length) throw new Error(`${row.count} bodies of ${fragments.length}`);
+    if (form.inset > 0) check(one, row);
+  }
+}
+process.exit(faults > 0 ? 1 : 0);
