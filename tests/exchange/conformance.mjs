@@ -46,8 +46,8 @@ function errorsOf(found, bodies) {
 
 /// Bodies in a world of an engine: their properties; after `seconds` their largest speed, m/s, and displacement, m; and
 /// how far they moved in the second half of it, m.
-function run(engine, bodies, {gravity, seconds, hasFloor}) {
-  const world = engine.world([0, gravity, 0], kStep);
+function run(engine, setting, bodies, {gravity, seconds, hasFloor}) {
+  const world = engine.world([0, gravity, 0], kStep, setting);
   if (hasFloor) world.addFloor(lowest(bodies), bodies[0].friction);
   const added = bodies.map((body) => world.add(body));
   world.finish?.();
@@ -66,10 +66,10 @@ function run(engine, bodies, {gravity, seconds, hasFloor}) {
 }
 
 /// A row of measured figures: {count, errors, swap in m/s, standing and drift in m}.
-export function measure(engine, fragments, lies) {
+export function measure(engine, setting, fragments, lies) {
   const bodies = posed(fragments, lies);
-  const swap = run(engine, bodies, {gravity: 0, seconds: kStep, hasFloor: false});
-  const standing = run(engine, bodies, {gravity: -9.81, seconds: kStanding, hasFloor: true});
+  const swap = run(engine, setting, bodies, {gravity: 0, seconds: kStep, hasFloor: false});
+  const standing = run(engine, setting, bodies, {gravity: -9.81, seconds: kStanding, hasFloor: true});
   return {count: swap.found.length, errors: errorsOf(swap.found, bodies), swap: swap.speed,
           standing: standing.displacement, drift: standing.drift};
 }

@@ -1,8 +1,8 @@
 export const program = "Jolt Physics";
 export const packageName = "jolt-physics";
-export const looser = {
+export const settings = [{name: "defaults", looser: {
   volume: [1.2e-2, "its hulls leave out points nearer than 1 mm to a face (mHullTolerance)"],
-};
+}}];
 
 const kMoving = 1, kFixed = 0;  // layers
 

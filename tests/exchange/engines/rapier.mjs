@@ -1,8 +1,8 @@
 export const program = "Rapier";
 export const packageName = "@dimforge/rapier3d-compat";
-export const looser = {
+export const settings = [{name: "defaults", looser: {
   volume: [5e-4, "its hulls leave out points less than about a thousandth of their size outside a face"],
-};
+}}];
 
 const xyz = ([x, y, z]) => ({x, y, z});
 const xyzw = ([x, y, z, w]) => ({x, y, z, w});

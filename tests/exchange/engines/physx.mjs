@@ -1,0 +1,112 @@
+import {readFileSync} from "node:fs";
+import {join} from "node:path";
+
+export const program = "PhysX 5.6.1";
+export const packageName = "physx-js-webidl";
+const volume = [2e-3, "cooking leaves out points that lie nearer than 0.7 mm (planeTolerance) to a face"];
+export const settings = [
+  {name: "defaults", looser: {volume, standing: [3e-2, "4 iterations of the solver PGS let stacks sink"]}},
+  {name: "solver TGS, 8 iterations", usesTgs: true, iterations: 8, looser: {volume}},
+];
+
+/// Its build is for browsers and refuses node: it must find a window, and no process, until it is ready.
+async function asInBrowser(start) {
+  const process = globalThis.process;
+  globalThis.window = globalThis;
+  globalThis.process = undefined;
+  try {
+    return await start();
+  } finally {
+    globalThis.process = process;
+    delete globalThis.window;
+  }
+}
+
+export async function start(load, folder) {
+  const wasmBinary = readFileSync(join(folder, "physx-js-webidl.wasm"));
+  const {default: PhysX} = await load(packageName);
+  const Px = await asInBrowser(() => PhysX({wasmBinary}));
+  const top = Px.PxTopLevelFunctions.prototype;
+  const version = Px.PHYSICS_VERSION;
+  const foundation = top.CreateFoundation(version, new Px.PxDefaultAllocator(), new Px.PxDefaultErrorCallback());
+  const scale = new Px.PxTolerancesScale();
+  const physics = top.CreatePhysics(version, foundation, scale);
+  const cooking = new Px.PxCookingParams(scale);
+  const dispatcher = top.DefaultCpuDispatcherCreate(0);
+  const sdk = {Px, top, physics, scale, cooking, dispatcher};
+  return {world: (gravity, step, setting) => new World(sdk, gravity, step, setting)};
+}
+
+class World {
+  constructor(sdk, gravity, step, setting) {
+    Object.assign(this, sdk, {setting});
+    const {Px, top} = sdk;
+    this.stepLength = step;
+    const description = new Px.PxSceneDesc(this.scale);
+    description.gravity = new Px.PxVec3(...gravity);
+    description.cpuDispatcher = this.dispatcher;
+    if (setting.usesTgs) description.solverType = Px.PxSolverTypeEnum.eTGS;
+    description.filterShader = top.DefaultFilterShader();
+    this.scene = this.physics.createScene(description);
+  }
+  /// A shape of an actor, which then collides with all others.
+  attach(actor, geometry, friction, restitution) {
+    const {Px} = this;
+    const material = this.physics.createMaterial(friction, friction, restitution);
+    const flags = new Px.PxShapeFlags(Px.PxShapeFlagEnum.eSIMULATION_SHAPE | Px.PxShapeFlagEnum.eSCENE_QUERY_SHAPE);
+    const shape = this.physics.createShape(geometry, material, true, flags);
+    shape.setSimulationFilterData(new Px.PxFilterData(1, 1, 0, 0));
+    actor.attachShape(shape);
+    return material;
+  }
+  addFloor(height, friction) {
+    const {Px} = this;
+    const pose = new Px.PxTransform(new Px.PxVec3(0, height - 1, 0), new Px.PxQuat(0, 0, 0, 1));
+    const floor = this.physics.createRigidStatic(pose);
+    this.attach(floor, new Px.PxBoxGeometry(50, 1, 50), friction, 0);
+    this.scene.addActor(floor);
+  }
+  hullOf(hull) {
+    const {Px} = this;
+    const points = new Px.PxArray_PxVec3();
+    for (const vertex of hull.vertices) points.pushBack(new Px.PxVec3(...vertex));
+    const description = new Px.PxConvexMeshDesc();
+    description.points.count = points.size();
+    description.points.stride = 12;
+    description.points.data = points.begin();
+    description.flags = new Px.PxConvexFlags(Px.PxConvexFlagEnum.eCOMPUTE_CONVEX);
+    const mesh = this.top.CreateConvexMesh(this.cooking, description);
+    if (!mesh || !Px.getPointer(mesh)) throw new Error("PhysX cooks no mesh of a hull");
+    return new Px.PxConvexMeshGeometry(mesh);
+  }
+  // The adapter.
+  add(body) {
+    const {Px} = this;
+    const transform = (position, rotation) => new Px.PxTransform(new Px.PxVec3(...position), new Px.PxQuat(...rotation));
+    const added = this.physics.createRigidDynamic(transform(body.position, body.rotation));
+    const geometries = body.hulls.map((hull) => this.hullOf(hull));
+    const materials = geometries.map((hull) => this.attach(added, hull, body.friction, body.restitution));
+    if (this.setting.iterations) added.setSolverIterationCounts(this.setting.iterations, 1);
+    added.setMass(body.mass);
+    added.setMassSpaceInertiaTensor(new Px.PxVec3(...body.principal.moments));
+    added.setCMassLocalPose(transform(body.centreOfMass, body.principal.rotation));
+    this.scene.addActor(added);
+    const values = ({x, y, z}) => [x, y, z];
+    return {
+      position: () => values(added.getGlobalPose().p),
+      velocity: () => values(added.getLinearVelocity()),
+      properties: () => ({
+        mass: added.getMass(),
+        centre: values(added.getCMassLocalPose().p),
+        moments: values(added.getMassSpaceInertiaTensor()),
+        volume: geometries.reduce((sum, hull) => sum + new Px.PxMassProperties(hull).mass, 0),
+        friction: materials[0].getStaticFriction(),
+        position: values(added.getGlobalPose().p),
+      }),
+    };
+  }
+  step() {
+    this.scene.simulate(this.stepLength);
+    this.scene.fetchResults(true);
+  }
+}
