@@ -1,6 +1,6 @@
 // What every engine is asked: whether it has the bodies of a pack, whether they stay where they are when they take the
 // place of the whole (quiet swap), and whether they stand.
-import {identity, length, product, rotated, solidOf, sub} from "./geometry.mjs";
+import {identity, length, principalOf, product, rotated, solidOf, sub} from "./geometry.mjs";
 
 const kStep = 1 / 60;      // s
 const kStanding = 5;       // s
@@ -59,8 +59,9 @@ function run(engine, setting, bodies, {gravity, seconds, hasFloor}) {
     if (step === steps >> 1) halfway.push(...added.map((body) => body.position()));
   }
   const drift = largest(added.map((body, k) => length(sub(body.position(), halfway[k]))));
-  const speed = largest(added.map((body) => length(body.velocity())));
   const displacement = largest(added.map((body, k) => length(sub(body.position(), bodies[k].position))));
+  // Engines may also move bodies without giving them a velocity.
+  const speed = Math.max(largest(added.map((body) => length(body.velocity()))), displacement / seconds);
   world.end?.();
   return {found, speed, displacement, drift};
 }
@@ -72,4 +73,10 @@ export function measure(engine, setting, fragments, lies) {
   const standing = run(engine, setting, bodies, {gravity: -9.81, seconds: kStanding, hasFloor: true});
   return {count: swap.found.length, errors: errorsOf(swap.found, bodies), swap: swap.speed,
           standing: standing.displacement, drift: standing.drift};
+}
+
+/// Such a row of what a program in C++ has printed.
+export function rowOf(report, fragments, lies) {
+  const found = report.found.map((body) => ({...body, moments: principalOf(body.inertia).moments}));
+  return {...report, count: found.length, errors: errorsOf(found, posed(fragments, lies))};
 }

@@ -1,45 +1,30 @@
-// Loads packs into an engine and checks what it has and does: node run.mjs ENGINE PACKS NPM. Prints a row for each pack as
-// it is in the file, and with its hulls inset where they touch; checks the latter. Exits with 0, 1 where a figure is
+// Loads packs into an engine and checks what it has and does: node run.mjs ENGINE PACKS PLACE. Prints a row for each pack
+// as it is in the file, and with its hulls inset where they touch; checks the latter. Exits with 0, 1 where a figure is
 // beyond its limit, 77 where the engine is not installed.
-import {existsSync, readFileSync} from "node:fs";
-import {createRequire} from "node:module";
-import {join, resolve} from "node:path";
-import {pathToFileURL} from "node:url";
+import {join} from "node:path";
 import {fragmentsOfWhole, leaves, readPack, withInset} from "./pack.mjs";
-import {kInset, measure} from "./conformance.mjs";
+import {kInset, measure, rowOf} from "./conformance.mjs";
+import {installed, loaderFrom} from "./packages.mjs";
 
 /// Packs by folder; which of their fragments; whether they lie on the floor; and how far they may settle, m, where that
 /// is more than for others: in high stacks the gaps of many fragments close, one after the other.
 const kCases = [
-  {asset: "roof", of: fragmentsOfWhole},
-  {asset: "wall", of: fragmentsOfWhole},
-  {asset: "pane", of: fragmentsOfWhole, lies: true},
-  {asset: "terraces", of: fragmentsOfWhole, standing: 5e-3},
-  {asset: "two levels", of: leaves, standing: 5e-3},
+  {asset: "roof", of: "whole"},
+  {asset: "wall", of: "whole"},
+  {asset: "pane", of: "whole", lies: true},
+  {asset: "terraces", of: "whole", standing: 5e-3},
+  {asset: "two levels", of: "leaves", standing: 5e-3},
 ];
 /// Errors as in errorsOf(); m/s; m. Engines count in single precision.
 const kLimits = {mass: 1e-6, centre: 1e-6, inertia: 1e-5, volume: 1e-5, friction: 1e-6, pose: 1e-6, swap: 1e-3,
                  standing: 2e-3, drift: 2e-4};
 
-const [engineName, packs, npm, extent] = process.argv.slice(2);
-if (!npm) {
-  console.error("usage: node run.mjs ENGINE PACKS NPM [long]; NPM: the folder with node_modules");
+const [engineName, packs, place, extent] = process.argv.slice(2);
+if (!place) {
+  console.error("usage: node run.mjs ENGINE PACKS PLACE [long]; PLACE: the folder with node_modules, or the program");
   process.exit(2);
 }
 const adapter = await import(`./engines/${engineName}.mjs`);
-
-function skip(reason) {
-  console.log(`skipped: ${reason}`);
-  process.exit(77);
-}
-
-/// The folder of an installed package and what it says of itself.
-function installed(name) {
-  const folder = join(npm, "node_modules", name);
-  if (!existsSync(join(folder, "package.json"))) skip(`${name} is not installed; tools/setup test installs it`);
-  return {folder, ...JSON.parse(readFileSync(join(folder, "package.json"), "utf8"))};
-}
-const load = (name) => import(pathToFileURL(createRequire(join(resolve(npm), "package.json")).resolve(name)).href);
 
 const rounded = (value) => (value === undefined ? "–" : value === 0 ? "0" : value.toExponential(1));
 const inMillimetres = (value) => (value * 1000).toFixed(value < 1e-2 ? 2 : 0);
@@ -62,12 +47,22 @@ function check({asset, standing}, {looser = {}}, row) {
   }
 }
 
+/// What an engine does with fragments of a pack; nothing where it aborts, which is a fault where hulls do not touch.
+function rowFor(engine, setting, one, pack, fragments) {
+  if (!engine.report) return measure(engine, setting, fragments, one.lies);
+  const report = engine.report(pack, one, setting);
+  if (report) return rowOf(report, fragments, one.lies);
+  print([adapter.program, engine.version, one.asset, pack.inset > 0 ? "inset" : "touch", "aborts"]);
+  if (pack.inset > 0) ++faults;
+}
+
 /// Measures an asset as it is in the file, and inset where hulls touch there.
 function measureAsset(engine, version, setting, one) {
   const pack = readPack(join(packs, one.asset, "pack.json"));
   for (const form of pack.inset > 0 ? [pack] : [pack, withInset(pack, kInset)]) {
-    const fragments = one.of(form);
-    const row = measure(engine, setting, fragments, one.lies);
+    const fragments = (one.of === "leaves" ? leaves : fragmentsOfWhole)(form);
+    const row = rowFor(engine, setting, one, form, fragments);
+    if (!row) continue;
     print([adapter.program, version, one.asset, form.inset > 0 ? "inset" : "touch", row.count,
            ...["mass", "centre", "inertia", "volume", "friction", "pose"].map((key) => rounded(row.errors[key])),
            ...[row.swap, row.standing, row.drift].map(inMillimetres)]);
@@ -76,8 +71,8 @@ function measureAsset(engine, version, setting, one) {
   }
 }
 
-const {version, folder} = adapter.packageName ? installed(adapter.packageName) : {};
-const engine = await adapter.start(load, folder);
+const {version, folder} = adapter.packageName ? installed(place, adapter.packageName) : {folder: place};
+const engine = await adapter.start(loaderFrom(place), folder);
 print(["program", "version", "asset", "hulls", "count", "mass", "centre", "inertia", "volume", "friction", "pose",
        "swap mm/s", "stand mm", "drift mm"]);
 for (const setting of adapter.settings) {

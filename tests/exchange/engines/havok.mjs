@@ -6,7 +6,7 @@ export const packageName = "@babylonjs/havok";
 const reshaped = "it rounds hulls by a radius, and a face of less than about 25 mm moves 2 mm out, those beside it 2 mm in";
 export const settings = [{name: "defaults", looser: {
   volume: [1e-2, reshaped],
-  swap: [5e-2, reshaped],
+  swap: [0.1, reshaped],
   standing: [8e-3, reshaped],
 }}];
 

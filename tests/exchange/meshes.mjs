@@ -1,0 +1,61 @@
+// The mesh files of packs, and whether what an importer has of one is what the pack says.
+import {readdirSync} from "node:fs";
+import {join} from "node:path";
+import {add, length, scaled, sub} from "./geometry.mjs";
+import {readPack} from "./pack.mjs";
+
+/// The GLB files of all packs: {path, name, pack, bodies}, with the bodies that a file holds.
+export function meshesOf(packs) {
+  const files = [];
+  for (const folder of readdirSync(packs).sort()) {
+    const pack = readPack(join(packs, folder, "pack.json"));
+    for (const {file, bodies} of pack.meshes) {
+      if (!file.endsWith(".glb")) continue;
+      files.push({path: join(packs, folder, file), name: file, pack, bodies: bodiesOf(pack, file, bodies)});
+    }
+  }
+  return files;
+}
+
+function bodiesOf(pack, file, bodies) {
+  if (bodies === "whole") return [pack.whole];
+  const level = /-level-(\d+)\.glb$/.exec(file)?.[1];
+  return pack.fragments.filter((fragment) => (level === undefined ? fragment.children.length === 0
+                                                                  : fragment.children.length > 0 && fragment.level === +level));
+}
+
+/// The volume, m^3, and centroid of a closed mesh: a list of triangles of three points each.
+export function solidOfTriangles(triangles) {
+  let volume = 0;
+  let centroid = [0, 0, 0];
+  for (const [a, b, c] of triangles) {
+    const part = (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                  a[2] * (b[0] * c[1] - b[1] * c[0])) / 6;
+    volume += part;
+    centroid = add(centroid, scaled(add(a, add(b, c)), part / 4));
+  }
+  return {volume, centroid: scaled(centroid, 1 / volume)};
+}
+
+/// Compares objects {name, triangles in the asset's frame} with the bodies of a file; returns the number of faults.
+export function checkObjects(title, objects, bodies) {
+  let volumeError = 0;
+  let centreError = 0;
+  const missing = bodies.filter(({name}) => !objects.some((object) => object.name === name)).map(({name}) => name);
+  for (const {name, triangles} of objects) {
+    const body = bodies.find((one) => one.name === name);
+    if (!body) continue;
+    const {volume, centroid} = solidOfTriangles(triangles.map((triangle) => triangle.map((p) => sub(p, body.offset))));
+    volumeError = Math.max(volumeError, Math.abs(volume / body.volume - 1));
+    centreError = Math.max(centreError, length(centroid));
+  }
+  console.log(`${title}: objects ${objects.length}, volume ${volumeError.toExponential(1)}, ` +
+    `centre ${centreError.toExponential(1)}`);
+  const faults = [];
+  if (missing.length > 0) faults.push(`${missing.join(", ")} missing`);
+  if (objects.length !== bodies.length) faults.push(`${bodies.length} bodies expected`);
+  if (!(volumeError < 1e-6)) faults.push("volumes differ");
+  if (!(centreError < 1e-6)) faults.push("centres differ");
+  for (const fault of faults) console.log(`  FAULT: ${fault}`);
+  return faults.length;
+}

@@ -1,0 +1,24 @@
+// Packages of npm that tests/exchange loads.
+import {existsSync, readFileSync} from "node:fs";
+import {createRequire} from "node:module";
+import {join, resolve} from "node:path";
+import {pathToFileURL} from "node:url";
+
+/// Ends the test as skipped.
+export function skip(reason) {
+  console.log(`skipped: ${reason}`);
+  process.exit(77);
+}
+
+/// An installed package: its folder and what its package.json says. `place`: the folder with node_modules.
+export function installed(place, name) {
+  const folder = join(place, "node_modules", name);
+  if (!existsSync(join(folder, "package.json"))) skip(`${name} is not installed; tools/setup test installs it`);
+  return {folder, ...JSON.parse(readFileSync(join(folder, "package.json"), "utf8"))};
+}
+
+/// Imports a module of a package from there.
+export function loaderFrom(place) {
+  const {resolve: find} = createRequire(join(resolve(place), "package.json"));
+  return (name) => import(pathToFileURL(find(name)).href);
+}

@@ -1,0 +1,37 @@
+// The GLTFLoader of three.js loads the GLB files of packs: node three.mjs PACKS PLACE.
+import {readFileSync} from "node:fs";
+import {join, resolve} from "node:path";
+import {pathToFileURL} from "node:url";
+import {checkObjects, meshesOf} from "./meshes.mjs";
+import {installed} from "./packages.mjs";
+
+const [packs, place] = process.argv.slice(2);
+const {version, folder} = installed(place, "three");
+const load = (file) => import(pathToFileURL(resolve(join(folder, file))).href);
+const {Vector3} = await load("build/three.module.js");
+const {GLTFLoader} = await load("examples/jsm/loaders/GLTFLoader.js");
+
+/// The triangles of the meshes below an object, in the frame of the scene.
+function trianglesOf(object) {
+  const triangles = [];
+  object.traverse((mesh) => {
+    if (!mesh.isMesh) return;
+    const {index, attributes} = mesh.geometry;
+    const point = (k) => new Vector3().fromBufferAttribute(attributes.position, index.getX(k))
+      .applyMatrix4(mesh.matrixWorld).toArray();
+    for (let k = 0; k < index.count; k += 3) triangles.push([point(k), point(k + 1), point(k + 2)]);
+  });
+  return triangles;
+}
+
+let faults = 0;
+for (const {path, name, bodies} of meshesOf(packs)) {
+  const bytes = readFileSync(path);
+  const buffer = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
+  const {scene} = await new GLTFLoader().parseAsync(buffer, "");
+  scene.updateMatrixWorld(true);
+  // Names lose their periods; the original is in userData.
+  const objects = scene.children.map((child) => ({name: child.userData.name ?? child.name, triangles: trianglesOf(child)}));
+  faults += checkObjects(`three.js ${version}: ${name}`, objects, bodies);
+}
+process.exit(faults > 0 ? 1 : 0);

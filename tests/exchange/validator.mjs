@@ -1,0 +1,19 @@
+// gltf-validator finds no error and no warning in the GLB files of packs: node validator.mjs PACKS PLACE.
+import {readFileSync} from "node:fs";
+import {meshesOf} from "./meshes.mjs";
+import {installed, loaderFrom} from "./packages.mjs";
+
+const [packs, place] = process.argv.slice(2);
+const {version} = installed(place, "gltf-validator");
+const {default: validator} = await loaderFrom(place)("gltf-validator");
+let faults = 0;
+for (const {path, name} of meshesOf(packs)) {
+  const {issues} = await validator.validateBytes(new Uint8Array(readFileSync(path)));
+  const {numErrors, numWarnings, numInfos} = issues;
+  console.log(`gltf-validator ${version}: ${name}: errors ${numErrors}, warnings ${numWarnings}, infos ${numInfos}`);
+  for (const {severity, code, message} of issues.messages) {
+    if (severity < 2) console.log(`  ${code}: ${message}`);
+  }
+  faults += numErrors + numWarnings;
+}
+process.exit(faults > 0 ? 1 : 0);
