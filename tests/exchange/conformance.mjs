@@ -77,6 +77,6 @@ export function measure(engine, setting, fragments, lies) {
 
 /// Such a row of what a program in C++ has printed.
 export function rowOf(report, fragments, lies) {
-  const found = report.found.map((body) => ({...body, moments: principalOf(body.inertia).moments}));
+  const found = report.found.map((body) => ({...body, moments: body.inertia && principalOf(body.inertia).moments}));
   return {...report, count: found.length, errors: errorsOf(found, posed(fragments, lies))};
 }
