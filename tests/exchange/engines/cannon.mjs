@@ -22,7 +22,7 @@ class World {
   addFloor(height, friction) {
     const {CANNON} = this;
     const material = new CANNON.Material({friction: Math.sqrt(friction), restitution: 0});
-    const floor = new CANNON.Body({mass: 0, material, shape: new CANNON.Box(new CANNON.Vec3(50, 1, 50))});
+    const floor = new CANNON.Body({mass: 0, material, shape: new CANNON.Box(new CANNON.Vec3(10, 1, 10))});
     floor.position.set(0, height - 1, 0);
     this.world.addBody(floor);
   }

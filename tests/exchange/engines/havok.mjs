@@ -31,7 +31,7 @@ class World {
   addFloor(height, friction) {
     const {havok} = this;
     const body = havok.HP_Body_Create()[1];
-    const shape = havok.HP_Shape_CreateBox([0, height - 1, 0], [0, 0, 0, 1], [100, 2, 100])[1];
+    const shape = havok.HP_Shape_CreateBox([0, height - 1, 0], [0, 0, 0, 1], [20, 2, 20])[1];
     this.materialOf(shape, friction, 0);
     havok.HP_Body_SetShape(body, shape);
     havok.HP_Body_SetMotionType(body, havok.MotionType.STATIC);

@@ -37,7 +37,7 @@ class World {
   }
   addFloor(height, friction) {
     const {Jolt} = this;
-    const settings = new Jolt.BodyCreationSettings(new Jolt.BoxShape(new Jolt.Vec3(50, 1, 50), 0.05),
+    const settings = new Jolt.BodyCreationSettings(new Jolt.BoxShape(new Jolt.Vec3(10, 1, 10), 0.05),
       new Jolt.RVec3(0, height - 1, 0), new Jolt.Quat(0, 0, 0, 1), Jolt.EMotionType_Static, kFixed);
     settings.mFriction = friction;
     this.bodies.CreateAndAddBody(settings, Jolt.EActivation_DontActivate);

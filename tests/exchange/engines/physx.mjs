@@ -63,7 +63,7 @@ class World {
     const {Px} = this;
     const pose = new Px.PxTransform(new Px.PxVec3(0, height - 1, 0), new Px.PxQuat(0, 0, 0, 1));
     const floor = this.physics.createRigidStatic(pose);
-    this.attach(floor, new Px.PxBoxGeometry(50, 1, 50), friction, 0);
+    this.attach(floor, new Px.PxBoxGeometry(10, 1, 10), friction, 0);
     this.scene.addActor(floor);
   }
   hullOf(hull) {

@@ -21,7 +21,7 @@ class World {
     this.world.timestep = step;
   }
   addFloor(height, friction) {
-    const shape = this.RAPIER.ColliderDesc.cuboid(50, 1, 50).setTranslation(0, height - 1, 0).setFriction(friction);
+    const shape = this.RAPIER.ColliderDesc.cuboid(10, 1, 10).setTranslation(0, height - 1, 0).setFriction(friction);
     this.world.createCollider(shape);
   }
   // The adapter: bodies have all mass, their hulls none.

@@ -69,7 +69,7 @@ func add_floor(scene, bodies, friction):
 	floor_body.physics_material_override.friction = friction
 	var collision = CollisionShape.new()
 	collision.shape = BoxShape.new()
-	collision.shape.extents = Vector3(50, 1, 50)
+	collision.shape.extents = Vector3(10, 1, 10)
 	floor_body.add_child(collision)
 	floor_body.translation = Vector3(0, lowest - 1, 0)
 	scene.add_child(floor_body)

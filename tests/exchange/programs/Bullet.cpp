@@ -46,7 +46,7 @@ public:
 
     void addFloor(double height, double friction) {
         Body& floor = m_bodies.emplace_back();
-        floor.shapes.push_back(std::make_unique<btBoxShape>(btVector3(50, 1, 50)));
+        floor.shapes.push_back(std::make_unique<btBoxShape>(btVector3(10, 1, 10)));
         floor.body = std::make_unique<btRigidBody>(0, nullptr, floor.shapes.back().get());
         floor.body->getWorldTransform().setOrigin(btVector3(0, btScalar(height - 1.0), 0));
         floor.body->setFriction(btScalar(std::sqrt(friction)));
