@@ -3,7 +3,7 @@ import {join} from "node:path";
 
 export const program = "PhysX 5.6.1";
 export const packageName = "physx-js-webidl";
-const volume = [2e-3, "cooking leaves out points that lie nearer than 0.7 mm (planeTolerance) to a face"];
+const volume = [2e-3, "cooking merges planes that are nearly one (planeTolerance)"];
 export const settings = [
   {name: "defaults", looser: {volume, standing: [3e-2, "4 iterations of the solver PGS let stacks sink"]}},
   {name: "solver TGS, 8 iterations", usesTgs: true, iterations: 8, looser: {volume}},
