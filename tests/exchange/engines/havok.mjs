@@ -51,6 +51,7 @@ class World {
     const {havok} = this;
     const hulls = body.hulls.map((hull) => this.hullOf(hull));
     for (const hull of hulls) this.materialOf(hull, body.friction, body.restitution);
+    this.friction = havok.HP_Shape_GetMaterial(hulls[0])[1][0];
     if (hulls.length === 1) return hulls[0];
     const all = havok.HP_Shape_CreateContainer()[1];
     for (const hull of hulls) havok.HP_Shape_AddChild(all, hull, [[0, 0, 0], [0, 0, 0, 1], [1, 1, 1]]);
@@ -61,6 +62,7 @@ class World {
     const {havok} = this;
     const added = havok.HP_Body_Create()[1];
     const shape = this.shapeOf(body);
+    const friction = this.friction;
     const {moments, rotation} = body.principal;
     havok.HP_Body_SetShape(added, shape);
     havok.HP_Body_SetMotionType(added, havok.MotionType.DYNAMIC);
@@ -79,6 +81,7 @@ class World {
           centre: [...centre],
           moments: inertia.map((moment) => moment * mass),
           volume: havok.HP_Shape_BuildMassProperties(shape)[1][1],
+          friction,
           position: place(),
         };
       },
