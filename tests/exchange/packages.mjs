@@ -10,10 +10,11 @@ export function skip(reason) {
   process.exit(77);
 }
 
-/// An installed package: its folder and what its package.json says. `place`: the folder with node_modules.
+/// An installed package: its folder and what its package.json says. `place`: the folder with node_modules. The large
+/// ones are optional dependencies.
 export function installed(place, name) {
   const folder = join(place, "node_modules", name);
-  if (!existsSync(join(folder, "package.json"))) skip(`${name} is not installed; tools/setup test installs it`);
+  if (!existsSync(join(folder, "package.json"))) skip(`${name} is not installed; tools/setup test, or all for large ones, installs it`);
   return {folder, ...JSON.parse(readFileSync(join(folder, "package.json"), "utf8"))};
 }
 
