@@ -20,7 +20,13 @@ constexpr const char* kDescription =
     "engines.";
 
 constexpr const char* kProgramFooter = R"(Results go to standard output, errors and warnings to standard error.
-Exit status: 0 success, 1 error (also out of memory), 2 wrong usage, 130 stopped by Ctrl+C.
+Exit status:
+  0    success
+  1    error: a file cannot be read or written, bad input, out of memory
+  2    wrong usage
+  3    findings: check found faults, tests failed, requirements of strength are not satisfied, an asset of audit is
+       not clean, replay diverges, diff found differences
+  130  stopped by Ctrl+C
 
 Examples:
   rubble-cli new wall.rubble
@@ -60,10 +66,15 @@ std::vector<std::string> withPresentVerb(std::vector<std::string> arguments) {
     return arguments;
 }
 
-int finish(const Status& status, const CliContext& context) {
-    if (status) return kExitSuccess;
-    context.err << status.error().message << '\n';
-    return status.error().code == ErrorCode::Cancelled ? kExitCancelled : kExitBadInput;
+/// Prints an error, or else what was found. Returns the exit status.
+int finish(const Status& status, const VerbReport& report, const CliContext& context) {
+    if (!status) {
+        context.err << status.error().message << '\n';
+        return status.error().code == ErrorCode::Cancelled ? kExitCancelled : kExitError;
+    }
+    if (report.findings.empty()) return kExitSuccess;
+    context.err << report.findings << '\n';
+    return kExitFindings;
 }
 
 }  // namespace
@@ -87,7 +98,7 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
             std::vector<std::string>(present.rbegin(), present.rend()));  // CLI11 expects them in reverse order
     } catch (const CLI::Success& request) {
         program.exit(request, context.out, context.err);
-        return finish(printText("", context), context);
+        return finish(printText("", context), {}, context);
     } catch (const CLI::ParseError& error) {
         context.err << usageError(program, error) << '\n';
         return kExitUsage;
@@ -97,9 +108,10 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
         context.err << "No verb given; see rubble-cli --help.\n";
         return kExitUsage;
     }
+    VerbReport report;
     const Status status = orOutOfMemory("running rubble-cli " + program.get_subcommands().front()->get_name(),
-                                        [&] { return selected->action(context); });
-    return finish(status, context);
+                                        [&] { return selected->action(report, context); });
+    return finish(status, report, context);
 }
 
 }  // namespace rubble

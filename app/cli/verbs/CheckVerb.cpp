@@ -35,8 +35,8 @@ constexpr const char* kCheckFooter =
     R"(Checks a project: the range of every value; then fractures every asset, in all variants that instances use, and
 verifies triangulation, cells, fragments, hulls and meshes. Warnings, which the editor lists in the dock
 Problems (slivers, tiny fragments, duplicate seeds, ...), and overlapping instances are printed, too, but are
-not errors. Checks a pack, given by its folder or its pack.json, and compares every file with the manifest; or all
-packs in a folder.
+not faults. Checks a pack, given by its folder or its pack.json, and compares every file with the manifest; or all
+packs in a folder. Exits with 3 if it found faults, and with 1 if something cannot be read as a project or pack.
 
 Examples:
   rubble-cli check house.rubble
@@ -50,7 +50,8 @@ struct CheckArguments {
 
 /// The result of checking an asset or a pack.
 struct CheckResult {
-    Status status = success();
+    Status status = success();  // an error if it could not be checked
+    std::string fault;          // empty: none
     std::string summary;
     std::string warnings;  // one per line
 };
@@ -61,28 +62,35 @@ std::string okText(const std::string& name, std::size_t fragments, double volume
 
 CheckResult checkAsset(const Asset& asset, const TaskContext& task) {
     const Result<Bake> baked = bake(asset, task);
-    if (!baked) return {.status = baked.error()};
+    if (!baked) {
+        const bool isChecked = baked.error().code != ErrorCode::Cancelled && baked.error().code != ErrorCode::Limit;
+        return isChecked ? CheckResult{.fault = baked.error().message} : CheckResult{.status = baked.error()};
+    }
     for (const auto verify : {verifyBake, verifyMeshes}) {
         if (task.isCancelled()) return {.status = TaskContext::cancelled()};
-        if (const auto found = verify(*baked, asset)) return {.status = Error{ErrorCode::BadInput, *found}};
+        if (const auto found = verify(*baked, asset)) return {.fault = *found};
     }
     std::string warnings;
     for (const Diagnostic& problem : problemsOf(asset, *baked))
         warnings += shownName(asset.name) + ": " + problem.message + '\n';
-    return {success(), okText(asset.name, baked->fragmentCount(), baked->whole.volume), std::move(warnings)};
+    return {.summary = okText(asset.name, baked->fragmentCount(), baked->whole.volume),
+            .warnings = std::move(warnings)};
 }
 
-/// Prints the results without errors; returns an error with a line for each of the others.
-Status printResults(const std::vector<CheckResult>& results, const CliContext& context) {
+/// Prints the results without faults and reports the faults. If something could not be checked, returns an error with
+/// a line for each fault and each of these.
+Status printResults(const std::vector<CheckResult>& results, VerbReport& report, const CliContext& context) {
     std::string summary;
-    std::string errors;
+    bool isChecked = true;
     for (const CheckResult& result : results) {
         if (!result.status && result.status.error().code == ErrorCode::Cancelled) return result.status;
         summary += result.summary;
-        if (!result.status) errors += (errors.empty() ? "" : "\n") + result.status.error().message;
+        if (!result.status) addFinding(report, result.status.error().message);
+        if (!result.fault.empty()) addFinding(report, result.fault);
+        isChecked = isChecked && result.status;
     }
     if (const Status written = printText(summary, context); !written) return written;
-    if (!errors.empty()) return Error{ErrorCode::BadInput, errors};
+    if (!isChecked) return Error{ErrorCode::BadInput, report.findings};
     return success();
 }
 
@@ -119,21 +127,19 @@ void checkProject(const std::string& path, int threads, const CliContext& contex
 /// Verifies pack.json, and that no file was modified after the export.
 CheckResult checkPack(const fs::path& folder) {
     const fs::path path = folder / kPackName;
-    const auto error = [&](ErrorCode code, const std::string& message) {
-        return CheckResult{.status = Error{code, path.string() + ": " + message}};
-    };
+    const auto fault = [&](const std::string& message) { return CheckResult{.fault = path.string() + ": " + message}; };
     const Result<std::string> json = readFile(path, Links::Refused);
     if (!json) return {.status = json.error()};
     const Result<Pack> pack = readPack(*json);
-    if (!pack) return error(pack.error().code, pack.error().message);
-    if (const auto found = verifyPack(*pack)) return error(ErrorCode::BadInput, *found);
-    if (const auto found = verifyPackText(*json, *pack)) return error(ErrorCode::BadInput, *found);
+    if (!pack) return {.status = Error{pack.error().code, path.string() + ": " + pack.error().message}};
+    if (const auto found = verifyPack(*pack)) return fault(*found);
+    if (const auto found = verifyPackText(*json, *pack)) return fault(*found);
     for (const PackMeshFile& mesh : pack->meshes) {
         std::error_code ignored;
         if (fs::exists(fs::symlink_status(folder / mesh.name, ignored))) continue;
-        return error(ErrorCode::BadInput, "The mesh " + quotedName(mesh.name) + " is not in the folder.");
+        return fault("The mesh " + quotedName(mesh.name) + " is not in the folder.");
     }
-    if (const auto found = verifyExportFolder(folder)) return {.status = Error{ErrorCode::BadInput, *found}};
+    if (const auto found = verifyExportFolder(folder)) return {.fault = *found};
     return {.summary = okText(pack->name, pack->fragments.size(), pack->whole.volume)};
 }
 
@@ -172,7 +178,7 @@ void checkPath(const std::string& given, int threads, const CliContext& context,
         return all.push_back(checkPack(path.has_parent_path() ? path.parent_path() : "."));
     if (!fs::is_directory(path, ignored)) return checkProject(given, threads, context, all);
     const Result<std::vector<fs::path>> packs = packsOf(path);
-    if (!packs) return all.push_back({packs.error(), {}});
+    if (!packs) return all.push_back({.status = packs.error()});
     std::vector<CheckResult> results(packs->size());
     forEachIndex(packs->size(), threads, [&](std::size_t index) {
         const bool isCancelled = context.cancel.isCancelled();
@@ -181,10 +187,10 @@ void checkPath(const std::string& given, int threads, const CliContext& context,
     std::ranges::move(results, std::back_inserter(all));
 }
 
-Status check(const CheckArguments& arguments, const CliContext& context) {
+Status check(const CheckArguments& arguments, VerbReport& report, const CliContext& context) {
     std::vector<CheckResult> results;
     for (const std::string& path : arguments.paths) checkPath(path, arguments.threads, context, results);
-    return printResults(results, context);
+    return printResults(results, report, context);
 }
 
 }  // namespace
@@ -195,7 +201,8 @@ Verb addCheck(CLI::App& program) {
     command.argument("PATH", arguments->paths, "A project, a pack's folder or its pack.json, or a folder of packs")
         .required();
     addThreadsOption(command, arguments->threads);
-    return {command, [arguments](const CliContext& context) { return check(*arguments, context); }};
+    return {command,
+            [arguments](VerbReport& report, const CliContext& context) { return check(*arguments, report, context); }};
 }
 
 }  // namespace rubble

@@ -19,8 +19,7 @@ constexpr const char* kDiffFooter =
 threshold, layers, ...), and the fragments that were removed, added, moved or reshaped. Fragments are matched by
 their ids, assets by their names, or by their ids if they were renamed. Then, without --asset, everything else
 that a project holds: materials, instances, ground, gravity, damage, debris, shots and tests, matched by id or
-name. Exits with 0 if nothing differs, and with 1 if something does, or if a file cannot be read; then nothing is
-printed to standard output.
+name. Exits with 0 if nothing differs, with 3 if something does, and with 1 if a file cannot be read.
 
 Examples:
   rubble-cli diff before.rubble house.rubble
@@ -94,9 +93,9 @@ std::string textOf(const ProjectDifference& difference, bool isAll) {
     return text;
 }
 
-/// Returns an error if something differs: "1 of 4 assets and 2 other settings differ."
-Status statusOf(const ProjectDifference& difference) {
-    if (difference.isEmpty()) return success();
+/// Reports what differs: "1 of 4 assets and 2 other settings differ."
+void reportDifference(const ProjectDifference& difference, VerbReport& report) {
+    if (difference.isEmpty()) return;
     const std::size_t count = difference.assets.size(), settings = difference.settings.size();
     const auto same = static_cast<std::size_t>(std::ranges::count_if(difference.assets, &AssetDifference::isEmpty));
     std::string what;
@@ -106,10 +105,10 @@ Status statusOf(const ProjectDifference& difference) {
         what += (what.empty() ? "" : " and ") + countText(settings, other + "setting", other + "settings");
     }
     const bool isOne = same < count ? count == 1 && settings == 0 : settings == 1;
-    return Error{ErrorCode::BadInput, what + (isOne ? " differs." : " differ.")};
+    addFinding(report, what + (isOne ? " differs." : " differ."));
 }
 
-Status diff(const DiffOptions& options, const CliContext& context) {
+Status diff(const DiffOptions& options, VerbReport& report, const CliContext& context) {
     const Result<Project> before = openProject(options.before, context);
     if (!before) return before.error();
     const Result<Project> after = openProject(options.after, context);
@@ -123,8 +122,8 @@ Status diff(const DiffOptions& options, const CliContext& context) {
     if (!difference) return difference.error();
     if (options.assets.empty()) difference->settings = settingChanges(*before, *after);
     const std::string text = options.isJson ? projectDifferenceJson(*difference) : textOf(*difference, options.isAll);
-    const Status written = printText(text, context);
-    return written ? statusOf(*difference) : written;
+    reportDifference(*difference, report);
+    return printText(text, context);
 }
 
 }  // namespace
@@ -138,7 +137,8 @@ Verb addDiff(CLI::App& program) {
     command.flag("--all", options->isAll, "List every fragment, not only the first ten of each change");
     addJsonOption(command, options->isJson);
     addThreadsOption(command, options->threads);
-    return {command, [options](const CliContext& context) { return diff(*options, context); }};
+    return {command,
+            [options](VerbReport& report, const CliContext& context) { return diff(*options, report, context); }};
 }
 
 }  // namespace rubble

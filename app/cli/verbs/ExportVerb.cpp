@@ -135,7 +135,7 @@ Verb addExport(CLI::App& program) {
                            meshes.objFrame.unit);
     command.flag("--overwrite", arguments->isOverwriting, "Replace files that were changed after an export");
     addThreadsOption(command, arguments->threads);
-    return {command, [arguments](const CliContext& context) { return exportAssets(*arguments, context); }};
+    return {command, [arguments](VerbReport&, const CliContext& context) { return exportAssets(*arguments, context); }};
 }
 
 }  // namespace rubble

@@ -167,7 +167,7 @@ Verb addImport(CLI::App& program) {
         .valueName("silhouette|cap");
     command.flag("--fixed", options->isFixed, "Hold the new instances in place until they break");
     command.flag("--unbreakable", options->isUnbreakable, "Prevent the new instances from breaking");
-    return {command, [options](const CliContext& context) { return import(*options, context); }};
+    return {command, [options](VerbReport&, const CliContext& context) { return import(*options, context); }};
 }
 
 }  // namespace rubble

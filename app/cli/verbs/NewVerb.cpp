@@ -63,7 +63,7 @@ Verb addNew(CLI::App& program) {
         command.option("--material", options->material, "The material of the wall").valueName("NAME");
     addMaterialsOption(command, options->materials);
     command["--materials"].needs(material);
-    return {command, [options](const CliContext& context) { return createProject(*options, context); }};
+    return {command, [options](VerbReport&, const CliContext& context) { return createProject(*options, context); }};
 }
 
 }  // namespace rubble

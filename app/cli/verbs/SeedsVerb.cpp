@@ -200,7 +200,7 @@ Verb addSeeds(CLI::App& program) {
         .valueName("x|y|z");
     command.flag("--fit", options->view.isFitted, "Scale and move the mesh to fill the outline");
     addDensityOptions(command, *options);
-    return {command, [options](const CliContext& context) { return addSeeds(*options, context); }};
+    return {command, [options](VerbReport&, const CliContext& context) { return addSeeds(*options, context); }};
 }
 
 }  // namespace rubble

@@ -187,7 +187,7 @@ Verb addSimulate(CLI::App& program) {
     for (const char* name : {"--dt", "--no-destruction", "--record", "--no-sleep"}) state.excludes(command[name]);
     command.option("--trace", options->trace, "Write counts and energies (J) of each step").valueName("FILE.csv");
     command.flag("--timings", options->isTimed, "Add the durations of steps and of their stages to the trace");
-    return {command, [options](const CliContext& context) { return simulate(*options, context); }};
+    return {command, [options](VerbReport&, const CliContext& context) { return simulate(*options, context); }};
 }
 
 }  // namespace rubble

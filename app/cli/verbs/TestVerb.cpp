@@ -24,7 +24,7 @@ namespace {
 
 constexpr const char* kTestFooter =
     R"(Runs the tests that are saved in the project, with their saved throws, and prints the expectations that are not
-met. Exits with 1 if a test fails. A test may start from a state that lies beside the project.
+met. Exits with 3 if a test fails. A test may start from a state that lies beside the project.
 
 Examples:
   rubble-cli test house.rubble
@@ -43,14 +43,13 @@ struct TestOptions {
 
 /// Returns the tests with these names, in the project's order; all if `names` is empty.
 ///
-/// Errors: NotFound if there is no test with a name, or no test at all.
+/// Errors: NotFound if there is no test with a name.
 Result<std::vector<PlayTest>> selectedTests(const Project& project, const std::vector<std::string>& names) {
     for (const std::string& name : names) {
         if (std::ranges::find(project.playTests, name, &PlayTest::name) != project.playTests.end()) continue;
         return Error{ErrorCode::NotFound,
                      "The project has no test " + quotedName(name) + "; " + quotedNamesOf(project.playTests) + "."};
     }
-    if (project.playTests.empty()) return Error{ErrorCode::NotFound, "The project has no tests."};
     std::vector<PlayTest> selected;
     for (const PlayTest& test : project.playTests) {
         if (names.empty() || std::ranges::find(names, test.name) != names.end()) selected.push_back(test);
@@ -92,6 +91,7 @@ Status renderFailure(const std::shared_ptr<const PlayScene>& scene, const PlayTe
 
 Result<std::vector<TimedPlayTest>> runTests(const Project& project, const std::vector<PlayTest>& tests,
                                             const TestOptions& options, const CliContext& context) {
+    if (tests.empty()) return std::vector<TimedPlayTest>();
     const Result<std::shared_ptr<const PlayScene>> scene =
         playScene(project, {.cancel = context.cancel, .threads = options.threads});
     if (!scene) return scene.error();
@@ -118,11 +118,12 @@ Result<std::vector<TimedPlayTest>> runTests(const Project& project, const std::v
     return done;
 }
 
-Status test(const TestOptions& options, const CliContext& context) {
+Status test(const TestOptions& options, VerbReport& report, const CliContext& context) {
     const Result<Project> project = openProject(options.file, context);
     if (!project) return project.error();
     const Result<std::vector<PlayTest>> tests = selectedTests(*project, options.names);
     if (!tests) return tests.error();
+    if (tests->empty()) context.err << "The project has no tests.\n";
     const Result<std::vector<TimedPlayTest>> done = runTests(*project, *tests, options, context);
     if (!done) return done.error();
     if (!options.junit.empty()) {
@@ -132,9 +133,9 @@ Status test(const TestOptions& options, const CliContext& context) {
     }
     const auto failed =
         std::ranges::count_if(*done, [](const TimedPlayTest& test) { return !test.outcome.isPassed(); });
-    if (failed == 0) return success();
-    return Error{ErrorCode::BadInput,
-                 std::to_string(failed) + " of " + std::to_string(done->size()) + " tests failed."};
+    if (failed > 0)
+        addFinding(report, std::to_string(failed) + " of " + std::to_string(done->size()) + " tests failed.");
+    return success();
 }
 
 }  // namespace
@@ -148,7 +149,8 @@ Verb addTest(CLI::App& program) {
     command.option("--pictures", options->pictures, "Render the moment of each failure into this folder")
         .valueName("FOLDER");
     addThreadsOption(command, options->threads);
-    return {command, [options](const CliContext& context) { return test(*options, context); }};
+    return {command,
+            [options](VerbReport& report, const CliContext& context) { return test(*options, report, context); }};
 }
 
 }  // namespace rubble

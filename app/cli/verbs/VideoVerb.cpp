@@ -152,7 +152,7 @@ Verb addVideo(CLI::App& program) {
     addOverlayOption(command, options->picture);
     addSamplesOption(command, options->picture);
     addThreadsOption(command, options->threads);
-    return {command, [options](const CliContext& context) { return video(*options, context); }};
+    return {command, [options](VerbReport&, const CliContext& context) { return video(*options, context); }};
 }
 
 }  // namespace rubble
