@@ -72,9 +72,20 @@ int finish(const Status& status, const VerbReport& report, const CliContext& con
         context.err << status.error().message << '\n';
         return status.error().code == ErrorCode::Cancelled ? kExitCancelled : kExitError;
     }
-    if (report.findings.empty()) return kExitSuccess;
-    context.err << report.findings << '\n';
+    if (report.conclusion.empty()) return kExitSuccess;
+    context.err << report.conclusion << '\n';
     return kExitFindings;
+}
+
+/// Runs a verb and prints what it found and its document. Returns the exit status.
+int run(const Verb& verb, const std::string& name, const CliContext& context) {
+    VerbReport report{.isJson = verb.command.isReportWanted()};
+    Status status = orOutOfMemory("running rubble-cli " + name, [&] { return verb.action(report, context); });
+    if (report.isJson) {
+        const Status printed = printText(reportJson(report, name, status), context);
+        if (status) status = printed;
+    }
+    return finish(status, report, context);
 }
 
 }  // namespace
@@ -108,10 +119,7 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
         context.err << "No verb given; see rubble-cli --help.\n";
         return kExitUsage;
     }
-    VerbReport report;
-    const Status status = orOutOfMemory("running rubble-cli " + program.get_subcommands().front()->get_name(),
-                                        [&] { return selected->action(report, context); });
-    return finish(status, report, context);
+    return run(*selected, program.get_subcommands().front()->get_name(), context);
 }
 
 }  // namespace rubble

@@ -126,6 +126,13 @@ CommandOption Command::flag(const std::string& name, bool& value, const std::str
     return CommandOption(m_app->add_flag(name, value, help));
 }
 
+void Command::addReportFlag() {
+    m_app->add_flag("--json")->description("Print a JSON document of the results instead of text");
+    m_hasReport = true;
+}
+
+bool Command::isReportWanted() const { return m_hasReport && m_app->count("--json") > 0; }
+
 void Command::requireOne(CommandOption first, CommandOption second) {
     m_app->callback([first = first.m_option, second = second.m_option] {
         if (first->empty() && second->empty())

@@ -73,6 +73,10 @@ public:
                            const std::string& help);
     CommandOption flag(const std::string& name, bool& value, const std::string& help);
 
+    /// Adds --json, for a document of results instead of text: see VerbReport.
+    void addReportFlag();
+    /// Whether --json of addReportFlag() was given.
+    bool isReportWanted() const;
     /// Requires at least one of two options.
     void requireOne(CommandOption first, CommandOption second);
 
@@ -81,6 +85,7 @@ public:
 
 private:
     CLI::App* m_app;
+    bool m_hasReport = false;
 };
 
 /// Returns whether `text` is a number in the range.

@@ -92,7 +92,7 @@ void reportFailures(std::span<const NamedAudit> audits, VerbReport& report) {
         if (!named.audit) continue;
         for (const Diagnostic& diagnostic : named.audit->diagnostics) {
             if (diagnostic.severity == Severity::Note) continue;
-            addFinding(report, shownName(named.name) + ": " + diagnostic.message);
+            conclude(report, shownName(named.name) + ": " + diagnostic.message);
         }
     }
 }

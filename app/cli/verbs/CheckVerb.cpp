@@ -10,6 +10,8 @@
 #include "core/asset/project/Variants.h"
 #include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
+#include "core/base/QuantityText.h"
+#include "core/io/json/JsonWriter.h"
 #include "core/io/pack/ExportCheck.h"
 #include "core/io/pack/ExportManifest.h"
 #include "core/io/pack/PackFile.h"
@@ -25,6 +27,7 @@
 #include <iterator>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 namespace rubble {
 namespace {
@@ -35,112 +38,173 @@ constexpr const char* kCheckFooter =
     R"(Checks a project: the range of every value; then fractures every asset, in all variants that instances use, and
 verifies triangulation, cells, fragments, hulls and meshes. Warnings, which the editor lists in the dock
 Problems (slivers, tiny fragments, duplicate seeds, ...), and overlapping instances are printed, too, but are
-not faults. Checks a pack, given by its folder or its pack.json, and compares every file with the manifest; or all
-packs in a folder. Exits with 3 if it found faults, and with 1 if something cannot be read as a project or pack.
+faults only with --strict. Checks a pack, given by its folder or its pack.json, and compares every file with the
+manifest; or all packs in a folder. Exits with 3 if it found faults, and with 1 if something cannot be read as a
+project or a pack.
 
 Examples:
   rubble-cli check house.rubble
+  rubble-cli check house.rubble --strict --json
   rubble-cli check packs
   rubble-cli check packs/wall packs/roof)";
 
 struct CheckArguments {
     std::vector<std::string> paths;
+    bool isStrict = false;
     int threads = 1;
+};
+
+/// An asset, or a pack, without faults.
+struct CheckedItem {
+    const char* kind;
+    std::string file;  // the project, or the folder of the pack
+    std::string asset;
+    std::size_t fragments = 0;
+    double volume = 0.0;  // m³
 };
 
 /// The result of checking an asset or a pack.
 struct CheckResult {
     Status status = success();  // an error if it could not be checked
-    std::string fault;          // empty: none
-    std::string summary;
-    std::string warnings;  // one per line
+    std::string file;           // then
+    std::optional<Finding> fault;
+    std::vector<Finding> warnings;  // and notes
+    std::optional<CheckedItem> item;
 };
 
-std::string okText(const std::string& name, std::size_t fragments, double volume) {
-    return shownName(name) + ": " + fragmentsText(fragments, volume) + ", ok\n";
+CheckResult cannotCheck(const Error& error, std::string file) { return {.status = error, .file = std::move(file)}; }
+
+CheckResult faulty(const char* code, FindingPlace place, const std::string& message) {
+    return {.fault = Finding{Severity::Error, code, std::move(place), message}};
 }
 
-CheckResult checkAsset(const Asset& asset, const TaskContext& task) {
+CheckResult checkAsset(const std::string& file, const Asset& asset, const TaskContext& task) {
+    const FindingPlace place{.file = file, .asset = asset.name};
     const Result<Bake> baked = bake(asset, task);
     if (!baked) {
         const bool isChecked = baked.error().code != ErrorCode::Cancelled && baked.error().code != ErrorCode::Limit;
-        return isChecked ? CheckResult{.fault = baked.error().message} : CheckResult{.status = baked.error()};
+        if (!isChecked) return cannotCheck(baked.error(), file);
+        return {.fault = findingOf(baked.error(), place)};
     }
-    for (const auto verify : {verifyBake, verifyMeshes}) {
-        if (task.isCancelled()) return {.status = TaskContext::cancelled()};
-        if (const auto found = verify(*baked, asset)) return {.fault = *found};
-    }
-    std::string warnings;
+    if (const auto found = verifyBake(*baked, asset)) return faulty("InvalidBake", place, *found);
+    if (task.isCancelled()) return cannotCheck(TaskContext::cancelled(), file);
+    if (const auto found = verifyMeshes(*baked, asset)) return faulty("InvalidMesh", place, *found);
+    CheckResult result{.item = CheckedItem{"asset", file, asset.name, baked->fragmentCount(), baked->whole.volume}};
     for (const Diagnostic& problem : problemsOf(asset, *baked))
-        warnings += shownName(asset.name) + ": " + problem.message + '\n';
-    return {.summary = okText(asset.name, baked->fragmentCount(), baked->whole.volume),
-            .warnings = std::move(warnings)};
+        result.warnings.push_back(findingOf(problem, file, asset.name));
+    return result;
+}
+
+std::string okText(const CheckedItem& item) {
+    return shownName(item.asset) + ": " + fragmentsText(item.fragments, item.volume) + ", ok\n";
+}
+
+void writeItems(JsonWriter& json, const std::vector<CheckedItem>& items) {
+    json.openArray("checked");
+    for (const CheckedItem& item : items) {
+        json.openObject({}, JsonLayout::Inline);
+        json.text("kind", item.kind);
+        json.text("file", printableText(item.file));
+        json.text("asset", printableText(item.asset));
+        json.wholeNumber("fragments", std::uint64_t{item.fragments});
+        json.number("volume", item.volume);
+        json.close();
+    }
+    json.close();
 }
 
 /// Prints the results without faults and reports the faults. If something could not be checked, returns an error with
 /// a line for each fault and each of these.
-Status printResults(const std::vector<CheckResult>& results, VerbReport& report, const CliContext& context) {
+Status reportResults(const std::vector<CheckResult>& results, VerbReport& report, const CliContext& context) {
     std::string summary;
+    std::vector<CheckedItem> items;
     bool isChecked = true;
     for (const CheckResult& result : results) {
         if (!result.status && result.status.error().code == ErrorCode::Cancelled) return result.status;
-        summary += result.summary;
-        if (!result.status) addFinding(report, result.status.error().message);
-        if (!result.fault.empty()) addFinding(report, result.fault);
+        if (result.item) {
+            summary += okText(*result.item);
+            items.push_back(*result.item);
+        }
+        if (!result.status) report.findings.push_back(findingOf(result.status.error(), {.file = result.file}));
+        if (result.fault) report.findings.push_back(*result.fault);
+        if (!result.status || result.fault) conclude(report, report.findings.back().message);
         isChecked = isChecked && result.status;
     }
-    if (const Status written = printText(summary, context); !written) return written;
-    if (!isChecked) return Error{ErrorCode::BadInput, report.findings};
-    return success();
+    report.writeResults = [items = std::move(items)](JsonWriter& json) { writeItems(json, items); };
+    if (const Status written = printSummary(summary, report, context); !written) return written;
+    if (isChecked) return success();
+    report.hasErrorInFindings = true;
+    return Error{ErrorCode::BadInput, report.conclusion};
 }
 
-void checkProject(const std::string& path, int threads, const CliContext& context, std::vector<CheckResult>& all) {
-    std::vector<Diagnostic> notes;
-    const Result<Project> project = loadProject(path, &notes);
-    if (!project) return all.push_back({.status = project.error()});
-    for (const Diagnostic& note : notes)
-        context.err << findAsset(*project, note.place.asset)->name << ": " << note.message << '\n';
+/// Prints a warning or a note and adds it to the findings.
+void warn(const Finding& finding, VerbReport& report, const CliContext& context) {
+    context.err << (finding.place.asset.empty() ? finding.place.file : finding.place.asset) << ": " << finding.message
+                << '\n';
+    report.findings.push_back(finding);
+}
+
+/// Checks all assets in all variants that instances use.
+std::vector<CheckResult> checkAssets(const std::string& file, const Project& project, int threads,
+                                     const CliContext& context) {
     ProgressLine line(context, "Checking");
     std::mutex guard;  // guards line and done
     std::size_t done = 0;
-    const std::vector<AssetVariant> variants = usedVariants(*project);
+    const std::vector<AssetVariant> variants = usedVariants(project);
     std::vector<CheckResult> results(variants.size());
     forEachIndex(variants.size(), threads, [&](std::size_t index) {
         const auto [asset, variant] = variants[index];
-        results[index] = checkAsset(variantOf(*findAsset(*project, asset), variant), {.cancel = context.cancel});
+        results[index] = checkAsset(file, variantOf(*findAsset(project, asset), variant), {.cancel = context.cancel});
         const std::lock_guard lock(guard);
         line.show(static_cast<double>(++done) / static_cast<double>(variants.size()));
     });
     line.clear();
-    for (const CheckResult& result : results) context.err << result.warnings;
+    return results;
+}
+
+void checkProject(const std::string& path, int threads, VerbReport& report, const CliContext& context,
+                  std::vector<CheckResult>& all) {
+    std::vector<Diagnostic> notes;
+    const Result<Project> project = loadProject(path, &notes);
+    if (!project) return all.push_back(cannotCheck(project.error(), path));
+    for (const Diagnostic& note : notes)
+        warn(findingOf(note, path, findAsset(*project, note.place.asset)->name), report, context);
+    std::vector<CheckResult> results = checkAssets(path, *project, threads, context);
+    for (const CheckResult& result : results) {
+        for (const Finding& warning : result.warnings) warn(warning, report, context);
+    }
     std::ranges::move(results, std::back_inserter(all));
     for (const Asset& asset : project->assets) {  // once for all variants
-        for (const Diagnostic& problem : strengthProblems(asset, *findMaterial(*project, asset.material))) {
-            context.err << asset.name << ": " << problem.message << '\n';
-        }
+        for (const Diagnostic& problem : strengthProblems(asset, *findMaterial(*project, asset.material)))
+            warn(findingOf(problem, path, asset.name), report, context);
     }
     for (const InstanceOverlap& overlap : instanceOverlaps(*project)) {
-        context.err << path << ": " << sentenceOf(overlap, *project) << '\n';
+        warn({Severity::Warning, "OverlappingInstances", {.file = path}, sentenceOf(overlap, *project)}, report,
+             context);
     }
 }
 
 /// Verifies pack.json, and that no file was modified after the export.
 CheckResult checkPack(const fs::path& folder) {
     const fs::path path = folder / kPackName;
-    const auto fault = [&](const std::string& message) { return CheckResult{.fault = path.string() + ": " + message}; };
+    FindingPlace place{.file = path.string()};
+    const auto invalid = [&](const std::string& message) {
+        return faulty("InvalidPack", place, path.string() + ": " + message);
+    };
     const Result<std::string> json = readFile(path, Links::Refused);
-    if (!json) return {.status = json.error()};
+    if (!json) return cannotCheck(json.error(), path.string());
     const Result<Pack> pack = readPack(*json);
-    if (!pack) return {.status = Error{pack.error().code, path.string() + ": " + pack.error().message}};
-    if (const auto found = verifyPack(*pack)) return fault(*found);
-    if (const auto found = verifyPackText(*json, *pack)) return fault(*found);
+    if (!pack) return cannotCheck({pack.error().code, path.string() + ": " + pack.error().message}, path.string());
+    place.asset = pack->name;
+    if (const auto found = verifyPack(*pack)) return invalid(*found);
+    if (const auto found = verifyPackText(*json, *pack)) return invalid(*found);
     for (const PackMeshFile& mesh : pack->meshes) {
         std::error_code ignored;
         if (fs::exists(fs::symlink_status(folder / mesh.name, ignored))) continue;
-        return fault("The mesh " + quotedName(mesh.name) + " is not in the folder.");
+        return invalid("The mesh " + quotedName(mesh.name) + " is not in the folder.");
     }
-    if (const auto found = verifyExportFolder(folder)) return {.fault = *found};
-    return {.summary = okText(pack->name, pack->fragments.size(), pack->whole.volume)};
+    if (const auto found = verifyExportFolder(folder)) return faulty("InvalidExport", place, *found);
+    return {.item = CheckedItem{"pack", folder.string(), pack->name, pack->fragments.size(), pack->whole.volume}};
 }
 
 /// Returns whether a folder is a pack, even if pack.json or the manifest is missing. A folder of either name is that
@@ -171,26 +235,32 @@ Result<std::vector<fs::path>> packsOf(const fs::path& folder) {
     return packs;
 }
 
-void checkPath(const std::string& given, int threads, const CliContext& context, std::vector<CheckResult>& all) {
+void checkPath(const std::string& given, int threads, VerbReport& report, const CliContext& context,
+               std::vector<CheckResult>& all) {
     std::error_code ignored;  // reading the path will report the error
     const fs::path path = given;
     if (path.filename() == kPackName && !fs::is_directory(path, ignored))
         return all.push_back(checkPack(path.has_parent_path() ? path.parent_path() : "."));
-    if (!fs::is_directory(path, ignored)) return checkProject(given, threads, context, all);
+    if (!fs::is_directory(path, ignored)) return checkProject(given, threads, report, context, all);
     const Result<std::vector<fs::path>> packs = packsOf(path);
-    if (!packs) return all.push_back({.status = packs.error()});
+    if (!packs) return all.push_back(cannotCheck(packs.error(), given));
     std::vector<CheckResult> results(packs->size());
     forEachIndex(packs->size(), threads, [&](std::size_t index) {
         const bool isCancelled = context.cancel.isCancelled();
-        results[index] = isCancelled ? CheckResult{.status = TaskContext::cancelled()} : checkPack((*packs)[index]);
+        results[index] = isCancelled ? cannotCheck(TaskContext::cancelled(), given) : checkPack((*packs)[index]);
     });
     std::ranges::move(results, std::back_inserter(all));
 }
 
 Status check(const CheckArguments& arguments, VerbReport& report, const CliContext& context) {
     std::vector<CheckResult> results;
-    for (const std::string& path : arguments.paths) checkPath(path, arguments.threads, context, results);
-    return printResults(results, report, context);
+    for (const std::string& path : arguments.paths) checkPath(path, arguments.threads, report, context, results);
+    const auto warnings =
+        static_cast<std::size_t>(std::ranges::count(report.findings, Severity::Warning, &Finding::severity));
+    if (const Status reported = reportResults(results, report, context); !reported) return reported;
+    if (arguments.isStrict && warnings > 0)
+        conclude(report, countText(warnings, "warning", "warnings") + " found, which --strict does not allow.");
+    return success();
 }
 
 }  // namespace
@@ -200,6 +270,8 @@ Verb addCheck(CLI::App& program) {
     const auto arguments = std::make_shared<CheckArguments>();
     command.argument("PATH", arguments->paths, "A project, a pack's folder or its pack.json, or a folder of packs")
         .required();
+    command.flag("--strict", arguments->isStrict, "Warnings are faults, too");
+    command.addReportFlag();
     addThreadsOption(command, arguments->threads);
     return {command,
             [arguments](VerbReport& report, const CliContext& context) { return check(*arguments, report, context); }};

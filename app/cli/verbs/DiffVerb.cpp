@@ -105,7 +105,7 @@ void reportDifference(const ProjectDifference& difference, VerbReport& report) {
         what += (what.empty() ? "" : " and ") + countText(settings, other + "setting", other + "settings");
     }
     const bool isOne = same < count ? count == 1 && settings == 0 : settings == 1;
-    addFinding(report, what + (isOne ? " differs." : " differ."));
+    conclude(report, what + (isOne ? " differs." : " differ."));
 }
 
 Status diff(const DiffOptions& options, VerbReport& report, const CliContext& context) {

@@ -1,4 +1,3 @@
-#include "app/cli/console/InputOutput.h"
 #include "app/cli/console/ProgressLine.h"
 #include "app/cli/options/AssetOptions.h"
 #include "app/cli/options/CommonOptions.h"
@@ -7,6 +6,7 @@
 #include "app/cli/output/Warnings.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/base/MessageText.h"
+#include "core/io/json/JsonWriter.h"
 #include "core/io/pack/PackExport.h"
 
 #include <memory>
@@ -72,8 +72,41 @@ std::string errorOf(const AssetExport& asset) {
     return error.message + (error.code == ErrorCode::Edited ? " Use --overwrite to replace it." : "");
 }
 
+const char* actionWord(const AssetExport& asset) {
+    if (!asset.status) return "refused";
+    if (asset.isUnchanged) return "unchanged";
+    return asset.isReplacing ? "replaced" : "written";
+}
+
+void writePack(JsonWriter& json, const AssetExport& asset) {
+    json.openObject({}, JsonLayout::Inline);
+    json.text("asset", printableText(asset.name));
+    json.text("folder", printableText(asset.folder.string()));
+    json.text("action", actionWord(asset));
+    if (asset.fragmentCount > 0) {
+        json.wholeNumber("fragments", std::uint64_t{asset.fragmentCount});
+        json.number("volume", asset.volume);
+    }
+    json.close();
+}
+
+/// Reports the packs, and their warnings and errors as findings.
+void reportPacks(const std::vector<AssetExport>& assets, const std::string& project, VerbReport& report) {
+    for (const AssetExport& asset : assets) {
+        for (const Diagnostic& diagnostic : asset.diagnostics)
+            report.findings.push_back(findingOf(diagnostic, project, asset.name));
+        if (asset.status) continue;
+        report.findings.push_back(findingOf(Error{asset.status.error().code, errorOf(asset)},
+                                            {.file = asset.folder.string(), .asset = asset.name}));
+        report.hasErrorInFindings = true;
+    }
+    report.writeResults = [assets](JsonWriter& json) { json.list("packs", assets, writePack); };
+}
+
 /// Prints the result of every asset; returns an error with a line for each of the first that failed.
-Status printResults(const std::vector<AssetExport>& assets, const std::string& project, const CliContext& context) {
+Status printResults(const std::vector<AssetExport>& assets, const std::string& project, VerbReport& report,
+                    const CliContext& context) {
+    reportPacks(assets, project, report);
     std::string summary;
     std::vector<AssetWarnings> warnings;
     std::vector<std::string> errors;
@@ -86,12 +119,12 @@ Status printResults(const std::vector<AssetExport>& assets, const std::string& p
         }
     }
     printWarnings(context, warnings, project);
-    if (const Status written = printText(summary, context); !written) return written;
+    if (const Status written = printSummary(summary, report, context); !written) return written;
     if (!errors.empty()) return Error{ErrorCode::BadInput, firstLinesOf(errors)};
     return success();
 }
 
-Status exportAssets(ExportArguments arguments, const CliContext& context) {
+Status exportAssets(ExportArguments arguments, VerbReport& report, const CliContext& context) {
     arguments.meshes.obj = arguments.formats == Formats::Obj || arguments.formats == Formats::Both;
     arguments.meshes.glb = arguments.formats == Formats::Glb || arguments.formats == Formats::Both;
     const Result<Project> project = openProject(arguments.project, context);
@@ -103,7 +136,7 @@ Status exportAssets(ExportArguments arguments, const CliContext& context) {
     const TaskContext task{context.cancel, [&](double fraction) { line.show(fraction); }, arguments.threads};
     const auto assets = exportPacks(*project, *selected, arguments.out, arguments.meshes, edited, task);
     line.clear();
-    return assets ? printResults(*assets, arguments.project, context) : assets.error();
+    return assets ? printResults(*assets, arguments.project, report, context) : assets.error();
 }
 
 }  // namespace
@@ -134,8 +167,11 @@ Verb addExport(CLI::App& program) {
                            {{"m", ObjUnit::Metre}, {"cm", ObjUnit::Centimetre}, {"mm", ObjUnit::Millimetre}},
                            meshes.objFrame.unit);
     command.flag("--overwrite", arguments->isOverwriting, "Replace files that were changed after an export");
+    command.addReportFlag();
     addThreadsOption(command, arguments->threads);
-    return {command, [arguments](VerbReport&, const CliContext& context) { return exportAssets(*arguments, context); }};
+    return {command, [arguments](VerbReport& report, const CliContext& context) {
+                return exportAssets(*arguments, report, context);
+            }};
 }
 
 }  // namespace rubble

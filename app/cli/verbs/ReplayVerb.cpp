@@ -89,7 +89,7 @@ Status verifyReplay(const ReplayOptions& options, VerbReport& report, const CliC
     const Status played = player->seek(player->replay().steps.size(), task);
     line.clear();
     if (!played) return played.error();
-    if (player->divergence()) addFinding(report, player->divergence()->diagnostic().message);
+    if (player->divergence()) conclude(report, player->divergence()->diagnostic().message);
     return printText(outcomeJson(*player), context);
 }
 

@@ -99,7 +99,7 @@ Status strength(const StrengthOptions& options, VerbReport& report, const CliCon
     for (const StrengthReport& judged : *reports) {
         text += textOf(judged);
         if (const auto unsatisfied = unsatisfiedText(judged))
-            addFinding(report, shownName(judged.asset.name) + ": " + *unsatisfied);
+            conclude(report, shownName(judged.asset.name) + ": " + *unsatisfied);
     }
     return printText(options.isJson ? strengthReportJson(*reports) : text, context);
 }

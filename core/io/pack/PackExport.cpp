@@ -95,6 +95,8 @@ AssetExport exportAsset(const Project& project, const PackedAsset& packed, const
         return result;
     }
     const ContentHash source = packSourceHash(project, asset, options);
+    std::error_code ignored;
+    result.isReplacing = std::filesystem::exists(result.folder, ignored);
     result.isUnchanged = isExportOf(result.folder, source);
     if (!result.isUnchanged) result.status = writePack(project, asset, options, source, edited, task, result);
     task.report(1.0);

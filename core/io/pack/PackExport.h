@@ -22,6 +22,7 @@ struct AssetExport {
     std::string name;  // "wall"; for a variant "wall~2"
     std::filesystem::path folder;
     Status status = success();
+    bool isReplacing = false;             // the folder existed before
     bool isUnchanged = false;             // the folder already was this export; the members below are not set
     std::size_t fragmentCount = 0;        // of all levels
     double volume = 0.0;                  // m³, of the whole
