@@ -3,6 +3,7 @@
 #include "app/cli/options/CommonOptions.h"
 #include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"
+#include "core/base/Version.h"
 
 #include <CLI/CLI.hpp>
 
@@ -126,6 +127,13 @@ CommandOption Command::flag(const std::string& name, bool& value, const std::str
     return CommandOption(m_app->add_flag(name, value, help));
 }
 
+void Command::addCommonFlags() {
+    m_app->add_flag("-q,--quiet")->description("Print results and errors only: no progress, warnings or summaries");
+    m_app->set_version_flag("--version", versionText())->group("");
+}
+
+bool Command::isQuiet() const { return m_app->count("--quiet") > 0; }
+
 void Command::addReportFlag() {
     m_app->add_flag("--json")->description("Print a JSON document of the results instead of text");
     m_hasReport = true;
@@ -141,6 +149,8 @@ void Command::requireOne(CommandOption first, CommandOption second) {
 }
 
 CommandOption Command::operator[](const std::string& name) const { return CommandOption(m_app->get_option(name)); }
+
+std::string versionText() { return std::string("rubble-cli ") + programVersion(); }
 
 bool isNumberInRange(const std::string& text, const NumberRange& range) {
     double number = 0.0;

@@ -73,6 +73,9 @@ public:
                            const std::string& help);
     CommandOption flag(const std::string& name, bool& value, const std::string& help);
 
+    /// Adds the options that all verbs have, after their own: --quiet, and --version, which --help leaves out.
+    void addCommonFlags();
+    bool isQuiet() const;
     /// Adds --json, for a document of results instead of text: see VerbReport.
     void addReportFlag();
     /// Whether --json of addReportFlag() was given.
@@ -87,6 +90,9 @@ private:
     CLI::App* m_app;
     bool m_hasReport = false;
 };
+
+/// Returns the name and the version of the program, for --version.
+std::string versionText();
 
 /// Returns whether `text` is a number in the range.
 bool isNumberInRange(const std::string& text, const NumberRange& range);

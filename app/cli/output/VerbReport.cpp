@@ -85,8 +85,12 @@ Finding findingOf(const Error& error, FindingPlace place) {
     return {Severity::Error, reportWord(error.code), std::move(place), error.message};
 }
 
-Status printSummary(std::string_view text, const VerbReport& report, const CliContext& context) {
+Status printResult(std::string_view text, const VerbReport& report, const CliContext& context) {
     return report.isJson ? success() : printText(text, context);
+}
+
+Status printSummary(std::string_view text, const VerbReport& report, const CliContext& context) {
+    return report.isQuiet ? success() : printResult(text, report, context);
 }
 
 std::string reportJson(const VerbReport& report, const std::string& verb, const Status& status) {

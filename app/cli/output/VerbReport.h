@@ -34,6 +34,7 @@ struct VerbReport {
     /// the end, for standard error. If it is not empty, the program exits with kExitFindings.
     std::string conclusion;
 
+    bool isQuiet = false;             // only results and errors are printed
     bool isJson = false;              // a document is printed instead of text
     std::vector<Finding> findings;    // for the document: all faults, warnings and notes
     bool hasErrorInFindings = false;  // the error that the verb returns is among them
@@ -48,7 +49,12 @@ Finding findingOf(const Diagnostic& diagnostic, const std::string& file, const s
 /// A finding of the severity Error with the name of the error's code.
 Finding findingOf(const Error& error, FindingPlace place = {});
 
-/// Prints what a verb did in words, unless a document is printed.
+/// Prints what a verb found in words, unless a document is printed.
+///
+/// Errors: those of printText().
+Status printResult(std::string_view text, const VerbReport& report, const CliContext& context);
+
+/// Prints what a verb did in words, unless a document is printed or the user wants to hear of results and errors only.
 ///
 /// Errors: those of printText().
 Status printSummary(std::string_view text, const VerbReport& report, const CliContext& context);

@@ -137,11 +137,13 @@ Status reportResults(const std::vector<CheckResult>& results, VerbReport& report
     return Error{ErrorCode::BadInput, report.conclusion};
 }
 
-/// Prints a warning or a note and adds it to the findings.
-void warn(const Finding& finding, VerbReport& report, const CliContext& context) {
-    context.err << (finding.place.asset.empty() ? finding.place.file : finding.place.asset) << ": " << finding.message
-                << '\n';
+/// Adds a warning or a note to the findings and prints it; strictly, a warning is a fault.
+void warn(const Finding& finding, bool isStrict, VerbReport& report, const CliContext& context) {
+    const std::string& owner = finding.place.asset.empty() ? finding.place.file : finding.place.asset;
+    const std::string line = owner + ": " + finding.message;
     report.findings.push_back(finding);
+    if (isStrict && finding.severity == Severity::Warning) return conclude(report, line);
+    context.err << line << '\n';
 }
 
 /// Checks all assets in all variants that instances use.
@@ -162,25 +164,24 @@ std::vector<CheckResult> checkAssets(const std::string& file, const Project& pro
     return results;
 }
 
-void checkProject(const std::string& path, int threads, VerbReport& report, const CliContext& context,
-                  std::vector<CheckResult>& all) {
+void checkProject(const std::string& path, const CheckArguments& arguments, VerbReport& report,
+                  const CliContext& context, std::vector<CheckResult>& all) {
+    const auto add = [&](const Finding& finding) { warn(finding, arguments.isStrict, report, context); };
     std::vector<Diagnostic> notes;
     const Result<Project> project = loadProject(path, &notes);
     if (!project) return all.push_back(cannotCheck(project.error(), path));
-    for (const Diagnostic& note : notes)
-        warn(findingOf(note, path, findAsset(*project, note.place.asset)->name), report, context);
-    std::vector<CheckResult> results = checkAssets(path, *project, threads, context);
+    for (const Diagnostic& note : notes) add(findingOf(note, path, findAsset(*project, note.place.asset)->name));
+    std::vector<CheckResult> results = checkAssets(path, *project, arguments.threads, context);
     for (const CheckResult& result : results) {
-        for (const Finding& warning : result.warnings) warn(warning, report, context);
+        for (const Finding& warning : result.warnings) add(warning);
     }
     std::ranges::move(results, std::back_inserter(all));
     for (const Asset& asset : project->assets) {  // once for all variants
         for (const Diagnostic& problem : strengthProblems(asset, *findMaterial(*project, asset.material)))
-            warn(findingOf(problem, path, asset.name), report, context);
+            add(findingOf(problem, path, asset.name));
     }
     for (const InstanceOverlap& overlap : instanceOverlaps(*project)) {
-        warn({Severity::Warning, "OverlappingInstances", {.file = path}, sentenceOf(overlap, *project)}, report,
-             context);
+        add({Severity::Warning, "OverlappingInstances", {.file = path}, sentenceOf(overlap, *project)});
     }
 }
 
@@ -235,17 +236,17 @@ Result<std::vector<fs::path>> packsOf(const fs::path& folder) {
     return packs;
 }
 
-void checkPath(const std::string& given, int threads, VerbReport& report, const CliContext& context,
+void checkPath(const std::string& given, const CheckArguments& arguments, VerbReport& report, const CliContext& context,
                std::vector<CheckResult>& all) {
     std::error_code ignored;  // reading the path will report the error
     const fs::path path = given;
     if (path.filename() == kPackName && !fs::is_directory(path, ignored))
         return all.push_back(checkPack(path.has_parent_path() ? path.parent_path() : "."));
-    if (!fs::is_directory(path, ignored)) return checkProject(given, threads, report, context, all);
+    if (!fs::is_directory(path, ignored)) return checkProject(given, arguments, report, context, all);
     const Result<std::vector<fs::path>> packs = packsOf(path);
     if (!packs) return all.push_back(cannotCheck(packs.error(), given));
     std::vector<CheckResult> results(packs->size());
-    forEachIndex(packs->size(), threads, [&](std::size_t index) {
+    forEachIndex(packs->size(), arguments.threads, [&](std::size_t index) {
         const bool isCancelled = context.cancel.isCancelled();
         results[index] = isCancelled ? cannotCheck(TaskContext::cancelled(), given) : checkPack((*packs)[index]);
     });
@@ -254,7 +255,7 @@ void checkPath(const std::string& given, int threads, VerbReport& report, const 
 
 Status check(const CheckArguments& arguments, VerbReport& report, const CliContext& context) {
     std::vector<CheckResult> results;
-    for (const std::string& path : arguments.paths) checkPath(path, arguments.threads, report, context, results);
+    for (const std::string& path : arguments.paths) checkPath(path, arguments, report, context, results);
     const auto warnings =
         static_cast<std::size_t>(std::ranges::count(report.findings, Severity::Warning, &Finding::severity));
     if (const Status reported = reportResults(results, report, context); !reported) return reported;

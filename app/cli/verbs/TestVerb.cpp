@@ -116,8 +116,8 @@ Result<std::vector<RunTest>> runTests(const Project& project, const std::vector<
         line.clear();
         if (!outcome) return outcome.error();
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-        if (const Status written = printSummary(resultText(*outcome), report, context); !written)
-            return written.error();
+        const auto print = outcome->isPassed() ? printSummary : printResult;
+        if (const Status written = print(resultText(*outcome), report, context); !written) return written.error();
         std::string picture;
         if (!outcome->isPassed() && !options.pictures.empty()) {
             const Result<std::string> rendered = renderFailure(*scene, test, state->get(), *outcome, options, context);
@@ -125,7 +125,7 @@ Result<std::vector<RunTest>> runTests(const Project& project, const std::vector<
             picture = *rendered;
             const std::string told =
                 "        after step " + std::to_string(outcome->failedAt()) + ": " + picture + '\n';
-            if (const Status written = printSummary(told, report, context); !written) return written.error();
+            if (const Status written = printResult(told, report, context); !written) return written.error();
         }
         done.push_back({{std::move(*outcome), passed.count()}, std::move(picture)});
     }
