@@ -2,6 +2,7 @@
 #include "app/cli/console/ProgressLine.h"
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/output/FragmentsText.h"
+#include "app/cli/output/PackFolders.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/bake/Bake.h"
 #include "core/asset/checks/Problems.h"
@@ -13,16 +14,12 @@
 #include "core/base/QuantityText.h"
 #include "core/io/json/JsonWriter.h"
 #include "core/io/pack/ExportCheck.h"
-#include "core/io/pack/ExportManifest.h"
 #include "core/io/pack/PackFile.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
-#include "core/io/system/FolderReading.h"
-#include "core/io/system/Temporary.h"
 #include "core/play/scene/InstanceOverlaps.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <iterator>
 #include <memory>
@@ -206,34 +203,6 @@ CheckResult checkPack(const fs::path& folder) {
     }
     if (const auto found = verifyExportFolder(folder)) return faulty("InvalidExport", place, *found);
     return {.item = CheckedItem{"pack", folder.string(), pack->name, pack->fragments.size(), pack->whole.volume}};
-}
-
-/// Returns whether a folder is a pack, even if pack.json or the manifest is missing. A folder of either name is that
-/// of an asset.
-bool isPack(const fs::path& folder) {
-    return std::ranges::any_of(std::array{kPackName, kManifestName}, [&](const char* name) {
-        std::error_code ignored;
-        const fs::file_status status = fs::symlink_status(folder / name, ignored);
-        return fs::exists(status) && !fs::is_directory(status);
-    });
-}
-
-/// Returns the folder if it is a pack, or the packs in it, sorted by name. Those that are being written, or that killed
-/// programs left, are none.
-Result<std::vector<fs::path>> packsOf(const fs::path& folder) {
-    if (isPack(folder)) return std::vector{folder};
-    std::vector<fs::path> packs;
-    const Result<std::vector<fs::directory_entry>> entries = entriesOf(folder);
-    if (!entries) return entries.error();
-    for (const fs::directory_entry& entry : *entries) {
-        const bool isTemporary = isTemporaryName(entry.path().filename().string());
-        if (!isTemporary && isPack(entry.path())) packs.push_back(entry.path());
-    }
-    const std::string name = quotedPath(folder);
-    if (packs.empty())
-        return Error{ErrorCode::NotFound, name + " is not a pack and contains none: it has no " + kPackName + "."};
-    std::ranges::sort(packs);
-    return packs;
 }
 
 void checkPath(const std::string& given, const CheckArguments& arguments, VerbReport& report, const CliContext& context,
