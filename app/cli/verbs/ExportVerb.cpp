@@ -1,15 +1,19 @@
+#include "app/cli/console/InputOutput.h"
 #include "app/cli/console/ProgressLine.h"
 #include "app/cli/options/AssetOptions.h"
 #include "app/cli/options/CommonOptions.h"
-#include "app/cli/output/FragmentsText.h"
+#include "app/cli/output/Depfile.h"
+#include "app/cli/output/ExportSummary.h"
 #include "app/cli/output/ProjectLoading.h"
-#include "app/cli/output/Warnings.h"
 #include "app/cli/verbs/Verb.h"
-#include "core/base/MessageText.h"
-#include "core/io/json/JsonWriter.h"
+#include "core/io/pack/ExportIndex.h"
 #include "core/io/pack/PackExport.h"
 
+#include <filesystem>
 #include <memory>
+#include <optional>
+#include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,15 +21,19 @@
 namespace rubble {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr const char* kExportFooter =
     R"(Writes each asset into a folder with its name: pack.json, which describes the whole and its fragments; meshes;
 and manifest.json. A folder that already holds the same export is not rewritten; others are replaced as a whole,
 unless a file in them was changed since or is not part of an export. Files that engines write beside meshes
-(.import, .uid, .meta) are kept. If there are many warnings, only the first three are printed; rubble-cli check
-prints all.
+(.import, .uid, .meta) are kept. export.json in the output folder lists the folders of the project; with
+--prune, those of assets that were deleted or renamed are removed, unless a file in them was changed. If there
+are many warnings, only the first three are printed; rubble-cli check prints all.
 
 Examples:
   rubble-cli export house.rubble --out packs
+  rubble-cli export house.rubble --out packs --prune --depfile packs.d --quiet
   rubble-cli export house.rubble --out packs --asset wall --format obj --pieces files --place centred)";
 
 enum class Formats { Obj, Glb, Both, None };
@@ -37,6 +45,9 @@ struct ExportArguments {
     Formats formats = Formats::Both;
     MeshOptions meshes;
     bool isOverwriting = false;
+    bool isDryRun = false;
+    bool isPruning = false;
+    std::string depfile;  // empty: none
     int threads = 1;
 };
 
@@ -61,67 +72,74 @@ void addEnumOption(Command& command, const char* name, const char* help, const A
     command.callback(name, select, help).oneOf(words).valueName(label);
 }
 
-std::string summaryOf(const AssetExport& asset) {
-    if (asset.isUnchanged) return shownName(asset.name) + ": unchanged in " + asset.folder.string() + '\n';
-    return shownName(asset.name) + ": " + fragmentsText(asset.fragmentCount, asset.volume) + ", exported to " +
-           asset.folder.string() + '\n';
+using Names = std::vector<std::string>;
+
+/// The names of the folders of all packs of a project, in its order.
+Names folderNames(const Project& project) {
+    Names names;
+    for (const auto& [variant, folder] : packFolders(project)) names.push_back(folder);
+    return names;
 }
 
-std::string errorOf(const AssetExport& asset) {
-    const Error& error = asset.status.error();
-    return error.message + (error.code == ErrorCode::Edited ? " Use --overwrite to replace it." : "");
+/// Whether there is something at a path, be it a dangling link.
+bool isThere(const fs::path& path) {
+    std::error_code ignored;
+    return fs::exists(fs::symlink_status(path, ignored));
 }
 
-const char* actionWord(const AssetExport& asset) {
-    if (!asset.status) return "refused";
-    if (asset.isUnchanged) return "unchanged";
-    return asset.isReplacing ? "replaced" : "written";
-}
-
-void writePack(JsonWriter& json, const AssetExport& asset) {
-    json.openObject({}, JsonLayout::Inline);
-    json.text("asset", printableText(asset.name));
-    json.text("folder", printableText(asset.folder.string()));
-    json.text("action", actionWord(asset));
-    if (asset.fragmentCount > 0) {
-        json.wholeNumber("fragments", std::uint64_t{asset.fragmentCount});
-        json.number("volume", asset.volume);
+/// Removes the folders that the project exported earlier and has no asset for any more.
+std::vector<PrunedFolder> prune(const ExportArguments& arguments, const Names& stale, const CliContext& context) {
+    std::vector<PrunedFolder> pruned;
+    for (const std::string& name : stale) {
+        PrunedFolder folder{fs::path(arguments.out) / name};
+        if (!isThere(folder.folder)) continue;
+        folder.status = arguments.isDryRun ? checkRemovable(folder.folder)
+                                           : removeExportFolder(folder.folder, {.cancel = context.cancel});
+        pruned.push_back(std::move(folder));
     }
-    json.close();
+    return pruned;
 }
 
-/// Reports the packs, and their warnings and errors as findings.
-void reportPacks(const std::vector<AssetExport>& assets, const std::string& project, VerbReport& report) {
-    for (const AssetExport& asset : assets) {
-        for (const Diagnostic& diagnostic : asset.diagnostics)
-            report.findings.push_back(findingOf(diagnostic, project, asset.name));
-        if (asset.status) continue;
-        report.findings.push_back(findingOf(Error{asset.status.error().code, errorOf(asset)},
-                                            {.file = asset.folder.string(), .asset = asset.name}));
-        report.hasErrorInFindings = true;
+/// Updates the index of the output folder: to the exported folders, and those that are still there.
+Status updateIndex(const ExportArguments& arguments, const Project& project, const ExportOutcome& outcome,
+                   const CliContext& context) {
+    const fs::path out = arguments.out;
+    std::error_code ignored;
+    if (!fs::exists(out, ignored)) return success();  // nothing was exported
+    const std::string name = fs::path(arguments.project).filename().string();
+    const Names current = folderNames(project);
+    std::set<std::string> exported;
+    for (const AssetExport& pack : outcome.packs) {
+        if (pack.status) exported.insert(pack.folder.filename().string());
     }
-    report.writeResults = [assets](JsonWriter& json) { json.list("packs", assets, writePack); };
+    const auto change = [&](const std::optional<ExportIndex>& earlier) {
+        Names kept = staleFolders(earlier, name, current);
+        std::erase_if(kept, [&](const std::string& folder) { return !isThere(out / folder); });
+        return indexAfterExport(earlier, name, current, exported, kept);
+    };
+    return changeExportIndex(out, change, {.cancel = context.cancel});
 }
 
-/// Prints the result of every asset; returns an error with a line for each of the first that failed.
-Status printResults(const std::vector<AssetExport>& assets, const std::string& project, VerbReport& report,
-                    const CliContext& context) {
-    reportPacks(assets, project, report);
-    std::string summary;
-    std::vector<AssetWarnings> warnings;
-    std::vector<std::string> errors;
-    for (const AssetExport& asset : assets) {
-        warnings.push_back({asset.name, asset.diagnostics});
-        if (asset.status) {
-            summary += summaryOf(asset);
-        } else if (errors.empty() || errors.back() != errorOf(asset)) {  // all fail alike if the folder does
-            errors.push_back(errorOf(asset));
-        }
+/// Writes that the manifests of all exported packs depend on the project.
+Status writeDepfile(const ExportArguments& arguments, const ExportOutcome& outcome, const CliContext& context) {
+    Names targets;
+    for (const AssetExport& pack : outcome.packs) {
+        if (pack.status) targets.push_back((pack.folder / kManifestName).string());
     }
-    printWarnings(context, warnings, project);
-    if (const Status written = printSummary(summary, report, context); !written) return written;
-    if (!errors.empty()) return Error{ErrorCode::BadInput, firstLinesOf(errors)};
-    return success();
+    const Result<std::string> text = depfileText(targets, Names{arguments.project});
+    return text ? writeOutput(arguments.depfile, *text, context) : text.error();
+}
+
+Result<ExportOutcome> exportOrPlan(const ExportArguments& arguments, const Project& project, std::span<const Id> assets,
+                                   const CliContext& context) {
+    const EditedFiles edited = arguments.isOverwriting ? EditedFiles::Replaced : EditedFiles::Kept;
+    ProgressLine line(context, "Exporting");
+    const TaskContext task{context.cancel, [&](double fraction) { line.show(fraction); }, arguments.threads};
+    const auto run = arguments.isDryRun ? planPacks : exportPacks;
+    Result<std::vector<AssetExport>> packs = run(project, assets, arguments.out, arguments.meshes, edited, task);
+    line.clear();
+    if (!packs) return packs.error();
+    return ExportOutcome{.isPlanned = arguments.isDryRun, .packs = std::move(*packs), .pruned = {}};
 }
 
 Status exportAssets(ExportArguments arguments, VerbReport& report, const CliContext& context) {
@@ -131,12 +149,21 @@ Status exportAssets(ExportArguments arguments, VerbReport& report, const CliCont
     if (!project) return project.error();
     const Result<std::vector<Id>> selected = selectedAssets(*project, arguments.assets);
     if (!selected) return selected.error();
-    const EditedFiles edited = arguments.isOverwriting ? EditedFiles::Replaced : EditedFiles::Kept;
-    ProgressLine line(context, "Exporting");
-    const TaskContext task{context.cancel, [&](double fraction) { line.show(fraction); }, arguments.threads};
-    const auto assets = exportPacks(*project, *selected, arguments.out, arguments.meshes, edited, task);
-    line.clear();
-    return assets ? printResults(*assets, arguments.project, report, context) : assets.error();
+    const Result<std::optional<ExportIndex>> earlier = readExportIndex(arguments.out);
+    if (!earlier) return earlier.error();
+    Result<ExportOutcome> outcome = exportOrPlan(arguments, *project, *selected, context);
+    if (!outcome) return outcome.error();
+    if (arguments.isPruning) {
+        const std::string name = fs::path(arguments.project).filename().string();
+        outcome->pruned = prune(arguments, staleFolders(*earlier, name, folderNames(*project)), context);
+    }
+    const Status printed = printExport(*outcome, arguments.project, report, context);
+    if (arguments.isDryRun) return printed;
+    if (const Status written = updateIndex(arguments, *project, *outcome, context); !written) return written;
+    if (!arguments.depfile.empty()) {
+        if (const Status written = writeDepfile(arguments, *outcome, context); !written) return written;
+    }
+    return printed;
 }
 
 }  // namespace
@@ -167,6 +194,10 @@ Verb addExport(CLI::App& program) {
                            {{"m", ObjUnit::Metre}, {"cm", ObjUnit::Centimetre}, {"mm", ObjUnit::Millimetre}},
                            meshes.objFrame.unit);
     command.flag("--overwrite", arguments->isOverwriting, "Replace files that were changed after an export");
+    command.flag("--prune", arguments->isPruning, "Remove the exports of assets that were deleted or renamed");
+    command.flag("--dry-run", arguments->isDryRun, "Say what would be done, and write nothing");
+    command.option("--depfile", arguments->depfile, "Write the dependencies of the packs for Make and Ninja")
+        .valueName("FILE");
     command.addReportFlag();
     addThreadsOption(command, arguments->threads);
     return {command, [arguments](VerbReport& report, const CliContext& context) {

@@ -8,6 +8,7 @@
 #include "core/asset/strength/Threshold.h"
 #include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
+#include "core/io/pack/ExportCheck.h"
 #include "core/io/pack/PackFile.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/CreatedDirectories.h"
@@ -86,21 +87,55 @@ Status writePack(const Project& project, const Asset& asset, const MeshOptions& 
     return writeExportFolder(result.folder, source, files, edited, task);
 }
 
-AssetExport exportAsset(const Project& project, const PackedAsset& packed, const std::filesystem::path& folder,
-                        const MeshOptions& options, EditedFiles edited, const TaskContext& task) {
+/// The result for an asset before it is exported: whether its folder exists, and already is its export.
+AssetExport lookedUp(const PackedAsset& packed, const std::filesystem::path& folder, const ContentHash& source) {
     const Asset& asset = packed.asset;
     AssetExport result{.asset = asset.id, .name = asset.name, .folder = folder / packed.folder};
-    if (task.isCancelled()) {
-        result.status = TaskContext::cancelled();
-        return result;
-    }
-    const ContentHash source = packSourceHash(project, asset, options);
     std::error_code ignored;
     result.isReplacing = std::filesystem::exists(result.folder, ignored);
     result.isUnchanged = isExportOf(result.folder, source);
+    return result;
+}
+
+AssetExport exportAsset(const Project& project, const PackedAsset& packed, const std::filesystem::path& folder,
+                        const MeshOptions& options, EditedFiles edited, const TaskContext& task) {
+    const Asset& asset = packed.asset;
+    if (task.isCancelled()) {
+        return {.asset = asset.id,
+                .name = asset.name,
+                .folder = folder / packed.folder,
+                .status = TaskContext::cancelled()};
+    }
+    const ContentHash source = packSourceHash(project, asset, options);
+    AssetExport result = lookedUp(packed, folder, source);
     if (!result.isUnchanged) result.status = writePack(project, asset, options, source, edited, task, result);
     task.report(1.0);
     return result;
+}
+
+/// Errors: NotFound if there is no asset with an id.
+Status checkAssets(const Project& project, std::span<const Id> assets) {
+    for (const Id id : assets) {
+        if (findAsset(project, id) != nullptr) continue;
+        return Error{ErrorCode::NotFound, "The project has no asset with the id " + std::to_string(id) + "."};
+    }
+    return success();
+}
+
+/// The memory that each export takes, bytes.
+///
+/// Errors: Limit if one takes more than there is.
+Result<std::vector<double>> memoryOf(std::span<const PackedAsset> packed) {
+    std::vector<double> bytes;
+    for (const PackedAsset& each : packed) {
+        const Asset& asset = each.asset;
+        const BakeEstimate estimate = estimateOf(asset);
+        if (const std::optional<std::string> fault =
+                sizeFault(estimate) ? std::nullopt : stageFault(estimate, MemoryStage::Export))
+            return Error{ErrorCode::Limit, "Asset " + quotedName(asset.name) + ": " + *fault};
+        bytes.push_back(estimate.bytes(MemoryStage::Export));
+    }
+    return bytes;
 }
 
 /// Removes all that the pack of an asset that breaks whole does not contain: of bonds and cuts.
@@ -166,32 +201,39 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Mes
 Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<const Id> assets,
                                              const std::filesystem::path& folder, const MeshOptions& options,
                                              EditedFiles edited, const TaskContext& task) {
-    for (const Id id : assets) {
-        if (findAsset(project, id) != nullptr) continue;
-        return Error{ErrorCode::NotFound, "The project has no asset with the id " + std::to_string(id) + "."};
-    }
+    if (const Status known = checkAssets(project, assets); !known) return known.error();
     CreatedDirectories created;  // not per asset: a failing one would remove the folder of the others
     if (const Status status = created.create(folder); !status) return status.error();
     removeLeftovers(folder);
     const std::vector<PackedAsset> packed = packedAssets(project, assets);
     std::vector<AssetExport> results(packed.size());
     SharedProgress progress(task, packed.size());
-    std::vector<double> bytes;
-    for (const PackedAsset& each : packed) {
-        const Asset& asset = each.asset;
-        const BakeEstimate estimate = estimateOf(asset);
-        if (const std::optional<std::string> fault =
-                sizeFault(estimate) ? std::nullopt : stageFault(estimate, MemoryStage::Export))
-            return Error{ErrorCode::Limit, "Asset " + quotedName(asset.name) + ": " + *fault};
-        bytes.push_back(estimate.bytes(MemoryStage::Export));
-    }
-    const int atOnce = bakesAtOnce(std::move(bytes), task.threads);
+    Result<std::vector<double>> bytes = memoryOf(packed);
+    if (!bytes) return bytes.error();
+    const int atOnce = bakesAtOnce(std::move(*bytes), task.threads);
     const int threadsEach = std::max(1, task.threads / static_cast<int>(std::max<std::size_t>(1, packed.size())));
     forEachIndex(packed.size(), atOnce, [&](std::size_t index) {
         results[index] =
             exportAsset(project, packed[index], folder, options, edited, progress.contextOf(index, threadsEach));
     });
     if (task.isCancelled()) return TaskContext::cancelled();
+    return results;
+}
+
+Result<std::vector<AssetExport>> planPacks(const Project& project, std::span<const Id> assets,
+                                           const std::filesystem::path& folder, const MeshOptions& options,
+                                           EditedFiles edited, const TaskContext& task) {
+    if (const Status known = checkAssets(project, assets); !known) return known.error();
+    const std::vector<PackedAsset> packed = packedAssets(project, assets);
+    if (const Result<std::vector<double>> bytes = memoryOf(packed); !bytes) return bytes.error();
+    std::vector<AssetExport> results;
+    for (const PackedAsset& each : packed) {
+        if (task.isCancelled()) return TaskContext::cancelled();
+        AssetExport result = lookedUp(each, folder, packSourceHash(project, each.asset, options));
+        if (!result.isUnchanged) result.status = checkExportFolder(result.folder, edited);
+        results.push_back(std::move(result));
+        task.report(static_cast<double>(results.size()) / static_cast<double>(packed.size()));
+    }
     return results;
 }
 

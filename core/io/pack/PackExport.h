@@ -48,4 +48,12 @@ Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<c
                                              const std::filesystem::path& folder, const MeshOptions& options,
                                              EditedFiles edited = EditedFiles::Kept, const TaskContext& task = {});
 
+/// What exportPacks() would do with each folder: whether it is unchanged, would be replaced, or is refused. Changes
+/// nothing and fractures nothing: that an asset cannot be fractured is not told.
+///
+/// Errors: NotFound and Limit as those of exportPacks(); Cancelled.
+Result<std::vector<AssetExport>> planPacks(const Project& project, std::span<const Id> assets,
+                                           const std::filesystem::path& folder, const MeshOptions& options,
+                                           EditedFiles edited = EditedFiles::Kept, const TaskContext& task = {});
+
 }  // namespace rubble

@@ -103,6 +103,31 @@ private slots:
         QVERIFY(assets[0].isUnchanged && !assets[1].isUnchanged);
         QVERIFY(fs::last_write_time(m_out / "a" / "pack.json") == written);
     }
+    void planIsWhatTheExportDoes() {
+        Project project = projectOf({"a", "b", "c", "d"});
+        const auto exportOf = [&project](const char* name) {
+            return std::vector<Id>{std::ranges::find(project.assets, name, &Asset::name)->id};
+        };
+        QVERIFY(exportPacks(project, exportOf("a"), m_out, {}));
+        QVERIFY(exportPacks(project, exportOf("b"), m_out, {}));
+        QVERIFY(exportPacks(project, exportOf("c"), m_out, {}));
+        project.assets[1].threshold = 7.0;
+        project.assets[2].threshold = 7.0;
+        QVERIFY(writeFileAtomically(m_out / "c" / "notes.txt", "mine"));
+        const auto before = treeOf(m_out);
+        const auto planned = planPacks(project, allAssets(project), m_out, {}).value();
+        QVERIFY(treeOf(m_out) == before);
+        const auto exported = exportPacks(project, allAssets(project), m_out, {}).value();
+        QCOMPARE(planned.size(), exported.size());
+        for (std::size_t k = 0; k < planned.size(); ++k) {
+            QCOMPARE(planned[k].folder, exported[k].folder);
+            QCOMPARE(planned[k].isUnchanged, exported[k].isUnchanged);
+            QCOMPARE(planned[k].isReplacing, exported[k].isReplacing);
+            QCOMPARE(planned[k].status.hasValue(), exported[k].status.hasValue());
+        }
+        QVERIFY(planned[0].isUnchanged && planned[1].isReplacing && !planned[2].status && !planned[3].isReplacing);
+        QVERIFY(!planPacks(project, std::vector<Id>{999}, m_out, {}));
+    }
     void modifiedOrMissingFilesAreRewritten() {
         const Project project = projectOf({"a"});
         QVERIFY(exportPacks(project, allAssets(project), m_out, {}));

@@ -1,0 +1,1 @@
+packs/old\ roof/manifest.json: two.rubble
