@@ -42,7 +42,9 @@ Examples:
 
 std::vector<std::string> verbNames(const CLI::App& program) {
     std::vector<std::string> names;
-    for (const CLI::App* verb : program.get_subcommands({})) names.push_back(verb->get_name());
+    for (const CLI::App* verb : program.get_subcommands({})) {
+        if (!verb->get_group().empty()) names.push_back(verb->get_name());
+    }
     return names;
 }
 
@@ -159,10 +161,10 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
     program.get_formatter()->column_width(34);
     program.get_formatter()->label("SUBCOMMAND", "VERB");
     const std::vector<Verb> verbs = {
-        addNew(program),    addImport(program), addSeeds(program),    addFracture(program), addExport(program),
-        addCheck(program),  addDraw(program),   addRender(program),   addVideo(program),    addSimulate(program),
-        addReplay(program), addTest(program),   addStrength(program), addAudit(program),    addMaterials(program),
-        addDiff(program),   addSheet(program),  addQuery(program)};
+        addNew(program),    addImport(program), addSeeds(program),    addFracture(program),  addExport(program),
+        addCheck(program),  addDraw(program),   addRender(program),   addVideo(program),     addSimulate(program),
+        addReplay(program), addTest(program),   addStrength(program), addAudit(program),     addMaterials(program),
+        addDiff(program),   addSheet(program),  addQuery(program),    addCompletion(program)};
     for (const Verb& verb : verbs) Command(verb.command).addCommonFlags();
     try {
         program.parse(

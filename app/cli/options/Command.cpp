@@ -58,10 +58,14 @@ CommandOption CommandOption::separatedBy(char separator) const {
 }
 
 CommandOption CommandOption::oneOf(const std::vector<std::string>& words) const {
-    return check([words](const std::string& given) {
+    const auto check = [words](const std::string& given) {
         if (std::ranges::find(words, given) != words.end()) return std::string();
         return quotedName(given) + " is not one of " + joinedText(words);
-    });
+    };
+    std::string name = kWordsPrefix;
+    for (const std::string& word : words) name += (&word == &words.front() ? "" : " ") + word;
+    m_option->check(CLI::Validator(check, "", name));
+    return *this;
 }
 
 CommandOption CommandOption::inRange(ProjectNumber number) const { return check(rangeCheck<double>(number, "number")); }
@@ -138,6 +142,8 @@ void Command::addReportFlag() {
     m_app->add_flag("--json")->description("Print a JSON document of the results instead of text");
     m_hasReport = true;
 }
+
+void Command::hide() { m_app->group(""); }
 
 bool Command::isReportWanted() const { return m_hasReport && m_app->count("--json") > 0; }
 
