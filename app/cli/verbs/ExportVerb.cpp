@@ -6,6 +6,7 @@
 #include "app/cli/output/ExportSummary.h"
 #include "app/cli/output/ProjectLoading.h"
 #include "app/cli/verbs/Verb.h"
+#include "core/base/MessageText.h"
 #include "core/io/pack/ExportIndex.h"
 #include "core/io/pack/PackExport.h"
 
@@ -74,6 +75,11 @@ void addEnumOption(Command& command, const char* name, const char* help, const A
 
 using Names = std::vector<std::string>;
 
+/// The name of the project's file as the index has it: a text, of whatever bytes.
+std::string projectName(const ExportArguments& arguments) {
+    return printableText(fs::path(arguments.project).filename().string());
+}
+
 /// The names of the folders of all packs of a project, in its order.
 Names folderNames(const Project& project) {
     Names names;
@@ -106,7 +112,7 @@ Status updateIndex(const ExportArguments& arguments, const Project& project, con
     const fs::path out = arguments.out;
     std::error_code ignored;
     if (!fs::exists(out, ignored)) return success();  // nothing was exported
-    const std::string name = fs::path(arguments.project).filename().string();
+    const std::string name = projectName(arguments);
     const Names current = folderNames(project);
     std::set<std::string> exported;
     for (const AssetExport& pack : outcome.packs) {
@@ -154,7 +160,7 @@ Status exportAssets(ExportArguments arguments, VerbReport& report, const CliCont
     Result<ExportOutcome> outcome = exportOrPlan(arguments, *project, *selected, context);
     if (!outcome) return outcome.error();
     if (arguments.isPruning) {
-        const std::string name = fs::path(arguments.project).filename().string();
+        const std::string name = projectName(arguments);
         outcome->pruned = prune(arguments, staleFolders(*earlier, name, folderNames(*project)), context);
     }
     const Status printed = printExport(*outcome, arguments.project, report, context);

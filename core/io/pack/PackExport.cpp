@@ -9,6 +9,7 @@
 #include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
 #include "core/io/pack/ExportCheck.h"
+#include "core/io/pack/ExportIndex.h"
 #include "core/io/pack/PackFile.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/CreatedDirectories.h"
@@ -154,11 +155,11 @@ std::map<AssetVariant, std::string> packFolders(const Project& project) {
     // Assets come before variants: a variant "wall_1" of a wall leaves the name to an asset of that name.
     std::vector<AssetVariant> used = usedVariants(project);
     std::ranges::stable_sort(used, {}, [](const AssetVariant& one) { return one.variant != 0; });
-    std::vector<std::string> names;
+    std::vector<std::string> names{kIndexName};  // which is not of a pack
     for (const auto& [id, variant] : used) names.push_back(nameOfVariant(findAsset(project, id)->name, variant));
     const std::vector<std::string> folders = distinctFileNames(names);
     std::map<AssetVariant, std::string> result;
-    for (std::size_t k = 0; k < used.size(); ++k) result.emplace(used[k], folders[k]);
+    for (std::size_t k = 0; k < used.size(); ++k) result.emplace(used[k], folders[k + 1]);
     return result;
 }
 

@@ -33,7 +33,8 @@ struct AssetExport {
 ContentHash packSourceHash(const Project& project, const Asset& asset, const MeshOptions& options);
 
 /// The folder of each pack of a project: the distinctFileNames() of its assets, in their order, then of the variants
-/// that instances use ("wall_2"). The names depend on all assets, so that they may be exported one by one.
+/// that instances use ("wall_2"). None is that of the index, export.json. The names depend on all assets, so that they
+/// may be exported one by one.
 std::map<AssetVariant, std::string> packFolders(const Project& project);
 
 /// Writes the packs of `assets`, pack.json and meshes, each into a folder below `folder`, see packFolders(). Each

@@ -213,6 +213,12 @@ private slots:
         QVERIFY(fs::exists(m_out / "a" / "pack.json") && fs::exists(m_out / "c" / "pack.json"));
         QCOMPARE(treeOf(m_out / "b").size(), std::size_t{1});
     }
+    void noFolderHasTheNameOfTheIndex() {
+        const Project project = projectOf({"export.json", "Export.JSON"});
+        const auto assets = exportPacks(project, allAssets(project), m_out, {}).value();
+        QCOMPARE(assets[0].folder, m_out / "export.json-2");
+        QCOMPARE(assets[1].folder, m_out / "Export.JSON-3");
+    }
     void foldersDependOnAllAssetsOfTheProject() {
         const Project project = projectOf({"a/b", "a:B"});
         const auto second = exportPacks(project, std::vector<Id>{12}, m_out, {}).value();
