@@ -10,6 +10,7 @@
 #include "core/io/pack/ExportIndex.h"
 #include "core/io/pack/PackExport.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -93,12 +94,26 @@ bool isThere(const fs::path& path) {
     return fs::exists(fs::symlink_status(path, ignored));
 }
 
-/// Removes the folders that the project exported earlier and has no asset for any more.
+/// The folders in the output folder that the project exported earlier and has no asset for any more. One that is also
+/// that of an asset is not: "Wall" and "wall" on file systems that ignore case.
+Names staleIn(const ExportArguments& arguments, const std::optional<ExportIndex>& earlier, const Names& current) {
+    const fs::path out = arguments.out;
+    Names stale = staleFolders(earlier, projectName(arguments), current);
+    std::erase_if(stale, [&](const std::string& folder) {
+        const auto isSame = [&](const std::string& name) {
+            std::error_code error;  // where one of them is missing
+            return fs::equivalent(out / name, out / folder, error) && !error;
+        };
+        return !isThere(out / folder) || std::ranges::any_of(current, isSame);
+    });
+    return stale;
+}
+
+/// Removes stale folders.
 std::vector<PrunedFolder> prune(const ExportArguments& arguments, const Names& stale, const CliContext& context) {
     std::vector<PrunedFolder> pruned;
     for (const std::string& name : stale) {
         PrunedFolder folder{fs::path(arguments.out) / name};
-        if (!isThere(folder.folder)) continue;
         folder.status = arguments.isDryRun ? checkRemovable(folder.folder)
                                            : removeExportFolder(folder.folder, {.cancel = context.cancel});
         pruned.push_back(std::move(folder));
@@ -109,21 +124,17 @@ std::vector<PrunedFolder> prune(const ExportArguments& arguments, const Names& s
 /// Updates the index of the output folder: to the exported folders, and those that are still there.
 Status updateIndex(const ExportArguments& arguments, const Project& project, const ExportOutcome& outcome,
                    const CliContext& context) {
-    const fs::path out = arguments.out;
-    std::error_code ignored;
-    if (!fs::exists(out, ignored)) return success();  // nothing was exported
-    const std::string name = projectName(arguments);
+    if (!isThere(arguments.out)) return success();  // nothing was exported
     const Names current = folderNames(project);
     std::set<std::string> exported;
     for (const AssetExport& pack : outcome.packs) {
         if (pack.status) exported.insert(pack.folder.filename().string());
     }
     const auto change = [&](const std::optional<ExportIndex>& earlier) {
-        Names kept = staleFolders(earlier, name, current);
-        std::erase_if(kept, [&](const std::string& folder) { return !isThere(out / folder); });
-        return indexAfterExport(earlier, name, current, exported, kept);
+        return indexAfterExport(earlier, projectName(arguments), current, exported,
+                                staleIn(arguments, earlier, current));
     };
-    return changeExportIndex(out, change, {.cancel = context.cancel});
+    return changeExportIndex(arguments.out, change, {.cancel = context.cancel});
 }
 
 /// Writes that the manifests of all exported packs depend on the project.
@@ -134,6 +145,13 @@ Status writeDepfile(const ExportArguments& arguments, const ExportOutcome& outco
     }
     const Result<std::string> text = depfileText(targets, Names{arguments.project});
     return text ? writeOutput(arguments.depfile, *text, context) : text.error();
+}
+
+/// Writes the index and the dependency file.
+Status writeLists(const ExportArguments& arguments, const Project& project, const ExportOutcome& outcome,
+                  const CliContext& context) {
+    if (const Status written = updateIndex(arguments, project, outcome, context); !written) return written;
+    return arguments.depfile.empty() ? success() : writeDepfile(arguments, outcome, context);
 }
 
 Result<ExportOutcome> exportOrPlan(const ExportArguments& arguments, const Project& project, std::span<const Id> assets,
@@ -159,17 +177,14 @@ Status exportAssets(ExportArguments arguments, VerbReport& report, const CliCont
     if (!earlier) return earlier.error();
     Result<ExportOutcome> outcome = exportOrPlan(arguments, *project, *selected, context);
     if (!outcome) return outcome.error();
-    if (arguments.isPruning) {
-        const std::string name = projectName(arguments);
-        outcome->pruned = prune(arguments, staleFolders(*earlier, name, folderNames(*project)), context);
-    }
+    if (arguments.isPruning)
+        outcome->pruned = prune(arguments, staleIn(arguments, *earlier, folderNames(*project)), context);
+    const Status listed = arguments.isDryRun ? success() : writeLists(arguments, *project, *outcome, context);
     const Status printed = printExport(*outcome, arguments.project, report, context);
-    if (arguments.isDryRun) return printed;
-    if (const Status written = updateIndex(arguments, *project, *outcome, context); !written) return written;
-    if (!arguments.depfile.empty()) {
-        if (const Status written = writeDepfile(arguments, *outcome, context); !written) return written;
-    }
-    return printed;
+    if (listed) return printed;
+    if (printed) return listed;
+    report.findings.push_back(findingOf(listed.error()));
+    return Error{ErrorCode::BadInput, printed.error().message + "\n" + listed.error().message};
 }
 
 }  // namespace
