@@ -1,5 +1,6 @@
 #include "app/cli/console/ProgressLine.h"
 
+#include "app/cli/Cli.h"
 #include "tests/support/TestProgram.h"
 
 #include <QTest>
@@ -21,6 +22,16 @@ private slots:
                  "\r\x1b[KExporting 0 %\r\x1b[KExporting 6 %\r\x1b[KExporting 50 %\r\x1b[KExporting 100 %"
                  "\r\x1b[K");
         QCOMPARE(out.str() + err.str(), "");
+    }
+    void quietVerbsShowNone() {
+        for (const bool isQuiet : {false, true}) {
+            std::ostringstream out, err, terminal;
+            std::vector<std::string> arguments{"check", RUBBLE_SOURCE_DIR "/projects/pane.rubble"};
+            if (isQuiet) arguments.emplace_back("-q");
+            QCOMPARE(runCli(arguments, {.in = -1, .out = out, .err = err, .terminal = &terminal}), 0);
+            QCOMPARE(terminal.str().empty(), isQuiet);
+            QCOMPARE(out.str().empty(), isQuiet);
+        }
     }
     void nothingIsShownWithoutATerminal() {
         std::ostringstream out, err;
