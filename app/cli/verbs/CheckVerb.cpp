@@ -12,6 +12,7 @@
 #include "core/base/Parallel.h"
 #include "core/io/pack/ExportCheck.h"
 #include "core/io/pack/ExportManifest.h"
+#include "core/io/pack/PackBinary.h"
 #include "core/io/pack/PackFile.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
@@ -116,9 +117,37 @@ void checkProject(const std::string& path, int threads, const CliContext& contex
     }
 }
 
+/// Returns what is wrong with pack.bin beside a pack.json, which follows from it; nothing if there is none.
+std::optional<std::string> binaryFault(const fs::path& folder, const Pack& pack) {
+    std::error_code ignored;
+    if (!fs::exists(fs::symlink_status(folder / kPackBinaryName, ignored))) return std::nullopt;
+    const Result<std::string> bytes = readFile(folder / kPackBinaryName, Links::Refused);
+    if (!bytes) return bytes.error().message;
+    if (const Result<Pack> read = readPackBinary(*bytes); !read) return read.error().message;
+    const Result<std::string> expected = packBinary(pack);
+    if (!expected) return expected.error().message;
+    if (*expected == *bytes) return std::nullopt;
+    return "pack.bin is not of this pack; export it again.";
+}
+
+/// Verifies a folder with pack.bin only, as far as its numbers allow.
+CheckResult checkBinaryPack(const fs::path& folder) {
+    const fs::path path = folder / kPackBinaryName;
+    const Result<std::string> bytes = readFile(path, Links::Refused);
+    if (!bytes) return {.status = bytes.error()};
+    const Result<Pack> pack = readPackBinary(*bytes);
+    if (!pack) return {.status = Error{pack.error().code, path.string() + ": " + pack.error().message}};
+    if (const auto found = verifyExportFolder(folder)) return {.status = Error{ErrorCode::BadInput, *found}};
+    return {.summary = okText(pack->names.name, pack->fragments.size(), pack->whole.volume)};
+}
+
 /// Verifies pack.json, and that no file was modified after the export.
 CheckResult checkPack(const fs::path& folder) {
     const fs::path path = folder / kPackName;
+    std::error_code missing;
+    if (!fs::exists(fs::symlink_status(path, missing)) &&
+        fs::exists(fs::symlink_status(folder / kPackBinaryName, missing)))
+        return checkBinaryPack(folder);
     const auto error = [&](ErrorCode code, const std::string& message) {
         return CheckResult{.status = Error{code, path.string() + ": " + message}};
     };
@@ -128,13 +157,14 @@ CheckResult checkPack(const fs::path& folder) {
     if (!pack) return error(pack.error().code, pack.error().message);
     if (const auto found = verifyPack(*pack)) return error(ErrorCode::BadInput, *found);
     if (const auto found = verifyPackText(*json, *pack)) return error(ErrorCode::BadInput, *found);
+    if (const auto found = binaryFault(folder, *pack)) return error(ErrorCode::BadInput, *found);
     for (const PackMeshFile& mesh : pack->meshes) {
         std::error_code ignored;
         if (fs::exists(fs::symlink_status(folder / mesh.name, ignored))) continue;
         return error(ErrorCode::BadInput, "The mesh " + quotedName(mesh.name) + " is not in the folder.");
     }
     if (const auto found = verifyExportFolder(folder)) return {.status = Error{ErrorCode::BadInput, *found}};
-    return {.summary = okText(pack->name, pack->fragments.size(), pack->whole.volume)};
+    return {.summary = okText(pack->names.name, pack->fragments.size(), pack->whole.volume)};
 }
 
 /// Returns whether a folder is a pack, even if pack.json or the manifest is missing. A folder of either name is that

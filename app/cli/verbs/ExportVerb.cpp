@@ -6,6 +6,7 @@
 #include "app/cli/output/ProjectLoading.h"
 #include "app/cli/output/Warnings.h"
 #include "app/cli/verbs/Verb.h"
+#include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"
 #include "core/io/pack/PackExport.h"
 
@@ -35,7 +36,7 @@ struct ExportArguments {
     std::string out;
     std::vector<std::string> assets;
     Formats formats = Formats::Both;
-    MeshOptions meshes;
+    PackOptions pack;
     bool isOverwriting = false;
     int threads = 1;
 };
@@ -92,8 +93,8 @@ Status printResults(const std::vector<AssetExport>& assets, const std::string& p
 }
 
 Status exportAssets(ExportArguments arguments, const CliContext& context) {
-    arguments.meshes.obj = arguments.formats == Formats::Obj || arguments.formats == Formats::Both;
-    arguments.meshes.glb = arguments.formats == Formats::Glb || arguments.formats == Formats::Both;
+    arguments.pack.meshes.obj = arguments.formats == Formats::Obj || arguments.formats == Formats::Both;
+    arguments.pack.meshes.glb = arguments.formats == Formats::Glb || arguments.formats == Formats::Both;
     const Result<Project> project = openProject(arguments.project, context);
     if (!project) return project.error();
     const Result<std::vector<Id>> selected = selectedAssets(*project, arguments.assets);
@@ -101,7 +102,7 @@ Status exportAssets(ExportArguments arguments, const CliContext& context) {
     const EditedFiles edited = arguments.isOverwriting ? EditedFiles::Replaced : EditedFiles::Kept;
     ProgressLine line(context, "Exporting");
     const TaskContext task{context.cancel, [&](double fraction) { line.show(fraction); }, arguments.threads};
-    const auto assets = exportPacks(*project, *selected, arguments.out, arguments.meshes, edited, task);
+    const auto assets = exportPacks(*project, *selected, arguments.out, arguments.pack, edited, task);
     line.clear();
     return assets ? printResults(*assets, arguments.project, context) : assets.error();
 }
@@ -111,7 +112,7 @@ Status exportAssets(ExportArguments arguments, const CliContext& context) {
 Verb addExport(CLI::App& program) {
     Command command(program, "export", "Fracture assets and write their packs and meshes", kExportFooter);
     const auto arguments = std::make_shared<ExportArguments>();
-    MeshOptions& meshes = arguments->meshes;
+    MeshOptions& meshes = arguments->pack.meshes;
     addProjectArgument(command, arguments->project);
     command.option("-o,--out", arguments->out, "The output folder, with a subfolder for each asset")
         .required()
@@ -133,6 +134,15 @@ Verb addExport(CLI::App& program) {
     addEnumOption<ObjUnit>(command, "--unit", "The unit of OBJ files (default: m)",
                            {{"m", ObjUnit::Metre}, {"cm", ObjUnit::Centimetre}, {"mm", ObjUnit::Millimetre}},
                            meshes.objFrame.unit);
+    command.option("--inset", arguments->pack.inset, "The inset of collision hulls in m (default: 0.0001)")
+        .inRange(ProjectNumber::HullInset)
+        .valueName("LENGTH");
+    addEnumOption<PackFiles>(command, "--pack", "The files that describe the bodies (default: both)",
+                             {{"json", PackFiles::Json}, {"bin", PackFiles::Binary}, {"both", PackFiles::Both}},
+                             arguments->pack.files);
+    addEnumOption<PackTopology>(
+        command, "--topology", "Edges and planes of hulls in pack.json (default), or loops only",
+        {{"full", PackTopology::Full}, {"loops", PackTopology::Loops}}, arguments->pack.topology);
     command.flag("--overwrite", arguments->isOverwriting, "Replace files that were changed after an export");
     addThreadsOption(command, arguments->threads);
     return {command, [arguments](const CliContext& context) { return exportAssets(*arguments, context); }};
