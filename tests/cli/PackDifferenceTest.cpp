@@ -50,21 +50,21 @@ private slots:
     void packIsTheSameAsItself() {
         const PackDifference difference = packDifference(&m_box, &m_box);
         QVERIFY(!difference.change && difference.fields.empty() && difference.fragments.empty());
-        QCOMPARE(packDifferenceText(difference, 10), m_box.pack.name + ": same\n");
+        QCOMPARE(packDifferenceText(difference, 10), m_box.pack.names.name + ": same\n");
     }
     void changedFieldsAreTold_data() {
         QTest::addColumn<Change>("change");
         QTest::addColumn<std::string>("what");
         const auto row = [](const char* what, Change change) { QTest::newRow(what) << change << std::string(what); };
-        row("asset", [](Pack& pack) { pack.name = "other"; });
+        row("asset", [](Pack& pack) { pack.names.name = "other"; });
         row("threshold in N·s", [](Pack& pack) { pack.threshold = 12.5; });
-        row("material", [](Pack& pack) { pack.material.name = "other"; });
-        row("density in kg/m³", [](Pack& pack) { pack.material.density = 12.5; });
-        row("friction", [](Pack& pack) { pack.material.friction = 0.125; });
-        row("restitution", [](Pack& pack) { pack.material.restitution = 0.125; });
-        row("outside colour", [](Pack& pack) { pack.material.outside.red = 0.125; });
-        row("inside colour", [](Pack& pack) { pack.material.inside.blue = 0.125; });
-        row("opacity", [](Pack& pack) { pack.material.opacity = 0.125; });
+        row("material", [](Pack& pack) { pack.materials[0].name = "other"; });
+        row("density in kg/m³", [](Pack& pack) { pack.materials[0].density = 12.5; });
+        row("friction", [](Pack& pack) { pack.materials[0].friction = 0.125; });
+        row("restitution", [](Pack& pack) { pack.materials[0].restitution = 0.125; });
+        row("outside colour", [](Pack& pack) { pack.materials[0].outside.red = 0.125; });
+        row("inside colour", [](Pack& pack) { pack.materials[0].inside.blue = 0.125; });
+        row("opacity", [](Pack& pack) { pack.materials[0].opacity = 0.125; });
         row("gap in m", [](Pack& pack) { pack.gap = 0.125; });
         row("breaks along bonds", [](Pack& pack) { pack.bonding.emplace(); });
         row("meshes", [](Pack& pack) { pack.meshes.pop_back(); });
@@ -120,7 +120,7 @@ private slots:
             fragment.id = "99" + fragment.id.substr(fragment.id.find('/'));
         std::swap(changed.pack.fragments[0], changed.pack.fragments[2]);
         for (PackBody& fragment : changed.pack.fragments) {
-            for (FragmentContact& contact : fragment.neighbours) contact.fragment = 2 - contact.fragment;
+            for (PackNeighbour& contact : fragment.neighbours) contact.fragment = 2 - contact.fragment;
         }
         QVERIFY(packDifference(&m_box, &changed).fragments.empty());
     }
@@ -128,7 +128,7 @@ private slots:
         ExportedPack fewer = m_box;
         fewer.pack.fragments.pop_back();
         for (PackBody& fragment : fewer.pack.fragments)
-            std::erase_if(fragment.neighbours, [](const FragmentContact& contact) { return contact.fragment == 2; });
+            std::erase_if(fragment.neighbours, [](const PackNeighbour& contact) { return contact.fragment == 2; });
         const auto hasChange = [](const PackDifference& difference, PackChange change) {
             return std::ranges::count(difference.fragments, change, &PackItemChange::change) == 1;
         };
@@ -138,9 +138,10 @@ private slots:
         QVERIFY2(text.find("3 fragments, were 2: 1 added") != std::string::npos, text.c_str());
     }
     void packsMayBeAddedAndRemoved() {
-        QCOMPARE(packDifferenceText(packDifference(nullptr, &m_box), 10), m_box.pack.name + ": added, 3 fragments\n");
+        QCOMPARE(packDifferenceText(packDifference(nullptr, &m_box), 10),
+                 m_box.pack.names.name + ": added, 3 fragments\n");
         QCOMPARE(packDifferenceText(packDifference(&m_box, nullptr), 10),
-                 m_box.pack.name + ": removed, had 3 fragments\n");
+                 m_box.pack.names.name + ": removed, had 3 fragments\n");
     }
     void filesOfTheManifestsAreCompared() {
         ExportedPack changed = m_box;

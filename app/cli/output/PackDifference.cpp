@@ -24,7 +24,7 @@ std::string pathOf(const Pack& pack, std::uint32_t fragment) {
 /// The contacts of a body by the path of the neighbour, m².
 std::map<std::string, double> contactsOf(const Pack& pack, const PackBody& body) {
     std::map<std::string, double> areas;
-    for (const FragmentContact& contact : body.neighbours) areas[pathOf(pack, contact.fragment)] = contact.area;
+    for (const PackNeighbour& contact : body.neighbours) areas[pathOf(pack, contact.fragment)] = contact.area;
     return areas;
 }
 
@@ -77,8 +77,8 @@ std::vector<RecipeChange> fieldChanges(const Pack& before, const Pack& after) {
         if (earlier != later) changes.push_back({what, messageText(earlier), messageText(later)});
     };
     const auto bonds = [](const Pack& pack) { return pack.bonding ? "yes" : "no"; };
-    const Material &earlier = before.material, &later = after.material;
-    compare("asset", shownName(before.name), shownName(after.name));
+    const Material &earlier = before.own(), &later = after.own();
+    compare("asset", shownName(before.names.name), shownName(after.names.name));
     compareNumber("threshold in N·s", before.threshold, after.threshold);
     compare("material", shownName(earlier.name), shownName(later.name));
     compareNumber("density in kg/m³", earlier.density, later.density);
@@ -88,6 +88,7 @@ std::vector<RecipeChange> fieldChanges(const Pack& before, const Pack& after) {
     compare("inside colour", colourText(earlier.inside), colourText(later.inside));
     compareNumber("opacity", earlier.opacity, later.opacity);
     compareNumber("gap in m", before.gap, after.gap);
+    compareNumber("inset in m", before.inset, after.inset);
     compare("breaks along bonds", bonds(before), bonds(after));
     compare("meshes", meshesText(before), meshesText(after));
     compare("placement", placementText(before), placementText(after));
@@ -220,7 +221,7 @@ Result<ExportedPack> loadExportedPack(const std::filesystem::path& folder) {
 }
 
 PackDifference packDifference(const ExportedPack* before, const ExportedPack* after) {
-    PackDifference difference{.name = (after != nullptr ? after : before)->pack.name};
+    PackDifference difference{.name = (after != nullptr ? after : before)->pack.names.name};
     if (before != nullptr) difference.before = before->pack.fragments.size();
     if (after != nullptr) difference.after = after->pack.fragments.size();
     if (before == nullptr || after == nullptr) {

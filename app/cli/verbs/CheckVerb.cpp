@@ -14,6 +14,7 @@
 #include "core/base/QuantityText.h"
 #include "core/io/json/JsonWriter.h"
 #include "core/io/pack/ExportCheck.h"
+#include "core/io/pack/PackBinary.h"
 #include "core/io/pack/PackFile.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
@@ -182,9 +183,38 @@ void checkProject(const std::string& path, const CheckArguments& arguments, Verb
     }
 }
 
+/// Returns what is wrong with pack.bin beside a pack.json, which follows from it; nothing if there is none.
+std::optional<std::string> binaryFault(const fs::path& folder, const Pack& pack) {
+    std::error_code ignored;
+    if (!fs::exists(fs::symlink_status(folder / kPackBinaryName, ignored))) return std::nullopt;
+    const Result<std::string> bytes = readFile(folder / kPackBinaryName, Links::Refused);
+    if (!bytes) return bytes.error().message;
+    if (const Result<Pack> read = readPackBinary(*bytes); !read) return read.error().message;
+    const Result<std::string> expected = packBinary(pack);
+    if (!expected) return expected.error().message;
+    if (*expected == *bytes) return std::nullopt;
+    return "pack.bin is not of this pack; export it again.";
+}
+
+/// Verifies a folder with pack.bin only, as far as its numbers allow.
+CheckResult checkBinaryPack(const fs::path& folder) {
+    const fs::path path = folder / kPackBinaryName;
+    const Result<std::string> bytes = readFile(path, Links::Refused);
+    if (!bytes) return cannotCheck(bytes.error(), path.string());
+    const Result<Pack> pack = readPackBinary(*bytes);
+    if (!pack) return cannotCheck({pack.error().code, path.string() + ": " + pack.error().message}, path.string());
+    const FindingPlace place{.file = path.string(), .asset = pack->names.name};
+    if (const auto found = verifyExportFolder(folder)) return faulty("InvalidExport", place, *found);
+    return {.item = CheckedItem{"pack", folder.string(), pack->names.name, pack->fragments.size(), pack->whole.volume}};
+}
+
 /// Verifies pack.json, and that no file was modified after the export.
 CheckResult checkPack(const fs::path& folder) {
     const fs::path path = folder / kPackName;
+    std::error_code missing;
+    if (!fs::exists(fs::symlink_status(path, missing)) &&
+        fs::exists(fs::symlink_status(folder / kPackBinaryName, missing)))
+        return checkBinaryPack(folder);
     FindingPlace place{.file = path.string()};
     const auto invalid = [&](const std::string& message) {
         return faulty("InvalidPack", place, path.string() + ": " + message);
@@ -193,16 +223,17 @@ CheckResult checkPack(const fs::path& folder) {
     if (!json) return cannotCheck(json.error(), path.string());
     const Result<Pack> pack = readPack(*json);
     if (!pack) return cannotCheck({pack.error().code, path.string() + ": " + pack.error().message}, path.string());
-    place.asset = pack->name;
+    place.asset = pack->names.name;
     if (const auto found = verifyPack(*pack)) return invalid(*found);
     if (const auto found = verifyPackText(*json, *pack)) return invalid(*found);
+    if (const auto found = binaryFault(folder, *pack)) return invalid(*found);
     for (const PackMeshFile& mesh : pack->meshes) {
         std::error_code ignored;
         if (fs::exists(fs::symlink_status(folder / mesh.name, ignored))) continue;
         return invalid("The mesh " + quotedName(mesh.name) + " is not in the folder.");
     }
     if (const auto found = verifyExportFolder(folder)) return faulty("InvalidExport", place, *found);
-    return {.item = CheckedItem{"pack", folder.string(), pack->name, pack->fragments.size(), pack->whole.volume}};
+    return {.item = CheckedItem{"pack", folder.string(), pack->names.name, pack->fragments.size(), pack->whole.volume}};
 }
 
 void checkPath(const std::string& given, const CheckArguments& arguments, VerbReport& report, const CliContext& context,

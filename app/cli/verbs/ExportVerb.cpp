@@ -6,6 +6,7 @@
 #include "app/cli/output/ExportSummary.h"
 #include "app/cli/output/ProjectLoading.h"
 #include "app/cli/verbs/Verb.h"
+#include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"
 #include "core/io/pack/ExportIndex.h"
 #include "core/io/pack/PackExport.h"
@@ -45,7 +46,7 @@ struct ExportArguments {
     std::string out;
     std::vector<std::string> assets;
     Formats formats = Formats::Both;
-    MeshOptions meshes;
+    PackOptions pack;
     bool isOverwriting = false;
     bool isDryRun = false;
     bool isPruning = false;
@@ -84,7 +85,7 @@ std::string projectName(const ExportArguments& arguments) {
 /// The names of the folders of all packs of a project, in its order.
 Names folderNames(const Project& project) {
     Names names;
-    for (const auto& [variant, folder] : packFolders(project)) names.push_back(folder);
+    for (const auto& [variant, pack] : packNames(project)) names.push_back(pack.folder);
     return names;
 }
 
@@ -160,15 +161,15 @@ Result<ExportOutcome> exportOrPlan(const ExportArguments& arguments, const Proje
     ProgressLine line(context, "Exporting");
     const TaskContext task{context.cancel, [&](double fraction) { line.show(fraction); }, arguments.threads};
     const auto run = arguments.isDryRun ? planPacks : exportPacks;
-    Result<std::vector<AssetExport>> packs = run(project, assets, arguments.out, arguments.meshes, edited, task);
+    Result<std::vector<AssetExport>> packs = run(project, assets, arguments.out, arguments.pack, edited, task);
     line.clear();
     if (!packs) return packs.error();
     return ExportOutcome{.isPlanned = arguments.isDryRun, .packs = std::move(*packs), .pruned = {}};
 }
 
 Status exportAssets(ExportArguments arguments, VerbReport& report, const CliContext& context) {
-    arguments.meshes.obj = arguments.formats == Formats::Obj || arguments.formats == Formats::Both;
-    arguments.meshes.glb = arguments.formats == Formats::Glb || arguments.formats == Formats::Both;
+    arguments.pack.meshes.obj = arguments.formats == Formats::Obj || arguments.formats == Formats::Both;
+    arguments.pack.meshes.glb = arguments.formats == Formats::Glb || arguments.formats == Formats::Both;
     const Result<Project> project = openProject(arguments.project, context);
     if (!project) return project.error();
     const Result<std::vector<Id>> selected = selectedAssets(*project, arguments.assets);
@@ -192,7 +193,7 @@ Status exportAssets(ExportArguments arguments, VerbReport& report, const CliCont
 Verb addExport(CLI::App& program) {
     Command command(program, "export", "Fracture assets and write their packs and meshes", kExportFooter);
     const auto arguments = std::make_shared<ExportArguments>();
-    MeshOptions& meshes = arguments->meshes;
+    MeshOptions& meshes = arguments->pack.meshes;
     addProjectArgument(command, arguments->project);
     command.option("-o,--out", arguments->out, "The output folder, with a subfolder for each asset")
         .required()
@@ -214,6 +215,15 @@ Verb addExport(CLI::App& program) {
     addEnumOption<ObjUnit>(command, "--unit", "The unit of OBJ files (default: m)",
                            {{"m", ObjUnit::Metre}, {"cm", ObjUnit::Centimetre}, {"mm", ObjUnit::Millimetre}},
                            meshes.objFrame.unit);
+    command.option("--inset", arguments->pack.inset, "The inset of collision hulls in m (default: 0.0001)")
+        .inRange(ProjectNumber::HullInset)
+        .valueName("LENGTH");
+    addEnumOption<PackFiles>(command, "--pack", "The files that describe the bodies (default: both)",
+                             {{"json", PackFiles::Json}, {"bin", PackFiles::Binary}, {"both", PackFiles::Both}},
+                             arguments->pack.files);
+    addEnumOption<PackTopology>(
+        command, "--topology", "Edges and planes of hulls in pack.json (default), or loops only",
+        {{"full", PackTopology::Full}, {"loops", PackTopology::Loops}}, arguments->pack.topology);
     command.flag("--overwrite", arguments->isOverwriting, "Replace files that were changed after an export");
     command.flag("--prune", arguments->isPruning, "Remove the exports of assets that were deleted or renamed");
     command.flag("--dry-run", arguments->isDryRun, "Say what would be done, and write nothing");

@@ -1,1 +1,1 @@
-packs/old\ roof/manifest.json: two.rubble
+packs/old_roof/manifest.json: two.rubble
