@@ -42,7 +42,8 @@ std::string objOf(const Bake& bake, const Asset& asset) {
     parts.reserve(bake.fragmentCount());
     for (std::uint32_t i = 0; i < bake.fragmentCount(); ++i) {
         const BakedFragment fragment = bake.fragment(i);
-        parts.push_back({bodyName(asset, i), mesher.fragmentMesh(fragment), fragment.solid.offset()});
+        parts.push_back({fragmentBodyName(packNames(asset), bake.fragmentId(i)), mesher.fragmentMesh(fragment),
+                         fragment.solid.offset()});
     }
     return objFile(parts, meshMaterials(asset, kStone), PartPlacement::Assembled, "box.mtl");
 }
@@ -51,10 +52,12 @@ std::string objOf(const Bake& bake, const Asset& asset) {
 double exported(const Asset& asset) {
     const Bake bake = rubble::bake(asset).value();
     const std::vector<PackMeshFile> meshes{{.name = "box.obj"}};
+    const PackInput input{bake, asset, kStone, packNames(asset), {}};
     const std::vector<ExportFile> files{{"box.obj", objOf(bake, asset)},
                                         {"box.mtl", mtlFile(meshMaterials(asset, kStone))},
-                                        {kPackName, packJson(bake, asset, kStone, meshes)}};
-    const Status written = writeExportFolder(kMemory / "box", packHash(asset, kStone, meshes), files);
+                                        {kPackName, packJson(PackBuilder(input), meshes)}};
+    const Status written =
+        writeExportFolder(kMemory / "box", packHashes(asset, kStone, input.names, {}, meshes).all, files);
     if (!written) fail(written.error().message);
     double volume = 0.0;
     for (std::uint32_t i = 0; i < bake.fragmentCount(); ++i) volume += bake.fragment(i).solid.volume();

@@ -7,18 +7,17 @@
 btVector3 bt(rubble_pack::Vec3 v) { return {btScalar(v.x), btScalar(v.y), btScalar(v.z)}; }
 /// A body of the pack, at the pose of its frame. Bullet's frame has the principal axes: inertia is a diagonal there.
 btRigidBody* makeBody(const rubble_pack::Pack& pack, const rubble_pack::Body& from, const btTransform& pose) {
-    btMatrix3x3 inertia, axes;
-    for (int k = 0; k < 3; ++k) inertia[k] = bt({from.inertia[k][0], from.inertia[k][1], from.inertia[k][2]});
-    inertia.diagonalize(axes, btScalar(1e-7), 50);
+    const rubble_pack::Quaternion& q = from.principal.rotation;
+    const btTransform axes({btScalar(q.x), btScalar(q.y), btScalar(q.z), btScalar(q.w)});
     auto* shape = new btCompoundShape;  // nothing is freed: the program ends first
     for (const rubble_pack::Hull& hull : from.hulls) {
         auto* convex = new btConvexHullShape;
         for (const rubble_pack::Vec3& vertex : hull.vertices) convex->addPoint(bt(vertex));
         convex->setMargin(btScalar(2e-5));  // on each side; the gap between hulls is wider than both
-        shape->addChildShape(btTransform(axes.transpose()), convex);
+        shape->addChildShape(axes.inverse(), convex);
     }
-    auto* body = new btRigidBody(btScalar(from.mass), nullptr, shape, {inertia[0][0], inertia[1][1], inertia[2][2]});
-    body->setWorldTransform(pose * btTransform(axes));
+    auto* body = new btRigidBody(btScalar(from.mass), nullptr, shape, bt(from.principal.moments));
+    body->setWorldTransform(pose * axes);
     body->setFriction(btSqrt(btScalar(pack.material.friction)));  // Bullet multiplies those of a pair
     return body;
 }
@@ -46,9 +45,8 @@ int main(int count, char** arguments) {
     const btTransform start(btQuaternion::getIdentity(), bt(pack.whole.offset));
     btRigidBody* whole = makeBody(pack, pack.whole, start);
     const btTransform packFromWhole = whole->getWorldTransform().inverse() * start;
-    btVector3 low, high;
-    whole->getAabb(low, high);
-    world.addRigidBody(new btRigidBody(0, nullptr, new btStaticPlaneShape({0, 1, 0}, low.y())));
+    const auto low = btScalar(pack.whole.offset.y + pack.whole.bounds.min.y);
+    world.addRigidBody(new btRigidBody(0, nullptr, new btStaticPlaneShape({0, 1, 0}, low)));
     auto* ball = new btRigidBody(100, nullptr, new btSphereShape(btScalar(0.2)), {1.6f, 1.6f, 1.6f});
     ball->getWorldTransform().setOrigin(start.getOrigin() + btVector3(0, 0, 1));
     ball->setLinearVelocity({0, 0, btScalar(-std::stod(arguments[2]))});
@@ -67,7 +65,7 @@ int main(int count, char** arguments) {
         std::cout << "broke at " << impact << " N·s, threshold " << pack.threshold << ", fragments moved\n";
         world.removeRigidBody(whole);
         const btTransform pose = whole->getWorldTransform() * packFromWhole;
-        for (const std::uint32_t k : pack.piecesOf(rubble_pack::kNone)) {
+        for (const std::uint32_t k : pack.fragmentsOf(rubble_pack::kNone)) {
             const btVector3 arm = pose.getBasis() * (bt(pack.fragments[k].offset) - bt(pack.whole.offset));
             btRigidBody* body = makeBody(pack, pack.fragments[k], btTransform(pose.getBasis(), pose.getOrigin() + arm));
             body->setLinearVelocity(whole->getLinearVelocity() + whole->getAngularVelocity().cross(arm));

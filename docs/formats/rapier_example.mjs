@@ -14,21 +14,21 @@ function rotated(q, v) {
   return {x: v.x + 2 * (q.w * s.x + t.x), y: v.y + 2 * (q.w * s.y + t.y), z: v.z + 2 * (q.w * s.z + t.z)};
 }
 
-const [path, speed] = process.argv.slice(2);
+const [, , path, speed] = process.argv;
 const pack = JSON.parse(readFileSync(path, "utf8"));
-const material = pack.version === 1 ? pack.material : pack.materials[pack.material];
 await RAPIER.init();
 const world = new RAPIER.World({x: 0, y: -9.81, z: 0});
 
-/// A body of the pack, at a place of its frame. Rapier computes inertia from the hulls, by its density.
+/// A body of the pack, at a place of its frame.
 function addBody(body, position, rotation) {
+  const [x, y, z, w] = body.principal.rotation;
   const added = world.createRigidBody(RAPIER.RigidBodyDesc.dynamic().setTranslation(position.x, position.y, position.z)
-    .setRotation(rotation));
-  const colliders = body.hulls.map((hull) => world.createCollider(
-    RAPIER.ColliderDesc.convexHull(new Float32Array(hull.vertices.flat())).setFriction(material.friction), added));
-  const volume = colliders.reduce((sum, collider) => sum + collider.volume(), 0);
-  for (const collider of colliders) collider.setDensity(body.mass / volume);
-  added.recomputeMassPropertiesFromColliders();
+    .setRotation(rotation)
+    .setAdditionalMassProperties(body.mass, xyz([0, 0, 0]), xyz(body.principal.moments), {x, y, z, w}));
+  for (const hull of body.hulls) {
+    world.createCollider(RAPIER.ColliderDesc.convexHull(new Float32Array(hull.vertices.flat())).setDensity(0)
+      .setFriction(pack.materials[pack.material].friction), added);
+  }
   return added;
 }
 
@@ -42,10 +42,10 @@ function inverseMassAt(body, point, n) {
 
 const start = xyz(pack.whole.offset);
 const whole = addBody(pack.whole, start, {x: 0, y: 0, z: 0, w: 1});
-const lowest = start.y + Math.min(...pack.whole.hulls.flatMap((hull) => hull.vertices.map((vertex) => vertex[1])));
-world.createCollider(RAPIER.ColliderDesc.cuboid(5, 1, 5).setTranslation(start.x, lowest - 1, start.z));
+world.createCollider(RAPIER.ColliderDesc.cuboid(5, 1, 5)
+  .setTranslation(start.x, start.y + pack.whole.bounds.min[1] - 1, start.z));
 const ball = world.createRigidBody(RAPIER.RigidBodyDesc.dynamic().setTranslation(start.x, start.y, start.z + 1)
-  .setLinvel(0, 0, -speed).setCcdEnabled(true));
+  .setLinvel(0, 0, -speed).setGravityScale(0).setCcdEnabled(true));  // it flies straight
 const ballCollider = world.createCollider(RAPIER.ColliderDesc.ball(0.2).setMass(100), ball);
 
 const fragments = [];
@@ -75,7 +75,5 @@ for (let step = 0; step < 120; ++step) {
     fragments.push({body, from: plus(origin, arm)});
   }
 }
-for (const {body, from} of fragments) {
-  const moved = minus(body.translation(), from);
-  console.log(`${Math.sqrt(dot(moved, moved))} m`);
-}
+for (const {body, from} of fragments)
+  console.log(`${Math.hypot(...Object.values(minus(body.translation(), from)))} m`);

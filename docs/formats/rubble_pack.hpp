@@ -1,5 +1,5 @@
-// rubble_pack.hpp - reads the packs that Rubble exports, and the events that it tells, and breaks the bonds of bonded
-// assets. One header, C++17, the standard library only, no exceptions.
+// rubble_pack.hpp - reads the packs that Rubble exports, as JSON and binary, and the events that it tells, and breaks
+// the bonds of bonded assets. One header, C++17, the standard library only, no exceptions.
 //
 //     rubble_pack::Pack pack;
 //     std::string fault;
@@ -32,11 +32,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <functional>
 #include <initializer_list>
 #include <limits>
 #include <locale>
+#include <map>
 #include <optional>
 #include <queue>
 #include <sstream>
@@ -48,11 +50,20 @@
 
 namespace rubble_pack {
 
-constexpr std::uint32_t kVersion = 1;         // of the packs that this header reads
+constexpr std::uint32_t kVersion = 2;         // of the newest packs that this header reads
 constexpr std::uint32_t kNone = 0xffffffffu;  // no fragment
 
 struct Vec3 {
     double x = 0.0, y = 0.0, z = 0.0;
+};
+
+/// A rotation, of length 1.
+struct Quaternion {
+    double x = 0.0, y = 0.0, z = 0.0, w = 1.0;
+};
+
+struct Box {
+    Vec3 min, max;  // m
 };
 
 /// The points p with dot(normal, p) <= offset are inside; the normal has length 1.
@@ -67,19 +78,30 @@ struct SignedEdge {
     int sign = 1;
 };
 
-/// A closed convex solid in its body's frame. Step k of a face runs from vertex faces[f][k] to the next of that loop
-/// and along signedEdges[f][k]; the first two edges of a loop are never collinear.
+/// A closed convex solid in its body's frame, for collisions: its faces are inside those of the body by the inset, so
+/// that hulls of neighbours do not touch. Step k of a face runs from vertex faces[f][k] to the next of that loop and
+/// along signedEdges[f][k]; the first two edges of a loop are never collinear.
 struct Hull {
     std::vector<Vec3> vertices;                        // m
     std::vector<std::array<std::uint32_t, 2>> edges;   // each once
     std::vector<std::vector<std::uint32_t>> faces;     // vertices, counter-clockwise from outside
     std::vector<std::vector<SignedEdge>> signedEdges;  // a loop for each face
     std::vector<Plane> planes;                         // one for each face
+    double inset = 0.0;                                // m
 };
 
+/// A neighbouring fragment of the same parent.
 struct Neighbour {
     std::uint32_t fragment = 0;  // index in Pack::fragments
     double area = 0.0;           // m^2, of contact
+    Vec3 centroid;               // m, of the contact, in the asset's frame. Zero in packs of version 1, as the normal
+    Vec3 normal;                 // of length 1, towards the neighbour
+};
+
+/// An inertia as most engines take it: tensor = R diag(moments) R^T, with R of the rotation.
+struct PrincipalInertia {
+    Vec3 moments;         // kg m^2, descending
+    Quaternion rotation;  // of the principal frame in the body's, w >= 0
 };
 
 /// The whole or a fragment. Its frame has the axes of the asset and its centre of mass as origin.
@@ -87,12 +109,19 @@ struct Body {
     std::string id;
     std::string name;                                // of its object in the meshes
     std::uint32_t parent = kNone;                    // the parent fragment; kNone: the whole
+    std::uint32_t level = 0;                         // 0: the whole and its own fragments
+    std::uint32_t firstChild = 0;                    // its fragments are consecutive
+    std::uint32_t childCount = 0;                    // 0: it does not break
     Vec3 offset;                                     // of its frame in the asset's, m
     double volume = 0.0;                             // m^3
     double mass = 0.0;                               // kg
     Vec3 centreOfMass;                               // in its own frame, m
     std::array<std::array<double, 3>, 3> inertia{};  // kg m^2, about the centre of mass, by rows
-    double threshold = 0.0;                          // N·s, its own; 0: see Pack::thresholdOf()
+    PrincipalInertia principal;                      // the same
+    Box bounds;                                      // of its solid, in its own frame
+    double radius = 0.0;                             // m, of its solid, from the centre of mass
+    double thinnest = 0.0;                           // m, the smallest width of a hull; 0 in packs of version 1
+    double threshold = 0.0;                          // N·s, that breaks it; 0: see Pack::thresholdOf()
     double gap = 0.0;                                // m between its fragments
     double lostMass = 0.0;                           // kg that the gap takes from them
     std::vector<Neighbour> neighbours;               // ascending
@@ -106,6 +135,27 @@ struct Material {
     double restitution = 0.0;
     std::array<double, 3> outside{};  // sRGB
     std::array<double, 3> inside{};
+    double opacity = 1.0;
+    double tensileStrength = 0.0;    // Pa; 0: unknown
+    double fractureToughness = 0.0;  // Pa m^(1/2); 0: unknown
+    double youngsModulus = 0.0;      // Pa; 0: unknown
+};
+
+/// A material in the meshes.
+struct Surface {
+    std::string name;
+    bool isInside = false;
+    std::array<double, 3> colour{};  // sRGB
+    double opacity = 1.0;
+    double roughness = 0.9;
+    std::string texture;  // a file beside pack.json; empty: none
+};
+
+/// Fragments that are removed after a while.
+struct Debris {
+    double lifetime = 0.0;           // s; 0: for good
+    double fade = 0.0;               // s, at the end of it
+    std::uint32_t maxFragments = 0;  // 0: any number
 };
 
 enum class MeshBodies { Whole, Fragments, Fragment };
@@ -117,6 +167,7 @@ struct Mesh {
     MeshBodies bodies = MeshBodies::Fragments;
     std::uint32_t fragment = kNone;  // for MeshBodies::Fragment
     MeshPlace place = MeshPlace::Assembled;
+    std::uint32_t level = kNone;  // for MeshBodies::Fragments: of the fragments, all of which break; kNone: the leaves
 };
 
 /// How the load of a hit on a bond decreases with the distance from the point that was hit.
@@ -151,12 +202,31 @@ struct Bonding {
     std::vector<std::uint32_t> anchored;  // fragments of the whole that are held in place, ascending
 };
 
+/// A fracture around the point of impact, which only Rubble computes; engines use the fragments of the pack.
+struct CutAtImpact {
+    std::uint32_t fragments = 0;
+    double falloffRadius = 0.0;  // m
+};
+
 struct Pack {
+    std::uint32_t version = 0;
     std::uint32_t asset = 0;
-    std::string name;
-    std::string hash;        // equal for equal packs
-    double threshold = 0.0;  // N·s; an impact at or above it breaks the body
-    Material material;
+    std::string name;               // "wall~2"
+    std::string base;               // "wall": the asset without its variant
+    std::uint32_t variant = 0;      // 0: the asset itself
+    std::string folder;             // "wall_2"
+    std::string hash;               // equal for equal packs
+    std::string physicsHash;        // equal where only meshes, surfaces and names differ; empty in version 1
+    double threshold = 0.0;         // N·s; an impact at or above it breaks the body
+    double inset = 0.0;             // m, of the hulls
+    double leastSpeed = 0.5;        // m/s: a contact that approaches slower does not count
+    double restitutionSpeed = 1.0;  // m/s: restitution counts above it
+    bool breaksByMomentum = false;  // the damage rule: pack.md describes impact, the other
+    std::optional<CutAtImpact> cutAtImpact;
+    Material material;        // of all bodies
+    Material insideMaterial;  // of cut faces
+    std::vector<Surface> surfaces;
+    std::optional<Debris> debris;
     std::vector<Mesh> meshes;
     Body whole;
     std::vector<Body> fragments;     // parents before their children
@@ -169,13 +239,29 @@ struct Pack {
         const Body& one = fragments[body];
         return one.threshold > 0.0 ? one.threshold : threshold * std::pow(one.volume / whole.volume, 2.0 / 3.0);
     }
+    /// The body with an index in `fragments`; kNone: the whole.
+    const Body& body(std::uint32_t index) const { return index == kNone ? whole : fragments[index]; }
     /// The fragments of a body; kNone: of the whole. Empty if it does not break.
-    std::vector<std::uint32_t> piecesOf(std::uint32_t parent) const {
-        std::vector<std::uint32_t> pieces;
-        for (std::uint32_t k = 0; k < fragments.size(); ++k) {
-            if (fragments[k].parent == parent) pieces.push_back(k);
+    std::vector<std::uint32_t> fragmentsOf(std::uint32_t parent) const {
+        const Body& one = body(parent);
+        std::vector<std::uint32_t> children(one.childCount);
+        for (std::uint32_t k = 0; k < one.childCount; ++k) children[k] = one.firstChild + k;
+        return children;
+    }
+    /// Their former name.
+    std::vector<std::uint32_t> piecesOf(std::uint32_t parent) const { return fragmentsOf(parent); }
+    /// The mesh file that holds an object for a body, with an ending such as ".glb"; null if there is none.
+    const Mesh* meshOf(std::uint32_t index, std::string_view ending) const {
+        for (const Mesh& mesh : meshes) {
+            if (mesh.file.size() < ending.size() || mesh.file.substr(mesh.file.size() - ending.size()) != ending)
+                continue;
+            const bool isWhole = mesh.bodies == MeshBodies::Whole, isOne = mesh.bodies == MeshBodies::Fragment;
+            if (isWhole && index == kNone) return &mesh;
+            if (isWhole || index == kNone) continue;
+            const std::uint32_t level = fragments[index].childCount > 0 ? fragments[index].level : kNone;
+            if (isOne ? mesh.fragment == index : mesh.level == level) return &mesh;
         }
-        return pieces;
+        return nullptr;
     }
 };
 
@@ -184,6 +270,106 @@ inline bool parse(std::string_view json, Pack& pack, std::string& fault);
 
 /// Reads a file.
 inline bool load(const std::string& path, Pack& pack, std::string& fault);
+
+// What pack.bin holds: records of numbers as they are in the file. See pack-bin.md.
+
+struct BinaryBody {
+    double offset[3], mass, volume;
+    double threshold;  // 0: it does not break
+    double gap, lostMass;
+    float moments[3], rotation[4];  // x, y, z, w
+    float min[3], max[3], radius, thinnest;
+    std::uint32_t parent;  // kNone: the whole
+    std::uint32_t level, firstChild, childCount;
+    std::uint32_t firstHull, hullCount;
+    std::uint32_t id, name;  // see BinaryPack::text()
+    std::uint32_t unused;
+};
+struct BinaryHull {
+    std::uint32_t firstVertex, vertexCount;
+    std::uint32_t firstLoop, faceCount;
+    float inset;
+};
+struct BinaryVertex {
+    float x, y, z;
+};
+struct BinaryContact {
+    std::uint32_t first, second;  // fragments, ascending
+    float area, centroid[3], normal[3];
+    float capacity;  // of a bond; infinite: it never breaks; 0 where the asset breaks whole
+    std::uint32_t clusterLevel;
+};
+
+/// An array in the bytes of a file.
+template <class T>
+class BinaryArray {
+public:
+    BinaryArray() = default;
+    BinaryArray(const char* bytes, std::size_t count, std::size_t stride)
+        : m_bytes(bytes), m_count(count), m_stride(stride) {}
+    std::size_t size() const { return m_count; }
+    /// By value: nothing is assumed of the alignment of the bytes.
+    T operator[](std::size_t index) const {
+        T element;
+        std::memcpy(&element, m_bytes + index * m_stride, sizeof(T));
+        return element;
+    }
+    /// The first element, where the bytes are aligned to 16 and the stride() is the size of a T.
+    const char* data() const { return m_bytes; }
+    std::size_t stride() const { return m_stride; }
+
+private:
+    const char* m_bytes = nullptr;
+    std::size_t m_count = 0, m_stride = 0;
+};
+
+/// Views of the arrays of a pack.bin, valid as long as its bytes. All indices in them are in range.
+///
+///     rubble_pack::BinaryPack wall;
+///     if (!rubble_pack::openBinary(bytes, wall, fault)) return fail(fault);
+///     const rubble_pack::BinaryBody body = wall.fragment(0);
+///     for (std::uint32_t k = 0; k < body.hullCount; ++k) addHull(wall.hulls[body.firstHull + k]);
+struct BinaryPack {
+    std::string_view header;  // JSON
+    BinaryArray<BinaryBody> bodies;
+    BinaryArray<BinaryHull> hulls;
+    BinaryArray<BinaryVertex> vertices;
+    BinaryArray<std::uint16_t> loops;
+    BinaryArray<BinaryContact> contacts;
+    std::string_view texts;
+
+    std::uint32_t fragmentCount() const { return static_cast<std::uint32_t>(bodies.size() - 1); }
+    BinaryBody whole() const { return bodies[0]; }
+    BinaryBody fragment(std::uint32_t index) const { return bodies[index + 1]; }
+    /// The text that starts at a place, such as BinaryBody::name.
+    std::string_view text(std::uint32_t start) const { return texts.data() + start; }
+};
+
+/// Checks the bytes of a pack.bin and gives views of them: O(size), without a copy. On an error returns false, sets
+/// `fault` to a message and does not change the pack. Only on little-endian machines.
+inline bool openBinary(std::string_view bytes, BinaryPack& pack, std::string& fault);
+
+/// Makes a pack of the bytes of a pack.bin, or of a file, with inertias from their principal moments. On an error
+/// returns false, sets `fault` to a message and does not change the pack.
+inline bool parseBinary(std::string_view bytes, Pack& pack, std::string& fault);
+inline bool loadBinary(const std::string& path, Pack& pack, std::string& fault);
+
+/// Units and axes of other engines. Unity: metres, left-handed, y up, with x reversed, as its importers of glTF do.
+/// Unreal: centimetres, left-handed, z up, with y and z exchanged, likewise. Masses stay kilograms; an inertia takes
+/// 10,000 times its moments in Unreal, and an impulse 100 times.
+constexpr double kUnrealLength = 100.0, kUnrealImpulse = 100.0, kUnrealInertia = 10000.0;
+inline Vec3 toUnity(const Vec3& position) { return {-position.x, position.y, position.z}; }
+inline Quaternion toUnity(const Quaternion& q) { return {q.x, -q.y, -q.z, q.w}; }
+inline Vec3 toUnreal(const Vec3& position) {
+    return {kUnrealLength * position.x, kUnrealLength * position.z, kUnrealLength * position.y};
+}
+inline Quaternion toUnreal(const Quaternion& q) { return {-q.x, -q.z, -q.y, q.w}; }
+/// The same of directions, normals for one, which have no unit.
+inline Vec3 directionToUnity(const Vec3& direction) { return toUnity(direction); }
+inline Vec3 directionToUnreal(const Vec3& direction) { return {direction.x, direction.z, direction.y}; }
+/// Angular velocities, rad/s: a mirror reverses them.
+inline Vec3 angularToUnity(const Vec3& angular) { return {angular.x, -angular.y, -angular.z}; }
+inline Vec3 angularToUnreal(const Vec3& angular) { return {-angular.x, -angular.z, -angular.y}; }
 
 /// The damage of a bond: n/255 of what it held is gone.
 using Damage = std::uint8_t;
@@ -279,10 +465,6 @@ constexpr std::size_t kEventKinds = 6;
 
 /// Why a body was removed; None: it was not.
 enum class RemovalReason { None, Lifetime, Budget, LeftWorld };
-
-struct Box {
-    Vec3 min, max;  // m
-};
 
 /// Something that happened to a body in a step.
 struct Event {
@@ -574,6 +756,134 @@ struct Value {
     }
 };
 
+inline Vec3 plus(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Vec3 minus(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vec3 times(const Vec3& a, double factor) { return {a.x * factor, a.y * factor, a.z * factor}; }
+inline double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vec3 cross(const Vec3& a, const Vec3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
+
+/// Adds edges, signed edges and planes, which follow from the faces. Returns false if a face has no area.
+inline bool deriveTopology(Hull& hull) {
+    std::map<std::array<std::uint32_t, 2>, std::uint32_t> found;
+    for (const std::vector<std::uint32_t>& face : hull.faces) {
+        if (face.size() < 3) return false;
+        Vec3 normal, middle;  // by Newell's method
+        std::vector<SignedEdge>& loop = hull.signedEdges.emplace_back();
+        for (std::size_t k = 0; k < face.size(); ++k) {
+            const std::uint32_t from = face[k], to = face[(k + 1) % face.size()];
+            const Vec3 a = minus(hull.vertices[from], hull.vertices[face[0]]);
+            normal = plus(normal, cross(a, minus(hull.vertices[to], hull.vertices[face[0]])));
+            middle = plus(middle, hull.vertices[from]);
+            const std::array<std::uint32_t, 2> ends{std::min(from, to), std::max(from, to)};
+            const auto [edge, isNew] = found.emplace(ends, static_cast<std::uint32_t>(hull.edges.size()));
+            if (isNew) hull.edges.push_back(ends);
+            loop.push_back({edge->second, from < to ? 1 : -1});
+        }
+        const double size = length(normal);
+        if (!(size > 0.0)) return false;
+        normal = times(normal, 1.0 / size);
+        hull.planes.push_back({normal, dot(normal, middle) / static_cast<double>(face.size())});
+    }
+    return true;
+}
+
+/// The principal moments of a symmetric tensor by Jacobi's method, descending.
+inline PrincipalInertia principalOf(std::array<std::array<double, 3>, 3> tensor) {
+    std::array<std::array<double, 3>, 3> axes{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};  // in columns
+    const double rounding = 1e-15 * (std::abs(tensor[0][0]) + std::abs(tensor[1][1]) + std::abs(tensor[2][2]));
+    const auto rotate = [&](std::size_t p, std::size_t q) {
+        if (std::abs(tensor[p][q]) <= rounding) return;
+        const double theta = (tensor[q][q] - tensor[p][p]) / (2.0 * tensor[p][q]);
+        const double t = (theta < 0.0 ? -1.0 : 1.0) / (std::abs(theta) + std::sqrt(theta * theta + 1.0));
+        const double c = 1.0 / std::sqrt(t * t + 1.0), s = t * c;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double a = tensor[k][p], b = tensor[k][q];
+            tensor[k][p] = c * a - s * b;
+            tensor[k][q] = s * a + c * b;
+            const double u = axes[k][p], v = axes[k][q];
+            axes[k][p] = c * u - s * v;
+            axes[k][q] = s * u + c * v;
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double a = tensor[p][k], b = tensor[q][k];
+            tensor[p][k] = c * a - s * b;
+            tensor[q][k] = s * a + c * b;
+        }
+    };
+    for (int sweep = 0; sweep < 30; ++sweep) {
+        rotate(0, 1);
+        rotate(0, 2);
+        rotate(1, 2);
+    }
+    std::array<std::size_t, 3> order{0, 1, 2};
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return tensor[a][a] > tensor[b][b]; });
+    const auto axis = [&](std::size_t k) { return Vec3{axes[0][order[k]], axes[1][order[k]], axes[2][order[k]]}; };
+    const Vec3 x = axis(0), y = axis(1), z = cross(x, y);
+    // The quaternion of the matrix with columns x, y and z, by its largest component.
+    const std::array<double, 4> squares{1.0 + x.x - y.y - z.z, 1.0 - x.x + y.y - z.z, 1.0 - x.x - y.y + z.z,
+                                        1.0 + x.x + y.y + z.z};
+    const auto largest = static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) - squares.begin());
+    const double twice = std::sqrt(squares[largest]), rest = 0.5 / twice;
+    Quaternion q;
+    switch (largest) {
+        case 0: q = {0.5 * twice, (x.y + y.x) * rest, (z.x + x.z) * rest, (y.z - z.y) * rest}; break;
+        case 1: q = {(x.y + y.x) * rest, 0.5 * twice, (y.z + z.y) * rest, (z.x - x.z) * rest}; break;
+        case 2: q = {(z.x + x.z) * rest, (y.z + z.y) * rest, 0.5 * twice, (x.y - y.x) * rest}; break;
+        default: q = {(y.z - z.y) * rest, (z.x - x.z) * rest, (x.y - y.x) * rest, 0.5 * twice};
+    }
+    if (q.w < 0.0) q = {-q.x, -q.y, -q.z, -q.w};
+    return {{tensor[order[0]][order[0]], tensor[order[1]][order[1]], tensor[order[2]][order[2]]}, q};
+}
+
+/// Adds what follows from a body of version 1.
+inline void deriveVersion2(Body& body) {
+    body.principal = principalOf(body.inertia);
+    constexpr double kFar = std::numeric_limits<double>::max();
+    body.bounds = {{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+    for (const Hull& hull : body.hulls) {
+        for (const Vec3& v : hull.vertices) {
+            Vec3 &low = body.bounds.min, &high = body.bounds.max;
+            low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+            high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+            body.radius = std::max(body.radius, length(v));
+        }
+    }
+}
+
+/// Adds what version 1 does not say: levels, children, principal inertia and bounds. Returns false if the fragments of
+/// a body are not consecutive.
+inline bool deriveVersion2(Pack& pack) {
+    deriveVersion2(pack.whole);
+    for (std::uint32_t k = 0; k < pack.fragments.size(); ++k) {
+        Body& fragment = pack.fragments[k];
+        deriveVersion2(fragment);
+        Body& parent = fragment.parent == kNone ? pack.whole : pack.fragments[fragment.parent];
+        fragment.level = fragment.parent == kNone ? 0 : parent.level + 1;
+        if (parent.childCount == 0) parent.firstChild = k;
+        if (parent.firstChild + parent.childCount++ != k) return false;
+    }
+    return true;
+}
+
+/// Adds centroids and normals to the contacts of the larger of two fragments, which are written at the smaller.
+inline void mirrorContacts(Pack& pack) {
+    for (std::uint32_t k = 0; k < pack.fragments.size(); ++k) {
+        for (const Neighbour& contact : pack.fragments[k].neighbours) {
+            if (contact.fragment <= k) continue;
+            std::vector<Neighbour>& theirs = pack.fragments[contact.fragment].neighbours;
+            const auto before = [](const Neighbour& one, std::uint32_t fragment) { return one.fragment < fragment; };
+            const auto back = std::lower_bound(theirs.begin(), theirs.end(), k, before);
+            if (back == theirs.end() || back->fragment != k) continue;
+            back->centroid = contact.centroid;
+            back->normal = times(contact.normal, -1.0);
+        }
+    }
+}
+
 /// Reads values, and keeps the first fault with its place. After it everything reads as nothing.
 class Reader {
 public:
@@ -702,11 +1012,23 @@ public:
         return at(object, key, [&](const Value& value) { return list(value, read); });
     }
 
+    /// What `read` makes of each element of an array that may be missing.
+    template <class Read>
+    auto optionalListAt(const Value& object, const char* key, Read read) {
+        return at(
+            object, key, [&](const Value& value) { return list(value, read); }, std::vector<decltype(read(object))>{});
+    }
     Hull hull(const Value& value) {
         Hull read;
+        int derived = 0;
+        if (is(value, Kind::Object, "an object")) {
+            for (const char* key : {"edges", "signedEdges", "planes"}) derived += find(value, key).has_value();
+            if (derived != 0 && derived != 3) refuse(value, "expected edges, signed edges and planes, or none of them");
+        }
+        read.inset = optionalAt(value, "inset");
         read.vertices = listAt(value, "vertices", [&](const Value& v) { return vector(v); });
         const auto vertex = [&](const Value& v) { return index(v, read.vertices.size()); };
-        read.edges = listAt(value, "edges", [&](const Value& v) {
+        read.edges = optionalListAt(value, "edges", [&](const Value& v) {
             std::array<std::uint32_t, 2> ends{};
             if (is(v, Kind::Array, "an array") && v->count != 2) refuse(v, "expected 2 vertices");
             forEach(v, [&](const Value& end) { ends[end.number] = vertex(end); });
@@ -721,11 +1043,12 @@ public:
             return fault.empty() ? SignedEdge{static_cast<std::uint32_t>(pair[0]), pair[1] > 0.0 ? 1 : -1}
                                  : SignedEdge{};
         };
-        read.signedEdges = listAt(value, "signedEdges", [&](const Value& v) { return list(v, signedEdge); });
-        read.planes = listAt(value, "planes", [&](const Value& v) {
+        read.signedEdges = optionalListAt(value, "signedEdges", [&](const Value& v) { return list(v, signedEdge); });
+        read.planes = optionalListAt(value, "planes", [&](const Value& v) {
             const std::array<double, 4> plane = numbers<4>(v);
             return Plane{{plane[0], plane[1], plane[2]}, plane[3]};
         });
+        if (fault.empty() && derived == 0 && !deriveTopology(read)) refuse(value, "a face has no area");
         bool agree = read.faces.size() == read.planes.size() && read.faces.size() == read.signedEdges.size();
         for (std::size_t f = 0; agree && f < read.faces.size(); ++f) {
             agree = read.faces[f].size() >= 3 && read.faces[f].size() == read.signedEdges[f].size();
@@ -734,10 +1057,41 @@ public:
         return read;
     }
     Neighbour neighbour(const Value& value, std::size_t count) {
-        const auto fragment = at(value, "fragment", [&](const Value& v) { return index(v, count); });
-        return {fragment, positiveAt(value, "area")};
+        Neighbour read;
+        read.fragment = at(value, "fragment", [&](const Value& v) { return index(v, count); });
+        read.area = positiveAt(value, "area");
+        const auto optionalVector = [&](const char* key) {
+            return at(
+                value, key, [&](const Value& v) { return vector(v); }, Vec3{});
+        };
+        read.centroid = optionalVector("centroid");
+        read.normal = optionalVector("normal");
+        return read;
     }
-    /// A body that is a piece of one of the `before` first fragments, of `count`.
+    PrincipalInertia principal(const Value& value) {
+        PrincipalInertia read;
+        read.moments = vectorAt(value, "moments");
+        const auto rotation = at(value, "rotation", [&](const Value& v) { return numbers<4>(v); });
+        read.rotation = {rotation[0], rotation[1], rotation[2], rotation[3]};
+        return read;
+    }
+    /// What version 2 added to a body, of `count` fragments.
+    void addVersion2(const Value& value, std::size_t count, Body& body) {
+        body.level = countAt(value, "level");
+        body.childCount = countAt(value, "childCount");
+        body.firstChild = at(
+            value, "firstChild", [&](const Value& v) { return index(v, count); }, 0u);
+        if (fault.empty() && std::size_t{body.firstChild} + body.childCount > count)
+            refuse(value, "expected children that are there");
+        body.principal = at(value, "principal", [&](const Value& v) { return principal(v); });
+        at(value, "bounds", [&](const Value& v) {
+            body.bounds = {vectorAt(v, "min"), vectorAt(v, "max")};
+            body.radius = positiveAt(v, "radius");
+            body.thinnest = positiveAt(v, "thinnest");
+            return 0;
+        });
+    }
+    /// A body that is a fragment of one of the `before` first fragments, of `count`.
     Body body(const Value& value, std::size_t before, std::size_t count) {
         Body read;
         read.id = textAt(value, "id");
@@ -758,6 +1112,7 @@ public:
         read.neighbours = listAt(value, "neighbours", [&](const Value& v) { return neighbour(v, count); });
         read.hulls = listAt(value, "hulls", [&](const Value& v) { return hull(v); });
         if (read.hulls.empty()) refuse(value, "expected at least one hull");
+        if (m_version >= 2) addVersion2(value, count, read);
         return read;
     }
     Material material(const Value& value) {
@@ -768,6 +1123,22 @@ public:
         read.restitution = numberAt(value, "restitution");
         read.outside = at(value, "outside", [&](const Value& v) { return numbers<3>(v); });
         read.inside = at(value, "inside", [&](const Value& v) { return numbers<3>(v); });
+        read.opacity = at(
+            value, "opacity", [&](const Value& v) { return number(v); }, 1.0);
+        read.tensileStrength = optionalAt(value, "tensileStrength");
+        read.fractureToughness = optionalAt(value, "fractureToughness");
+        read.youngsModulus = optionalAt(value, "youngsModulus");
+        return read;
+    }
+    Surface surface(const Value& value) {
+        Surface read;
+        read.name = textAt(value, "name");
+        read.isInside = oneOfAt(value, "side", {"outside", "inside"}) == 1;
+        read.colour = at(value, "colour", [&](const Value& v) { return numbers<3>(v); });
+        read.opacity = numberAt(value, "opacity");
+        read.roughness = numberAt(value, "roughness");
+        read.texture = at(
+            value, "texture", [&](const Value& v) { return text(v); }, std::string());
         return read;
     }
     Mesh mesh(const Value& value, std::size_t count) {
@@ -776,6 +1147,8 @@ public:
         read.bodies = static_cast<MeshBodies>(oneOfAt(value, "bodies", {"whole", "fragments", "fragment"}));
         read.fragment = linkAt(value, "fragment", count);
         read.place = static_cast<MeshPlace>(oneOfAt(value, "place", {"assembled", "centred"}));
+        read.level = at(
+            value, "level", [&](const Value& v) { return link(v, count); }, kNone);
         return read;
     }
     Bond bond(const Value& value, const std::vector<Body>& fragments, std::uint32_t parent) {
@@ -835,7 +1208,10 @@ public:
     void checkFormat(const Value& root) {
         oneOfAt(root, "format", {"rubble-pack"});
         at(root, "version", [&](const Value& version) {
-            if (number(version) != kVersion) refuse(version, "this header reads version " + std::to_string(kVersion));
+            const double read = number(version);
+            if (read != 1.0 && read != kVersion)
+                refuse(version, "this header reads versions up to " + std::to_string(kVersion));
+            m_version = fault.empty() ? static_cast<std::uint32_t>(read) : 0;
             return 0;
         });
         at(root, "units", [&](const Value& units) {
@@ -849,25 +1225,81 @@ public:
             return oneOfAt(axes, "front", {"counter-clockwise"});
         });
     }
-    Pack pack(const Value& root) {
+    /// What version 2 says of the asset, beside its bodies.
+    void addVersion2(const Value& root, Pack& pack) {
+        at(root, "asset", [&](const Value& asset) {
+            pack.base = textAt(asset, "base");
+            pack.variant = countAt(asset, "variant");
+            pack.folder = textAt(asset, "folder");
+            return 0;
+        });
+        pack.physicsHash = textAt(root, "physicsHash");
+        at(root, "break", [&](const Value& value) {
+            oneOfAt(value, "as", {"whole", "bonded"});
+            pack.breaksByMomentum = oneOfAt(value, "rule", {"impact", "momentum"}) == 1;
+            oneOfAt(value, "velocity", {"beforeSolver"});
+            pack.leastSpeed = numberAt(value, "leastSpeed");
+            pack.restitutionSpeed = numberAt(value, "restitutionSpeed");
+            if (const std::optional<Value> cut = fault.empty() ? find(value, "cutAtImpact") : std::nullopt)
+                pack.cutAtImpact = CutAtImpact{countAt(*cut, "fragments"), positiveAt(*cut, "falloffRadius")};
+            return 0;
+        });
+        at(root, "combine", [&](const Value& value) {
+            oneOfAt(value, "friction", {"geometricMean"});
+            return oneOfAt(value, "restitution", {"maximum"});
+        });
+        at(root, "collision", [&](const Value& value) { return pack.inset = numberAt(value, "inset"); });
+        const auto materials = listAt(root, "materials", [&](const Value& value) { return material(value); });
+        const auto materialAt = [&](const char* key) {
+            const auto which = at(root, key, [&](const Value& value) { return index(value, materials.size()); });
+            return fault.empty() ? materials[which] : Material{};
+        };
+        pack.material = materialAt("material");
+        pack.insideMaterial = materialAt("insideMaterial");
+        pack.surfaces = listAt(root, "surfaces", [&](const Value& value) { return surface(value); });
+        if (const std::optional<Value> debris = fault.empty() ? find(root, "debris") : std::nullopt)
+            pack.debris = Debris{
+                optionalAt(*debris, "lifetime"), numberAt(*debris, "fade"),
+                at(
+                    *debris, "maxFragments", [&](const Value& value) { return index(value, std::size_t{kNone}); }, 0u)};
+    }
+    /// The members before the bodies, of `count` fragments.
+    Pack header(const Value& root, std::size_t count) {
         Pack read;
         checkFormat(root);
+        read.version = m_version;
         at(root, "asset", [&](const Value& asset) {
             read.name = textAt(asset, "name");
             return read.asset = at(asset, "id", [&](const Value& id) { return index(id, std::size_t{kNone}); });
         });
         read.hash = textAt(root, "hash");
         read.threshold = positiveAt(root, "threshold");
-        read.material = at(root, "material", [&](const Value& value) { return material(value); });
-        read.whole = at(root, "whole", [&](const Value& value) { return body(value, 0, 0); });
+        if (fault.empty() && m_version < 2) {
+            read.material = at(root, "material", [&](const Value& value) { return material(value); });
+            read.insideMaterial = read.material;
+            read.base = read.name;
+        }
+        if (fault.empty() && m_version >= 2) addVersion2(root, read);
+        read.meshes = listAt(root, "meshes", [&](const Value& value) { return mesh(value, count); });
+        return read;
+    }
+    Pack pack(const Value& root) {
+        checkFormat(root);
+        std::size_t count = 0;
+        at(root, "fragments", [&](const Value& value) {
+            if (is(value, Kind::Array, "an array")) count = value->count;
+            return 0;
+        });
+        Pack read = header(root, count);
+        read.whole = at(root, "whole", [&](const Value& value) { return body(value, 0, count); });
         read.fragments = at(root, "fragments", [&](const Value& value) {
-            const std::size_t count = value->count;
             return list(value, [&](const Value& element) { return body(element, element.number, count); });
         });
         if (const std::optional<Value> bonds = fault.empty() ? find(root, "bonding") : std::nullopt)
             read.bonding = bonding(*bonds, read.fragments);
-        const std::size_t count = read.fragments.size();
-        read.meshes = listAt(root, "meshes", [&](const Value& value) { return mesh(value, count); });
+        if (!fault.empty()) return read;
+        if (m_version < 2 && !deriveVersion2(read)) refuse(root, "the fragments of a body are not consecutive");
+        mirrorContacts(read);
         return read;
     }
 
@@ -953,11 +1385,10 @@ public:
             log.events.push_back(event(value));
         }
     }
-};
 
-inline Vec3 minus(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
+private:
+    std::uint32_t m_version = 0;
+};
 
 /// Appends a bond to a structure.
 inline void link(Structure& structure, const Bond& bond) {
@@ -1261,6 +1692,197 @@ inline const char* readDamages(std::string_view bytes, const std::string& bake, 
     return nullptr;
 }
 
+/// Finds the sections of a pack.bin and checks that all indices in them are in range.
+class BinaryOpener {
+public:
+    explicit BinaryOpener(std::string_view bytes) : m_bytes(bytes) {}
+
+    /// What is wrong with the bytes, or null.
+    const char* open(BinaryPack& pack) {
+        constexpr std::size_t kHead = 24, kEntry = 24, kChecksum = 8;
+        if (m_bytes.size() < kHead + kChecksum) return "It is too short.";
+        if (m_bytes.substr(0, 8) != "RUBBLEPK") return "It is not a pack.bin.";
+        if (numberOf(m_bytes, 8, 4) != 1) return "It has a version that this header does not read.";
+        if (numberOf(m_bytes, 16, 8) != m_bytes.size()) return "It has another size than it should.";
+        const std::string_view content = m_bytes.substr(0, m_bytes.size() - kChecksum);
+        if (checksum(content) != numberOf(m_bytes, content.size(), kChecksum))
+            return "It was changed: its checksum does not fit.";
+        const std::uint64_t count = numberOf(m_bytes, 12, 4);
+        if (count > (content.size() - kHead) / kEntry) return "Its table of sections does not fit.";
+        for (std::uint64_t k = 0; k < count; ++k) {
+            Section section;
+            const std::size_t at = kHead + kEntry * static_cast<std::size_t>(k);
+            const std::uint64_t kind = numberOf(m_bytes, at, 4);
+            section.elementSize = numberOf(m_bytes, at + 4, 4);
+            section.offset = numberOf(m_bytes, at + 8, 8);
+            section.count = numberOf(m_bytes, at + 16, 8);
+            if (section.elementSize == 0 || section.offset > content.size()) return "A section does not fit.";
+            if (section.count > (content.size() - section.offset) / section.elementSize)
+                return "A section does not fit.";
+            if (kind >= 1 && kind <= m_sections.size()) m_sections[static_cast<std::size_t>(kind) - 1] = section;
+        }
+        const bool isThere = text(1, pack.header) && array(2, pack.bodies) && array(3, pack.hulls) &&
+                             array(4, pack.vertices) && array(5, pack.loops) && array(6, pack.contacts) &&
+                             text(7, pack.texts);
+        if (!isThere) return "A section is missing.";
+        return indexFault(pack);
+    }
+
+private:
+    struct Section {
+        std::uint64_t elementSize = 0, offset = 0, count = 0;
+    };
+
+    bool text(std::size_t kind, std::string_view& view) const {
+        const Section& section = m_sections[kind - 1];
+        if (section.elementSize != 1) return false;
+        view = m_bytes.substr(static_cast<std::size_t>(section.offset), static_cast<std::size_t>(section.count));
+        return true;
+    }
+    template <class T>
+    bool array(std::size_t kind, BinaryArray<T>& view) const {
+        const Section& section = m_sections[kind - 1];
+        if (section.elementSize < sizeof(T)) return false;
+        view = BinaryArray<T>(m_bytes.data() + section.offset, static_cast<std::size_t>(section.count),
+                              static_cast<std::size_t>(section.elementSize));
+        return true;
+    }
+    static const char* indexFault(const BinaryPack& pack) {
+        if (pack.bodies.size() == 0) return "It has no bodies.";
+        if (pack.texts.empty() || pack.texts.back() != '\0') return "Its texts do not end.";
+        const std::uint64_t count = pack.bodies.size() - 1;
+        for (std::size_t k = 0; k < pack.bodies.size(); ++k) {
+            const BinaryBody body = pack.bodies[k];
+            if (body.parent != kNone && (k == 0 || body.parent >= k - 1))
+                return "A parent does not precede its children.";
+            if (std::uint64_t{body.firstChild} + body.childCount > count) return "The children of a body do not exist.";
+            if (std::uint64_t{body.firstHull} + body.hullCount > pack.hulls.size() || body.hullCount == 0)
+                return "The hulls of a body do not exist.";
+            if (body.id >= pack.texts.size() || body.name >= pack.texts.size()) return "A text does not exist.";
+            if (!(body.mass > 0.0 && body.volume > 0.0)) return "A body has no mass or no volume.";
+        }
+        for (std::size_t k = 0; k < pack.hulls.size(); ++k) {
+            if (const char* fault = hullFault(pack, pack.hulls[k])) return fault;
+        }
+        for (std::size_t k = 0; k < pack.contacts.size(); ++k) {
+            const BinaryContact contact = pack.contacts[k];
+            if (contact.first >= contact.second || contact.second >= count)
+                return "The fragments of a contact are wrong.";
+        }
+        return nullptr;
+    }
+    static const char* hullFault(const BinaryPack& pack, const BinaryHull& hull) {
+        if (std::uint64_t{hull.firstVertex} + hull.vertexCount > pack.vertices.size())
+            return "The vertices of a hull do not exist.";
+        std::uint64_t at = hull.firstLoop;
+        for (std::uint32_t face = 0; face < hull.faceCount; ++face) {
+            const std::uint64_t corners = at < pack.loops.size() ? pack.loops[static_cast<std::size_t>(at)] : 0;
+            if (corners < 3 || at + corners >= pack.loops.size()) return "The faces of a hull do not exist.";
+            for (std::uint64_t k = 1; k <= corners; ++k) {
+                if (pack.loops[static_cast<std::size_t>(at + k)] >= hull.vertexCount)
+                    return "A vertex of a face does not exist.";
+            }
+            at += corners + 1;
+        }
+        return nullptr;
+    }
+
+    std::string_view m_bytes;
+    std::array<Section, 7> m_sections{};
+};
+
+inline Vec3 vectorOf(const float (&v)[3]) { return {double{v[0]}, double{v[1]}, double{v[2]}}; }
+
+/// The tensor of principal moments.
+inline std::array<std::array<double, 3>, 3> tensorOf(const PrincipalInertia& inertia) {
+    const Quaternion& q = inertia.rotation;
+    const std::array<Vec3, 3> axes{
+        Vec3{1.0 - 2.0 * (q.y * q.y + q.z * q.z), 2.0 * (q.x * q.y + q.w * q.z), 2.0 * (q.x * q.z - q.w * q.y)},
+        Vec3{2.0 * (q.x * q.y - q.w * q.z), 1.0 - 2.0 * (q.x * q.x + q.z * q.z), 2.0 * (q.y * q.z + q.w * q.x)},
+        Vec3{2.0 * (q.x * q.z + q.w * q.y), 2.0 * (q.y * q.z - q.w * q.x), 1.0 - 2.0 * (q.x * q.x + q.y * q.y)}};
+    const std::array<double, 3> moments{inertia.moments.x, inertia.moments.y, inertia.moments.z};
+    std::array<std::array<double, 3>, 3> tensor{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::array<double, 3> v{axes[axis].x, axes[axis].y, axes[axis].z};
+        for (std::size_t row = 0; row < 3; ++row)
+            for (std::size_t column = 0; column < 3; ++column)
+                tensor[row][column] += moments[axis] * v[row] * v[column];
+    }
+    return tensor;
+}
+
+/// Makes a body of a record; returns false if a face has no area.
+inline bool bodyOf(const BinaryPack& source, const BinaryBody& record, Body& body) {
+    body.id = source.text(record.id);
+    body.name = source.text(record.name);
+    body.parent = record.parent;
+    body.level = record.level;
+    body.firstChild = record.firstChild;
+    body.childCount = record.childCount;
+    body.offset = {record.offset[0], record.offset[1], record.offset[2]};
+    body.volume = record.volume;
+    body.mass = record.mass;
+    const float(&q)[4] = record.rotation;
+    body.principal = {vectorOf(record.moments), {double{q[0]}, double{q[1]}, double{q[2]}, double{q[3]}}};
+    body.inertia = tensorOf(body.principal);
+    body.bounds = {vectorOf(record.min), vectorOf(record.max)};
+    body.radius = double{record.radius};
+    body.thinnest = double{record.thinnest};
+    body.threshold = record.threshold;
+    body.gap = record.gap;
+    body.lostMass = record.lostMass;
+    body.hulls.resize(record.hullCount);
+    for (std::uint32_t h = 0; h < record.hullCount; ++h) {
+        const BinaryHull hull = source.hulls[record.firstHull + h];
+        Hull& made = body.hulls[h];
+        made.inset = double{hull.inset};
+        for (std::uint32_t k = 0; k < hull.vertexCount; ++k) {
+            const BinaryVertex v = source.vertices[hull.firstVertex + k];
+            made.vertices.push_back({double{v.x}, double{v.y}, double{v.z}});
+        }
+        std::size_t at = hull.firstLoop;
+        for (std::uint32_t face = 0; face < hull.faceCount; ++face) {
+            std::vector<std::uint32_t>& loop = made.faces.emplace_back(source.loops[at++]);
+            for (std::uint32_t& vertex : loop) vertex = source.loops[at++];
+        }
+        if (!deriveTopology(made)) return false;
+    }
+    return true;
+}
+
+/// Adds contacts, and the bonds of a bonded pack.
+inline void addContacts(const BinaryPack& source, Pack& pack) {
+    std::map<std::uint32_t, std::size_t> fractures;  // by body
+    const auto addFracture = [&](std::uint32_t index, const Body& body) {
+        if (!pack.bonding || body.childCount < 2) return;
+        fractures[index] = pack.bonding->fractures.size();
+        pack.bonding->fractures.push_back({index, {}});
+    };
+    addFracture(kNone, pack.whole);
+    for (std::uint32_t k = 0; k < pack.fragments.size(); ++k) addFracture(k, pack.fragments[k]);
+    for (std::size_t k = 0; k < source.contacts.size(); ++k) {
+        const BinaryContact contact = source.contacts[k];
+        const Vec3 centroid = vectorOf(contact.centroid), normal = vectorOf(contact.normal);
+        const auto area = double{contact.area};
+        pack.fragments[contact.first].neighbours.push_back({contact.second, area, centroid, normal});
+        pack.fragments[contact.second].neighbours.push_back({contact.first, area, centroid, times(normal, -1.0)});
+        const auto fracture = fractures.find(pack.fragments[contact.first].parent);
+        if (fracture == fractures.end()) continue;
+        Bond bond;
+        bond.fragments = {contact.first, contact.second};
+        bond.area = area;
+        bond.centroid = centroid;
+        bond.normal = normal;
+        bond.capacity = double{contact.capacity};
+        bond.clusterLevel = contact.clusterLevel;
+        pack.bonding->fractures[fracture->second].bonds.push_back(bond);
+    }
+    for (Body& fragment : pack.fragments) {
+        std::sort(fragment.neighbours.begin(), fragment.neighbours.end(),
+                  [](const Neighbour& a, const Neighbour& b) { return a.fragment < b.fragment; });
+    }
+}
+
 /// The bytes of a file; none if it cannot be read.
 inline std::optional<std::string> bytesOf(const std::string& path, std::string& fault) {
     std::ifstream file(path, std::ios::binary);
@@ -1275,7 +1897,7 @@ inline std::optional<std::string> bytesOf(const std::string& path, std::string& 
 inline Structure structureOf(const Pack& pack, std::size_t fracture, double strength) {
     const Fracture& source = pack.bonding->fractures[fracture];
     Structure structure;
-    structure.fragments = pack.piecesOf(source.fragment);
+    structure.fragments = pack.fragmentsOf(source.fragment);
     for (const std::uint32_t fragment : structure.fragments)
         structure.centres.push_back(pack.fragments[fragment].offset);
     structure.fragmentBonds.resize(structure.fragments.size());
@@ -1472,6 +2094,53 @@ inline bool parse(std::string_view json, Pack& pack, std::string& fault) {
     }
     pack = std::move(read);
     return true;
+}
+
+inline bool openBinary(std::string_view bytes, BinaryPack& pack, std::string& fault) {
+    BinaryPack opened;
+    if (const char* error = detail::BinaryOpener(bytes).open(opened)) {
+        fault = error;
+        return false;
+    }
+    pack = opened;
+    return true;
+}
+
+inline bool parseBinary(std::string_view bytes, Pack& pack, std::string& fault) {
+    BinaryPack source;
+    if (!openBinary(bytes, source, fault)) return false;
+    detail::Parser parser(source.header);
+    detail::Document document;
+    if (!parser.parse(document)) {
+        fault = parser.fault();
+        return false;
+    }
+    detail::Reader reader;
+    const detail::Value root{&document, 0, nullptr, nullptr, 0};
+    Pack read = reader.header(root, source.fragmentCount());
+    read.fragments.resize(source.fragmentCount());
+    bool hasArea = detail::bodyOf(source, source.whole(), read.whole);
+    for (std::uint32_t k = 0; k < source.fragmentCount(); ++k)
+        hasArea = detail::bodyOf(source, source.fragment(k), read.fragments[k]) && hasArea;
+    if (reader.fault.empty()) {
+        if (const std::optional<detail::Value> bonds = detail::Reader::find(root, "bonding"))
+            read.bonding = reader.bonding(*bonds, read.fragments);
+    }
+    if (!reader.fault.empty() || !hasArea) {
+        fault = reader.fault.empty() ? "A face of a hull has no area." : reader.fault;
+        return false;
+    }
+    detail::addContacts(source, read);
+    pack = std::move(read);
+    return true;
+}
+
+inline bool loadBinary(const std::string& path, Pack& pack, std::string& fault) {
+    const std::optional<std::string> bytes = detail::bytesOf(path, fault);
+    if (!bytes) return false;
+    if (parseBinary(*bytes, pack, fault)) return true;
+    fault = "\"" + path + "\": " + fault;
+    return false;
 }
 
 inline bool load(const std::string& path, Pack& pack, std::string& fault) {

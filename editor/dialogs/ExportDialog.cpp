@@ -153,13 +153,13 @@ void ExportDialog::updateSummary() {
     m_export->setEnabled(!assets.empty() && !m_folder->text().isEmpty());
     if (assets.empty()) return m_summary->setText(tr("No asset is selected."));
     QStringList folders;
-    const std::map<AssetVariant, std::string> names = packFolders(m_workspace.project());
+    const std::map<AssetVariant, PackNames> names = packNames(m_workspace.project());
     for (const Id id : assets) {
         if (folders.size() == kMaxFolders) {
             folders.append("…");
             break;
         }
-        folders.append(nameText(names.at({id})));
+        folders.append(nameText(names.at({id}).folder));
     }
     const QString content = meshes.obj && meshes.glb ? tr("pack.json, OBJ and GLB meshes")
                             : meshes.obj             ? tr("pack.json and OBJ meshes")

@@ -126,7 +126,7 @@ ExportSummary exportProject(Workspace& workspace, const ExportOptions& options, 
     const auto run = [&](EditedFiles edited) {
         TaskDialog dialog(ExportTexts::tr("Exporting…"), parent);
         return dialog.run<Outcome>([&](const TaskContext& task) {
-            return exportPacks(project, assets, toPath(options.folder), options.meshes, edited, task);
+            return exportPacks(project, assets, toPath(options.folder), {.meshes = options.meshes}, edited, task);
         });
     };
     Outcome outcome = run(EditedFiles::Kept);

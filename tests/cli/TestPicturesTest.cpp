@@ -44,7 +44,7 @@ private slots:
                    R"({"kind": "doesNotBreak", "instance": 21, "value": 0})");
         const ProgramOutcome outcome = tested(place.filePath("house.rubble"), pictures);
         QCOMPARE(outcome.error, "1 of 1 tests failed.\n");
-        QCOMPARE(outcome.exit, 1);
+        QCOMPARE(outcome.exit, 3);
         const QRegularExpression told("after step (\\d+): " +
                                       QRegularExpression::escape(pictures + "/play-test-93.png"));
         const QRegularExpressionMatch match = told.match(outcome.output);

@@ -8,6 +8,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+using namespace rubble;
+
 namespace {
 
 QString textOf(const QString& path) {

@@ -2,9 +2,8 @@
 // place of the whole (quiet swap), and whether they stand.
 import {identity, length, principalOf, product, rotated, solidOf, sub} from "./geometry.mjs";
 
-const kStep = 1 / 60;      // s
-const kStanding = 5;       // s
-export const kInset = 1e-4;  // m, of hulls that touch in the file
+const kStep = 1 / 60;  // s
+const kStanding = 5;  // s
 
 /// The places of bodies in the world. A pane of 5 mm lies on the floor: loose, it would not stand on its edge.
 function posed(bodies, lies) {

@@ -7,7 +7,8 @@ import {readPack} from "./pack.mjs";
 /// The mesh files of all packs with an ending: {path, name, pack, bodies}, with the bodies that a file holds.
 export function meshesOf(packs, ending = ".glb") {
   const files = [];
-  for (const folder of readdirSync(packs).sort()) {
+  const folders = readdirSync(packs, {withFileTypes: true}).filter((entry) => entry.isDirectory());
+  for (const folder of folders.map(({name}) => name).sort()) {
     const pack = readPack(join(packs, folder, "pack.json"));
     for (const {file, bodies} of pack.meshes) {
       if (!file.endsWith(ending)) continue;
@@ -19,9 +20,9 @@ export function meshesOf(packs, ending = ".glb") {
 
 function bodiesOf(pack, file, bodies) {
   if (bodies === "whole") return [pack.whole];
-  const level = /-level-(\d+)\.\w+$/.exec(file)?.[1];
+  const {level} = pack.meshes.find((mesh) => mesh.file === file);
   return pack.fragments.filter(({children, level: own}) =>
-    (level === undefined ? children.length === 0 : children.length > 0 && own === +level));
+    (level === null ? children.length === 0 : children.length > 0 && own === level));
 }
 
 /// The volume, m^3, and centroid of a closed mesh: a list of triangles of three points each.

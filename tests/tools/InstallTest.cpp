@@ -34,6 +34,9 @@ private slots:
                                  "share/icons/hicolor/512x512/apps/io.github.rubble.Rubble.png",
                                  "share/man/man1/rubble.1",
                                  "share/man/man1/rubble-cli.1",
+                                 "share/bash-completion/completions/rubble-cli",
+                                 "share/zsh/vendor-completions/_rubble-cli",
+                                 "share/fish/vendor_completions.d/rubble-cli.fish",
                                  "share/doc/rubble/README.md",
                                  "share/doc/rubble/LICENSE",
                                  "share/doc/rubble/CHANGELOG.md",
@@ -50,7 +53,7 @@ private slots:
     }
     void allFilesAreInstalled() {
         QFETCH(const QString, file);
-        QVERIFY(QFileInfo::exists(m_root.filePath(file)));
+        QVERIFY(QFileInfo(m_root.filePath(file)).size() > 0);
     }
     void noOtherFilesAreInstalled() {
         QCOMPARE(QDir(m_root.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot),

@@ -10,8 +10,9 @@ namespace rubble {
 /// The exit statuses of rubble-cli.
 enum ExitCode : int {
     kExitSuccess = 0,
-    kExitBadInput = 1,    // an error, printed to standard error
+    kExitError = 1,       // an error, printed to standard error
     kExitUsage = 2,       // arguments that no verb accepts
+    kExitFindings = 3,    // the verb ran, and what it looks for was found
     kExitCancelled = 130  // stopped by Ctrl+C, as shells number it
 };
 

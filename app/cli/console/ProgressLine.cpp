@@ -11,7 +11,7 @@ constexpr const char* kEmptyLine = "\r\x1b[K";  // to the start of the line, the
 
 void ProgressLine::show(double fraction) {
     const int percent = static_cast<int>(100.0 * fraction);
-    if (m_context.terminal == nullptr || percent == m_percent) return;
+    if (m_context.terminal == nullptr || percent <= m_percent) return;
     m_percent = percent;
     *m_context.terminal << kEmptyLine << m_task << ' ' << percent << " %" << std::flush;
 }

@@ -11,7 +11,7 @@ namespace rubble {
 class ProgressLine {
 public:
     ProgressLine(const CliContext& context, std::string task) : m_context(context), m_task(std::move(task)) {}
-    /// Shows "Exporting 42 %" for 0.42, if it differs from the current text.
+    /// Shows "Exporting 42 %" for 0.42, if that is more than before: tasks in stages may report less again.
     void show(double fraction);
     void clear();
 

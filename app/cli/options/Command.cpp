@@ -3,6 +3,7 @@
 #include "app/cli/options/CommonOptions.h"
 #include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"
+#include "core/base/Version.h"
 
 #include <CLI/CLI.hpp>
 
@@ -57,10 +58,14 @@ CommandOption CommandOption::separatedBy(char separator) const {
 }
 
 CommandOption CommandOption::oneOf(const std::vector<std::string>& words) const {
-    return check([words](const std::string& given) {
+    const auto check = [words](const std::string& given) {
         if (std::ranges::find(words, given) != words.end()) return std::string();
         return quotedName(given) + " is not one of " + joinedText(words);
-    });
+    };
+    std::string name = kWordsPrefix;
+    for (const std::string& word : words) name += (&word == &words.front() ? "" : " ") + word;
+    m_option->check(CLI::Validator(check, "", name));
+    return *this;
 }
 
 CommandOption CommandOption::inRange(ProjectNumber number) const { return check(rangeCheck<double>(number, "number")); }
@@ -126,6 +131,22 @@ CommandOption Command::flag(const std::string& name, bool& value, const std::str
     return CommandOption(m_app->add_flag(name, value, help));
 }
 
+void Command::addCommonFlags() {
+    m_app->add_flag("-q,--quiet")->description("Print results and errors only: no progress, warnings or summaries");
+    m_app->set_version_flag("--version", versionText())->group("");
+}
+
+bool Command::isQuiet() const { return m_app->count("--quiet") > 0; }
+
+void Command::addReportFlag() {
+    m_app->add_flag("--json")->description("Print a JSON document of the results instead of text");
+    m_hasReport = true;
+}
+
+void Command::hide() { m_app->group(""); }
+
+bool Command::isReportWanted() const { return m_hasReport && m_app->count("--json") > 0; }
+
 void Command::requireOne(CommandOption first, CommandOption second) {
     m_app->callback([first = first.m_option, second = second.m_option] {
         if (first->empty() && second->empty())
@@ -134,6 +155,8 @@ void Command::requireOne(CommandOption first, CommandOption second) {
 }
 
 CommandOption Command::operator[](const std::string& name) const { return CommandOption(m_app->get_option(name)); }
+
+std::string versionText() { return std::string("rubble-cli ") + programVersion(); }
 
 bool isNumberInRange(const std::string& text, const NumberRange& range) {
     double number = 0.0;

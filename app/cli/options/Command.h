@@ -15,6 +15,9 @@ namespace rubble {
 enum class ProjectNumber;
 struct NumberRange;
 
+/// The name of the check of CommandOption::oneOf() is this, and then the words, separated by spaces.
+inline constexpr const char* kWordsPrefix = "words ";
+
 /// An option, a flag or a positional argument of a command, which owns it. Each function returns the option itself.
 class CommandOption {
 public:
@@ -53,7 +56,7 @@ private:
 };
 
 /// The command line of a verb: its options, arguments and help. CLI11, which takes seconds to compile, is included by
-/// Command.cpp and Cli.cpp only.
+/// Command.cpp, CommandTree.cpp and Cli.cpp only.
 class Command {
 public:
     /// Adds a subcommand to the program, which owns it.
@@ -73,6 +76,15 @@ public:
                            const std::string& help);
     CommandOption flag(const std::string& name, bool& value, const std::string& help);
 
+    /// Adds the options that all verbs have, after their own: --quiet, and --version, which --help leaves out.
+    void addCommonFlags();
+    bool isQuiet() const;
+    /// Adds --json, for a document of results instead of text: see VerbReport.
+    void addReportFlag();
+    /// Keeps the verb out of --help and of completions.
+    void hide();
+    /// Whether --json of addReportFlag() was given.
+    bool isReportWanted() const;
     /// Requires at least one of two options.
     void requireOne(CommandOption first, CommandOption second);
 
@@ -81,7 +93,11 @@ public:
 
 private:
     CLI::App* m_app;
+    bool m_hasReport = false;
 };
+
+/// Returns the name and the version of the program, for --version.
+std::string versionText();
 
 /// Returns whether `text` is a number in the range.
 bool isNumberInRange(const std::string& text, const NumberRange& range);

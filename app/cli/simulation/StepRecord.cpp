@@ -41,7 +41,7 @@ void StepRecord::add(int step, const World& world, double milliseconds) {
 }
 
 SimulatedCounts StepRecord::means() const {
-    const double steps = std::min(m_plan.steps, kCountedSteps);
+    const double steps = std::clamp(m_plan.steps, 1, kCountedSteps);
     return {m_sums.bodies / steps, m_sums.pairs / steps, m_sums.contactPoints / steps};
 }
 

@@ -20,7 +20,7 @@ while it rotates. Prints the contacts right after the swap, the deepest overlap,
 steps of 1/60 s (lying flat: on average of them), and the changes of mass, momentum, angular momentum and energy.
 An asset is clean if no fragment moves faster than 1 mm/s at rest and 10 mm/s lying flat, and nothing is lost or
 gained in flight, but for the mass that a gap or mortar takes from its fragments. Otherwise the program says what
-to change and exits with 1.
+to change and exits with 3.
 
 Examples:
   rubble-cli audit house.rubble
@@ -86,29 +86,26 @@ std::string textOf(const NamedAudit& named) {
     return text;
 }
 
-/// Returns an error with a line for each failed measurement.
-Status statusOf(std::span<const NamedAudit> audits) {
-    std::string message;
+/// Reports a line for each failed measurement.
+void reportFailures(std::span<const NamedAudit> audits, VerbReport& report) {
     for (const NamedAudit& named : audits) {
         if (!named.audit) continue;
         for (const Diagnostic& diagnostic : named.audit->diagnostics) {
             if (diagnostic.severity == Severity::Note) continue;
-            message += (message.empty() ? "" : "\n") + shownName(named.name) + ": " + diagnostic.message;
+            conclude(report, shownName(named.name) + ": " + diagnostic.message);
         }
     }
-    if (!message.empty()) return Error{ErrorCode::BadInput, message};
-    return success();
 }
 
-Status audit(const AuditOptions& options, const CliContext& context) {
+Status audit(const AuditOptions& options, VerbReport& report, const CliContext& context) {
     const Result<ProjectAssets> loaded = loadProjectAssets(options.file, options.assets, context);
     if (!loaded) return loaded.error();
     const Result<std::vector<NamedAudit>> audits = auditsOf(loaded->project, loaded->assets, options, context);
     if (!audits) return audits.error();
     std::string text;
     for (const NamedAudit& named : *audits) text += textOf(named);
-    const Status written = printText(options.isJson ? swapAuditJson(*audits) : text, context);
-    return written ? statusOf(*audits) : written;
+    reportFailures(*audits, report);
+    return printText(options.isJson ? swapAuditJson(*audits) : text, context);
 }
 
 }  // namespace
@@ -121,7 +118,8 @@ Verb addAudit(CLI::App& program) {
     addAssetOption(command, options->assets);
     addJsonOption(command, options->isJson);
     addThreadsOption(command, options->threads);
-    return {command, [options](const CliContext& context) { return audit(*options, context); }};
+    return {command,
+            [options](VerbReport& report, const CliContext& context) { return audit(*options, report, context); }};
 }
 
 }  // namespace rubble

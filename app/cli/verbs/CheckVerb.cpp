@@ -2,6 +2,7 @@
 #include "app/cli/console/ProgressLine.h"
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/output/FragmentsText.h"
+#include "app/cli/output/PackFolders.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/bake/Bake.h"
 #include "core/asset/checks/Problems.h"
@@ -10,21 +11,21 @@
 #include "core/asset/project/Variants.h"
 #include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
+#include "core/base/QuantityText.h"
+#include "core/io/json/JsonWriter.h"
 #include "core/io/pack/ExportCheck.h"
-#include "core/io/pack/ExportManifest.h"
+#include "core/io/pack/PackBinary.h"
 #include "core/io/pack/PackFile.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
-#include "core/io/system/FolderReading.h"
-#include "core/io/system/Temporary.h"
 #include "core/play/scene/InstanceOverlaps.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <iterator>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 namespace rubble {
 namespace {
@@ -35,156 +36,232 @@ constexpr const char* kCheckFooter =
     R"(Checks a project: the range of every value; then fractures every asset, in all variants that instances use, and
 verifies triangulation, cells, fragments, hulls and meshes. Warnings, which the editor lists in the dock
 Problems (slivers, tiny fragments, duplicate seeds, ...), and overlapping instances are printed, too, but are
-not errors. Checks a pack, given by its folder or its pack.json, and compares every file with the manifest; or all
-packs in a folder.
+faults only with --strict. Checks a pack, given by its folder or its pack.json, and compares every file with the
+manifest; or all packs in a folder. Exits with 3 if it found faults, and with 1 if something cannot be read as a
+project or a pack.
 
 Examples:
   rubble-cli check house.rubble
+  rubble-cli check house.rubble --strict --json
   rubble-cli check packs
   rubble-cli check packs/wall packs/roof)";
 
 struct CheckArguments {
     std::vector<std::string> paths;
+    bool isStrict = false;
     int threads = 1;
+};
+
+/// An asset, or a pack, without faults.
+struct CheckedItem {
+    const char* kind;
+    std::string file;  // the project, or the folder of the pack
+    std::string asset;
+    std::size_t fragments = 0;
+    double volume = 0.0;  // m³
 };
 
 /// The result of checking an asset or a pack.
 struct CheckResult {
-    Status status = success();
-    std::string summary;
-    std::string warnings;  // one per line
+    Status status = success();  // an error if it could not be checked
+    std::string file;           // then
+    std::optional<Finding> fault;
+    std::vector<Finding> warnings;  // and notes
+    std::optional<CheckedItem> item;
 };
 
-std::string okText(const std::string& name, std::size_t fragments, double volume) {
-    return shownName(name) + ": " + fragmentsText(fragments, volume) + ", ok\n";
+CheckResult cannotCheck(const Error& error, std::string file) { return {.status = error, .file = std::move(file)}; }
+
+CheckResult faulty(const char* code, FindingPlace place, const std::string& message) {
+    return {.fault = Finding{Severity::Error, code, std::move(place), message}};
 }
 
-CheckResult checkAsset(const Asset& asset, const TaskContext& task) {
+CheckResult checkAsset(const std::string& file, const Asset& asset, const TaskContext& task) {
+    const FindingPlace place{.file = file, .asset = asset.name};
     const Result<Bake> baked = bake(asset, task);
-    if (!baked) return {.status = baked.error()};
-    for (const auto verify : {verifyBake, verifyMeshes}) {
-        if (task.isCancelled()) return {.status = TaskContext::cancelled()};
-        if (const auto found = verify(*baked, asset)) return {.status = Error{ErrorCode::BadInput, *found}};
+    if (!baked) {
+        const bool isChecked = baked.error().code != ErrorCode::Cancelled && baked.error().code != ErrorCode::Limit;
+        if (!isChecked) return cannotCheck(baked.error(), file);
+        return {.fault = findingOf(baked.error(), place)};
     }
-    std::string warnings;
+    if (const auto found = verifyBake(*baked, asset)) return faulty("InvalidBake", place, *found);
+    if (task.isCancelled()) return cannotCheck(TaskContext::cancelled(), file);
+    if (const auto found = verifyMeshes(*baked, asset)) return faulty("InvalidMesh", place, *found);
+    CheckResult result{.item = CheckedItem{"asset", file, asset.name, baked->fragmentCount(), baked->whole.volume}};
     for (const Diagnostic& problem : problemsOf(asset, *baked))
-        warnings += shownName(asset.name) + ": " + problem.message + '\n';
-    return {success(), okText(asset.name, baked->fragmentCount(), baked->whole.volume), std::move(warnings)};
+        result.warnings.push_back(findingOf(problem, file, asset.name));
+    return result;
 }
 
-/// Prints the results without errors; returns an error with a line for each of the others.
-Status printResults(const std::vector<CheckResult>& results, const CliContext& context) {
+std::string okText(const CheckedItem& item) {
+    return shownName(item.asset) + ": " + fragmentsText(item.fragments, item.volume) + ", ok\n";
+}
+
+void writeItems(JsonWriter& json, const std::vector<CheckedItem>& items) {
+    json.openArray("checked");
+    for (const CheckedItem& item : items) {
+        json.openObject({}, JsonLayout::Inline);
+        json.text("kind", item.kind);
+        json.text("file", printableText(item.file));
+        json.text("asset", printableText(item.asset));
+        json.wholeNumber("fragments", std::uint64_t{item.fragments});
+        json.number("volume", item.volume);
+        json.close();
+    }
+    json.close();
+}
+
+/// Prints the results without faults and reports the faults. If something could not be checked, returns an error with
+/// a line for each fault and each of these.
+Status reportResults(const std::vector<CheckResult>& results, VerbReport& report, const CliContext& context) {
     std::string summary;
-    std::string errors;
+    std::vector<CheckedItem> items;
+    bool isChecked = true;
     for (const CheckResult& result : results) {
         if (!result.status && result.status.error().code == ErrorCode::Cancelled) return result.status;
-        summary += result.summary;
-        if (!result.status) errors += (errors.empty() ? "" : "\n") + result.status.error().message;
+        if (result.item) {
+            summary += okText(*result.item);
+            items.push_back(*result.item);
+        }
+        if (!result.status) report.findings.push_back(findingOf(result.status.error(), {.file = result.file}));
+        if (result.fault) report.findings.push_back(*result.fault);
+        if (!result.status || result.fault) conclude(report, report.findings.back().message);
+        isChecked = isChecked && result.status;
     }
-    if (const Status written = printText(summary, context); !written) return written;
-    if (!errors.empty()) return Error{ErrorCode::BadInput, errors};
-    return success();
+    report.writeResults = [items = std::move(items)](JsonWriter& json) { writeItems(json, items); };
+    if (const Status written = printSummary(summary, report, context); !written) return written;
+    if (isChecked) return success();
+    report.hasErrorInFindings = true;
+    return Error{ErrorCode::BadInput, report.conclusion};
 }
 
-void checkProject(const std::string& path, int threads, const CliContext& context, std::vector<CheckResult>& all) {
-    std::vector<Diagnostic> notes;
-    const Result<Project> project = loadProject(path, &notes);
-    if (!project) return all.push_back({.status = project.error()});
-    for (const Diagnostic& note : notes)
-        context.err << findAsset(*project, note.place.asset)->name << ": " << note.message << '\n';
+/// Adds a warning or a note to the findings and prints it; strictly, a warning is a fault.
+void warn(const Finding& finding, bool isStrict, VerbReport& report, const CliContext& context) {
+    const std::string& owner = finding.place.asset.empty() ? finding.place.file : finding.place.asset;
+    const std::string line = owner + ": " + finding.message;
+    report.findings.push_back(finding);
+    if (isStrict && finding.severity == Severity::Warning) return conclude(report, line);
+    context.err << line << '\n';
+}
+
+/// Checks all assets in all variants that instances use.
+std::vector<CheckResult> checkAssets(const std::string& file, const Project& project, int threads,
+                                     const CliContext& context) {
     ProgressLine line(context, "Checking");
     std::mutex guard;  // guards line and done
     std::size_t done = 0;
-    const std::vector<AssetVariant> variants = usedVariants(*project);
+    const std::vector<AssetVariant> variants = usedVariants(project);
     std::vector<CheckResult> results(variants.size());
     forEachIndex(variants.size(), threads, [&](std::size_t index) {
         const auto [asset, variant] = variants[index];
-        results[index] = checkAsset(variantOf(*findAsset(*project, asset), variant), {.cancel = context.cancel});
+        results[index] = checkAsset(file, variantOf(*findAsset(project, asset), variant), {.cancel = context.cancel});
         const std::lock_guard lock(guard);
         line.show(static_cast<double>(++done) / static_cast<double>(variants.size()));
     });
     line.clear();
-    for (const CheckResult& result : results) context.err << result.warnings;
+    return results;
+}
+
+void checkProject(const std::string& path, const CheckArguments& arguments, VerbReport& report,
+                  const CliContext& context, std::vector<CheckResult>& all) {
+    const auto add = [&](const Finding& finding) { warn(finding, arguments.isStrict, report, context); };
+    std::vector<Diagnostic> notes;
+    const Result<Project> project = loadProject(path, &notes);
+    if (!project) return all.push_back(cannotCheck(project.error(), path));
+    for (const Diagnostic& note : notes) add(findingOf(note, path, findAsset(*project, note.place.asset)->name));
+    std::vector<CheckResult> results = checkAssets(path, *project, arguments.threads, context);
+    for (const CheckResult& result : results) {
+        for (const Finding& warning : result.warnings) add(warning);
+    }
     std::ranges::move(results, std::back_inserter(all));
     for (const Asset& asset : project->assets) {  // once for all variants
-        for (const Diagnostic& problem : strengthProblems(asset, *findMaterial(*project, asset.material))) {
-            context.err << asset.name << ": " << problem.message << '\n';
-        }
+        for (const Diagnostic& problem : strengthProblems(asset, *findMaterial(*project, asset.material)))
+            add(findingOf(problem, path, asset.name));
     }
     for (const InstanceOverlap& overlap : instanceOverlaps(*project)) {
-        context.err << path << ": " << sentenceOf(overlap, *project) << '\n';
+        add({Severity::Warning, "OverlappingInstances", {.file = path}, sentenceOf(overlap, *project)});
     }
+}
+
+/// Returns what is wrong with pack.bin beside a pack.json, which follows from it; nothing if there is none.
+std::optional<std::string> binaryFault(const fs::path& folder, const Pack& pack) {
+    std::error_code ignored;
+    if (!fs::exists(fs::symlink_status(folder / kPackBinaryName, ignored))) return std::nullopt;
+    const Result<std::string> bytes = readFile(folder / kPackBinaryName, Links::Refused);
+    if (!bytes) return bytes.error().message;
+    if (const Result<Pack> read = readPackBinary(*bytes); !read) return read.error().message;
+    const Result<std::string> expected = packBinary(pack);
+    if (!expected) return expected.error().message;
+    if (*expected == *bytes) return std::nullopt;
+    return "pack.bin is not of this pack; export it again.";
+}
+
+/// Verifies a folder with pack.bin only, as far as its numbers allow.
+CheckResult checkBinaryPack(const fs::path& folder) {
+    const fs::path path = folder / kPackBinaryName;
+    const Result<std::string> bytes = readFile(path, Links::Refused);
+    if (!bytes) return cannotCheck(bytes.error(), path.string());
+    const Result<Pack> pack = readPackBinary(*bytes);
+    if (!pack) return cannotCheck({pack.error().code, path.string() + ": " + pack.error().message}, path.string());
+    const FindingPlace place{.file = path.string(), .asset = pack->names.name};
+    if (const auto found = verifyExportFolder(folder)) return faulty("InvalidExport", place, *found);
+    return {.item = CheckedItem{"pack", folder.string(), pack->names.name, pack->fragments.size(), pack->whole.volume}};
 }
 
 /// Verifies pack.json, and that no file was modified after the export.
 CheckResult checkPack(const fs::path& folder) {
     const fs::path path = folder / kPackName;
-    const auto error = [&](ErrorCode code, const std::string& message) {
-        return CheckResult{.status = Error{code, path.string() + ": " + message}};
+    std::error_code missing;
+    if (!fs::exists(fs::symlink_status(path, missing)) &&
+        fs::exists(fs::symlink_status(folder / kPackBinaryName, missing)))
+        return checkBinaryPack(folder);
+    FindingPlace place{.file = path.string()};
+    const auto invalid = [&](const std::string& message) {
+        return faulty("InvalidPack", place, path.string() + ": " + message);
     };
     const Result<std::string> json = readFile(path, Links::Refused);
-    if (!json) return {.status = json.error()};
+    if (!json) return cannotCheck(json.error(), path.string());
     const Result<Pack> pack = readPack(*json);
-    if (!pack) return error(pack.error().code, pack.error().message);
-    if (const auto found = verifyPack(*pack)) return error(ErrorCode::BadInput, *found);
-    if (const auto found = verifyPackText(*json, *pack)) return error(ErrorCode::BadInput, *found);
+    if (!pack) return cannotCheck({pack.error().code, path.string() + ": " + pack.error().message}, path.string());
+    place.asset = pack->names.name;
+    if (const auto found = verifyPack(*pack)) return invalid(*found);
+    if (const auto found = verifyPackText(*json, *pack)) return invalid(*found);
+    if (const auto found = binaryFault(folder, *pack)) return invalid(*found);
     for (const PackMeshFile& mesh : pack->meshes) {
         std::error_code ignored;
         if (fs::exists(fs::symlink_status(folder / mesh.name, ignored))) continue;
-        return error(ErrorCode::BadInput, "The mesh " + quotedName(mesh.name) + " is not in the folder.");
+        return invalid("The mesh " + quotedName(mesh.name) + " is not in the folder.");
     }
-    if (const auto found = verifyExportFolder(folder)) return {.status = Error{ErrorCode::BadInput, *found}};
-    return {.summary = okText(pack->name, pack->fragments.size(), pack->whole.volume)};
+    if (const auto found = verifyExportFolder(folder)) return faulty("InvalidExport", place, *found);
+    return {.item = CheckedItem{"pack", folder.string(), pack->names.name, pack->fragments.size(), pack->whole.volume}};
 }
 
-/// Returns whether a folder is a pack, even if pack.json or the manifest is missing. A folder of either name is that
-/// of an asset.
-bool isPack(const fs::path& folder) {
-    return std::ranges::any_of(std::array{kPackName, kManifestName}, [&](const char* name) {
-        std::error_code ignored;
-        const fs::file_status status = fs::symlink_status(folder / name, ignored);
-        return fs::exists(status) && !fs::is_directory(status);
-    });
-}
-
-/// Returns the folder if it is a pack, or the packs in it, sorted by name. Those that are being written, or that killed
-/// programs left, are none.
-Result<std::vector<fs::path>> packsOf(const fs::path& folder) {
-    if (isPack(folder)) return std::vector{folder};
-    std::vector<fs::path> packs;
-    const Result<std::vector<fs::directory_entry>> entries = entriesOf(folder);
-    if (!entries) return entries.error();
-    for (const fs::directory_entry& entry : *entries) {
-        const bool isTemporary = isTemporaryName(entry.path().filename().string());
-        if (!isTemporary && isPack(entry.path())) packs.push_back(entry.path());
-    }
-    const std::string name = quotedPath(folder);
-    if (packs.empty())
-        return Error{ErrorCode::NotFound, name + " is not a pack and contains none: it has no " + kPackName + "."};
-    std::ranges::sort(packs);
-    return packs;
-}
-
-void checkPath(const std::string& given, int threads, const CliContext& context, std::vector<CheckResult>& all) {
+void checkPath(const std::string& given, const CheckArguments& arguments, VerbReport& report, const CliContext& context,
+               std::vector<CheckResult>& all) {
     std::error_code ignored;  // reading the path will report the error
     const fs::path path = given;
     if (path.filename() == kPackName && !fs::is_directory(path, ignored))
         return all.push_back(checkPack(path.has_parent_path() ? path.parent_path() : "."));
-    if (!fs::is_directory(path, ignored)) return checkProject(given, threads, context, all);
+    if (!fs::is_directory(path, ignored)) return checkProject(given, arguments, report, context, all);
     const Result<std::vector<fs::path>> packs = packsOf(path);
-    if (!packs) return all.push_back({packs.error(), {}});
+    if (!packs) return all.push_back(cannotCheck(packs.error(), given));
     std::vector<CheckResult> results(packs->size());
-    forEachIndex(packs->size(), threads, [&](std::size_t index) {
+    forEachIndex(packs->size(), arguments.threads, [&](std::size_t index) {
         const bool isCancelled = context.cancel.isCancelled();
-        results[index] = isCancelled ? CheckResult{.status = TaskContext::cancelled()} : checkPack((*packs)[index]);
+        results[index] = isCancelled ? cannotCheck(TaskContext::cancelled(), given) : checkPack((*packs)[index]);
     });
     std::ranges::move(results, std::back_inserter(all));
 }
 
-Status check(const CheckArguments& arguments, const CliContext& context) {
+Status check(const CheckArguments& arguments, VerbReport& report, const CliContext& context) {
     std::vector<CheckResult> results;
-    for (const std::string& path : arguments.paths) checkPath(path, arguments.threads, context, results);
-    return printResults(results, context);
+    for (const std::string& path : arguments.paths) checkPath(path, arguments, report, context, results);
+    const auto warnings =
+        static_cast<std::size_t>(std::ranges::count(report.findings, Severity::Warning, &Finding::severity));
+    if (const Status reported = reportResults(results, report, context); !reported) return reported;
+    if (arguments.isStrict && warnings > 0)
+        conclude(report, countText(warnings, "warning", "warnings") + " found, which --strict does not allow.");
+    return success();
 }
 
 }  // namespace
@@ -194,8 +271,11 @@ Verb addCheck(CLI::App& program) {
     const auto arguments = std::make_shared<CheckArguments>();
     command.argument("PATH", arguments->paths, "A project, a pack's folder or its pack.json, or a folder of packs")
         .required();
+    command.flag("--strict", arguments->isStrict, "Warnings are faults, too");
+    command.addReportFlag();
     addThreadsOption(command, arguments->threads);
-    return {command, [arguments](const CliContext& context) { return check(*arguments, context); }};
+    return {command,
+            [arguments](VerbReport& report, const CliContext& context) { return check(*arguments, report, context); }};
 }
 
 }  // namespace rubble

@@ -83,7 +83,7 @@ Verb addDraw(CLI::App& program) {
         .separatedBy(',')
         .oneOf({"cells", "triangles", "seeds"})
         .valueName("WHAT,...");
-    return {command, [options](const CliContext& context) { return draw(*options, context); }};
+    return {command, [options](VerbReport&, const CliContext& context) { return draw(*options, context); }};
 }
 
 }  // namespace rubble

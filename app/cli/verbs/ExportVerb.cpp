@@ -2,14 +2,21 @@
 #include "app/cli/console/ProgressLine.h"
 #include "app/cli/options/AssetOptions.h"
 #include "app/cli/options/CommonOptions.h"
-#include "app/cli/output/FragmentsText.h"
+#include "app/cli/output/Depfile.h"
+#include "app/cli/output/ExportSummary.h"
 #include "app/cli/output/ProjectLoading.h"
-#include "app/cli/output/Warnings.h"
 #include "app/cli/verbs/Verb.h"
+#include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"
+#include "core/io/pack/ExportIndex.h"
 #include "core/io/pack/PackExport.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
+#include <optional>
+#include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,15 +24,19 @@
 namespace rubble {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr const char* kExportFooter =
     R"(Writes each asset into a folder with its name: pack.json, which describes the whole and its fragments; meshes;
 and manifest.json. A folder that already holds the same export is not rewritten; others are replaced as a whole,
 unless a file in them was changed since or is not part of an export. Files that engines write beside meshes
-(.import, .uid, .meta) are kept. If there are many warnings, only the first three are printed; rubble-cli check
-prints all.
+(.import, .uid, .meta) are kept. export.json in the output folder lists the folders of the project; with
+--prune, those of assets that were deleted or renamed are removed, unless a file in them was changed. If there
+are many warnings, only the first three are printed; rubble-cli check prints all.
 
 Examples:
   rubble-cli export house.rubble --out packs
+  rubble-cli export house.rubble --out packs --prune --depfile packs.d --quiet
   rubble-cli export house.rubble --out packs --asset wall --format obj --pieces files --place centred)";
 
 enum class Formats { Obj, Glb, Both, None };
@@ -35,8 +46,11 @@ struct ExportArguments {
     std::string out;
     std::vector<std::string> assets;
     Formats formats = Formats::Both;
-    MeshOptions meshes;
+    PackOptions pack;
     bool isOverwriting = false;
+    bool isDryRun = false;
+    bool isPruning = false;
+    std::string depfile;  // empty: none
     int threads = 1;
 };
 
@@ -61,49 +75,117 @@ void addEnumOption(Command& command, const char* name, const char* help, const A
     command.callback(name, select, help).oneOf(words).valueName(label);
 }
 
-std::string summaryOf(const AssetExport& asset) {
-    if (asset.isUnchanged) return shownName(asset.name) + ": unchanged in " + asset.folder.string() + '\n';
-    return shownName(asset.name) + ": " + fragmentsText(asset.fragmentCount, asset.volume) + ", exported to " +
-           asset.folder.string() + '\n';
+using Names = std::vector<std::string>;
+
+/// The name of the project's file as the index has it: a text, of whatever bytes.
+std::string projectName(const ExportArguments& arguments) {
+    return printableText(fs::path(arguments.project).filename().string());
 }
 
-std::string errorOf(const AssetExport& asset) {
-    const Error& error = asset.status.error();
-    return error.message + (error.code == ErrorCode::Edited ? " Use --overwrite to replace it." : "");
+/// The names of the folders of all packs of a project, in its order.
+Names folderNames(const Project& project) {
+    Names names;
+    for (const auto& [variant, pack] : packNames(project)) names.push_back(pack.folder);
+    return names;
 }
 
-/// Prints the result of every asset; returns an error with a line for each of the first that failed.
-Status printResults(const std::vector<AssetExport>& assets, const std::string& project, const CliContext& context) {
-    std::string summary;
-    std::vector<AssetWarnings> warnings;
-    std::vector<std::string> errors;
-    for (const AssetExport& asset : assets) {
-        warnings.push_back({asset.name, asset.diagnostics});
-        if (asset.status) {
-            summary += summaryOf(asset);
-        } else if (errors.empty() || errors.back() != errorOf(asset)) {  // all fail alike if the folder does
-            errors.push_back(errorOf(asset));
-        }
+/// Whether there is something at a path, be it a dangling link.
+bool isThere(const fs::path& path) {
+    std::error_code ignored;
+    return fs::exists(fs::symlink_status(path, ignored));
+}
+
+/// The folders in the output folder that the project exported earlier and has no asset for any more. One that is also
+/// that of an asset is not: "Wall" and "wall" on file systems that ignore case.
+Names staleIn(const ExportArguments& arguments, const std::optional<ExportIndex>& earlier, const Names& current) {
+    const fs::path out = arguments.out;
+    Names stale = staleFolders(earlier, projectName(arguments), current);
+    std::erase_if(stale, [&](const std::string& folder) {
+        const auto isSame = [&](const std::string& name) {
+            std::error_code error;  // where one of them is missing
+            return fs::equivalent(out / name, out / folder, error) && !error;
+        };
+        return !isThere(out / folder) || std::ranges::any_of(current, isSame);
+    });
+    return stale;
+}
+
+/// Removes stale folders.
+std::vector<PrunedFolder> prune(const ExportArguments& arguments, const Names& stale, const CliContext& context) {
+    std::vector<PrunedFolder> pruned;
+    for (const std::string& name : stale) {
+        PrunedFolder folder{fs::path(arguments.out) / name};
+        folder.status = arguments.isDryRun ? checkRemovable(folder.folder)
+                                           : removeExportFolder(folder.folder, {.cancel = context.cancel});
+        pruned.push_back(std::move(folder));
     }
-    printWarnings(context, warnings, project);
-    if (const Status written = printText(summary, context); !written) return written;
-    if (!errors.empty()) return Error{ErrorCode::BadInput, firstLinesOf(errors)};
-    return success();
+    return pruned;
 }
 
-Status exportAssets(ExportArguments arguments, const CliContext& context) {
-    arguments.meshes.obj = arguments.formats == Formats::Obj || arguments.formats == Formats::Both;
-    arguments.meshes.glb = arguments.formats == Formats::Glb || arguments.formats == Formats::Both;
+/// Updates the index of the output folder: to the exported folders, and those that are still there.
+Status updateIndex(const ExportArguments& arguments, const Project& project, const ExportOutcome& outcome,
+                   const CliContext& context) {
+    if (!isThere(arguments.out)) return success();  // nothing was exported
+    const Names current = folderNames(project);
+    std::set<std::string> exported;
+    for (const AssetExport& pack : outcome.packs) {
+        if (pack.status) exported.insert(pack.folder.filename().string());
+    }
+    const auto change = [&](const std::optional<ExportIndex>& earlier) {
+        return indexAfterExport(earlier, projectName(arguments), current, exported,
+                                staleIn(arguments, earlier, current));
+    };
+    return changeExportIndex(arguments.out, change, {.cancel = context.cancel});
+}
+
+/// Writes that the manifests of all exported packs depend on the project.
+Status writeDepfile(const ExportArguments& arguments, const ExportOutcome& outcome, const CliContext& context) {
+    Names targets;
+    for (const AssetExport& pack : outcome.packs) {
+        if (pack.status) targets.push_back((pack.folder / kManifestName).string());
+    }
+    const Result<std::string> text = depfileText(targets, Names{arguments.project});
+    return text ? writeOutput(arguments.depfile, *text, context) : text.error();
+}
+
+/// Writes the index and the dependency file.
+Status writeLists(const ExportArguments& arguments, const Project& project, const ExportOutcome& outcome,
+                  const CliContext& context) {
+    if (const Status written = updateIndex(arguments, project, outcome, context); !written) return written;
+    return arguments.depfile.empty() ? success() : writeDepfile(arguments, outcome, context);
+}
+
+Result<ExportOutcome> exportOrPlan(const ExportArguments& arguments, const Project& project, std::span<const Id> assets,
+                                   const CliContext& context) {
+    const EditedFiles edited = arguments.isOverwriting ? EditedFiles::Replaced : EditedFiles::Kept;
+    ProgressLine line(context, "Exporting");
+    const TaskContext task{context.cancel, [&](double fraction) { line.show(fraction); }, arguments.threads};
+    const auto run = arguments.isDryRun ? planPacks : exportPacks;
+    Result<std::vector<AssetExport>> packs = run(project, assets, arguments.out, arguments.pack, edited, task);
+    line.clear();
+    if (!packs) return packs.error();
+    return ExportOutcome{.isPlanned = arguments.isDryRun, .packs = std::move(*packs), .pruned = {}};
+}
+
+Status exportAssets(ExportArguments arguments, VerbReport& report, const CliContext& context) {
+    arguments.pack.meshes.obj = arguments.formats == Formats::Obj || arguments.formats == Formats::Both;
+    arguments.pack.meshes.glb = arguments.formats == Formats::Glb || arguments.formats == Formats::Both;
     const Result<Project> project = openProject(arguments.project, context);
     if (!project) return project.error();
     const Result<std::vector<Id>> selected = selectedAssets(*project, arguments.assets);
     if (!selected) return selected.error();
-    const EditedFiles edited = arguments.isOverwriting ? EditedFiles::Replaced : EditedFiles::Kept;
-    ProgressLine line(context, "Exporting");
-    const TaskContext task{context.cancel, [&](double fraction) { line.show(fraction); }, arguments.threads};
-    const auto assets = exportPacks(*project, *selected, arguments.out, arguments.meshes, edited, task);
-    line.clear();
-    return assets ? printResults(*assets, arguments.project, context) : assets.error();
+    const Result<std::optional<ExportIndex>> earlier = readExportIndex(arguments.out);
+    if (!earlier) return earlier.error();
+    Result<ExportOutcome> outcome = exportOrPlan(arguments, *project, *selected, context);
+    if (!outcome) return outcome.error();
+    if (arguments.isPruning)
+        outcome->pruned = prune(arguments, staleIn(arguments, *earlier, folderNames(*project)), context);
+    const Status listed = arguments.isDryRun ? success() : writeLists(arguments, *project, *outcome, context);
+    const Status printed = printExport(*outcome, arguments.project, report, context);
+    if (listed) return printed;
+    if (printed) return listed;
+    report.findings.push_back(findingOf(listed.error()));
+    return Error{ErrorCode::BadInput, printed.error().message + "\n" + listed.error().message};
 }
 
 }  // namespace
@@ -111,7 +193,7 @@ Status exportAssets(ExportArguments arguments, const CliContext& context) {
 Verb addExport(CLI::App& program) {
     Command command(program, "export", "Fracture assets and write their packs and meshes", kExportFooter);
     const auto arguments = std::make_shared<ExportArguments>();
-    MeshOptions& meshes = arguments->meshes;
+    MeshOptions& meshes = arguments->pack.meshes;
     addProjectArgument(command, arguments->project);
     command.option("-o,--out", arguments->out, "The output folder, with a subfolder for each asset")
         .required()
@@ -133,9 +215,25 @@ Verb addExport(CLI::App& program) {
     addEnumOption<ObjUnit>(command, "--unit", "The unit of OBJ files (default: m)",
                            {{"m", ObjUnit::Metre}, {"cm", ObjUnit::Centimetre}, {"mm", ObjUnit::Millimetre}},
                            meshes.objFrame.unit);
+    command.option("--inset", arguments->pack.inset, "The inset of collision hulls in m (default: 0.0001)")
+        .inRange(ProjectNumber::HullInset)
+        .valueName("LENGTH");
+    addEnumOption<PackFiles>(command, "--pack", "The files that describe the bodies (default: both)",
+                             {{"json", PackFiles::Json}, {"bin", PackFiles::Binary}, {"both", PackFiles::Both}},
+                             arguments->pack.files);
+    addEnumOption<PackTopology>(
+        command, "--topology", "Edges and planes of hulls in pack.json (default), or loops only",
+        {{"full", PackTopology::Full}, {"loops", PackTopology::Loops}}, arguments->pack.topology);
     command.flag("--overwrite", arguments->isOverwriting, "Replace files that were changed after an export");
+    command.flag("--prune", arguments->isPruning, "Remove the exports of assets that were deleted or renamed");
+    command.flag("--dry-run", arguments->isDryRun, "Say what would be done, and write nothing");
+    command.option("--depfile", arguments->depfile, "Write the dependencies of the packs for Make and Ninja")
+        .valueName("FILE");
+    command.addReportFlag();
     addThreadsOption(command, arguments->threads);
-    return {command, [arguments](const CliContext& context) { return exportAssets(*arguments, context); }};
+    return {command, [arguments](VerbReport& report, const CliContext& context) {
+                return exportAssets(*arguments, report, context);
+            }};
 }
 
 }  // namespace rubble

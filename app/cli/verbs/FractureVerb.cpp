@@ -46,7 +46,7 @@ Verb addFracture(CLI::App& program) {
     command.option("--method", options->method, "exact (default), or thesis, the reference method with its errors")
         .oneOf({"exact", "thesis"})
         .valueName("exact|thesis");
-    return {command, [options](const CliContext& context) { return fracture(*options, context); }};
+    return {command, [options](VerbReport&, const CliContext& context) { return fracture(*options, context); }};
 }
 
 }  // namespace rubble

@@ -1,4 +1,3 @@
-#include "app/cli/console/InputOutput.h"
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/output/ImportSummary.h"
 #include "app/cli/output/ProjectLoading.h"
@@ -6,6 +5,7 @@
 #include "core/asset/import/AssetImport.h"
 #include "core/asset/placement/InstancePlacement.h"
 #include "core/base/MessageText.h"
+#include "core/io/json/JsonWriter.h"
 #include "core/io/mesh/MeshImport.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/project/ProjectLock.h"
@@ -102,18 +102,22 @@ std::string optionsOf(const WorkingFallback& working, const ImportOptions& optio
            std::string(1, "xyz"[static_cast<int>(working.axis) - static_cast<int>(PrismAxis::X)]);
 }
 
-/// Returns a line for each rejected object, with advice where a fallback imports it.
+/// Returns why an object is rejected, with advice where a fallback imports it.
+Error rejectionOf(const RejectedObject& rejected, const ImportOptions& options) {
+    Error error = rejected.error;
+    std::string advice;
+    for (const WorkingFallback& working : rejected.fallbacks)
+        advice += (advice.empty() ? "" : " or ") + optionsOf(working, options);
+    if (!advice.empty() && error.message.ends_with('.')) error.message.pop_back();
+    if (!advice.empty()) error.message += "; use " + advice + " to import its outline.";
+    return error;
+}
+
+/// Returns a line for each rejected object.
 std::string rejections(const ImportOutcome& outcome, const ImportOptions& options) {
     std::string text;
-    for (const RejectedObject& rejected : outcome.rejected) {
-        std::string message = rejected.error.message;
-        std::string advice;
-        for (const WorkingFallback& working : rejected.fallbacks)
-            advice += (advice.empty() ? "" : " or ") + optionsOf(working, options);
-        if (!advice.empty() && message.ends_with('.')) message.pop_back();
-        if (!advice.empty()) message += "; use " + advice + " to import its outline.";
-        text += (text.empty() ? "" : "\n") + message;
-    }
+    for (const RejectedObject& rejected : outcome.rejected)
+        text += (text.empty() ? "" : "\n") + rejectionOf(rejected, options).message;
     return text;
 }
 
@@ -126,7 +130,47 @@ Status checkIsNoProject(const std::filesystem::path& mesh) {
                                           name + "; to export its meshes, use rubble-cli export."};
 }
 
-Status import(const ImportVerbOptions& options, const CliContext& context) {
+void writeAsset(JsonWriter& json, const ImportedAsset& imported, const Project& project) {
+    const PrismFit& prism = imported.prism;
+    const Vec3 position = prism.pose.position;
+    json.openObject();
+    json.text("name", printableText(findAsset(project, imported.asset)->name));
+    json.wholeNumber("id", std::uint64_t{imported.asset});
+    json.boolean("updated", imported.isReplaced);
+    json.boolean("fallback", imported.usesFallback);
+    json.wholeNumber("corners", std::uint64_t{prism.outline.outer.size()});
+    json.wholeNumber("holes", std::uint64_t{prism.outline.holes.size()});
+    json.number("depth", prism.depth);
+    json.numbers("position", {position.x, position.y, position.z});
+    json.number("tolerance", imported.tolerance);
+    json.close();
+}
+
+/// Reports what was imported; what was merged, omitted or rejected is a finding.
+void reportImport(const ImportOutcome& outcome, const ImportVerbOptions& options, const std::string& project,
+                  VerbReport& report) {
+    const std::string mesh = options.mesh.string();
+    for (const ImportedAsset& imported : outcome.assets) {
+        const std::string& name = findAsset(outcome.project, imported.asset)->name;
+        for (const std::string& note : imported.notes)
+            report.findings.push_back({Severity::Note, "ImportNote", {.file = mesh, .asset = name}, note});
+    }
+    for (const RejectedObject& rejected : outcome.rejected) {
+        Finding finding = findingOf(rejectionOf(rejected, importOptions(options)), {.file = mesh});
+        finding.severity = outcome.assets.empty() ? Severity::Error : Severity::Warning;
+        report.findings.push_back(std::move(finding));
+    }
+    report.hasErrorInFindings = outcome.assets.empty();
+    report.writeResults = [outcome, project](JsonWriter& json) {
+        json.text("project", printableText(project));
+        json.number("metresPerUnit", outcome.metresPerUnit);
+        json.list("assets", outcome.assets, [&](JsonWriter& list, const ImportedAsset& imported) {
+            writeAsset(list, imported, outcome.project);
+        });
+    };
+}
+
+Status import(const ImportVerbOptions& options, VerbReport& report, const CliContext& context) {
     const TaskContext task{.cancel = context.cancel};
     if (const Status isMesh = checkIsNoProject(options.mesh); !isMesh) return isMesh;
     if (const Status isFree = checkTarget(options); !isFree) return isFree;
@@ -140,11 +184,12 @@ Status import(const ImportVerbOptions& options, const CliContext& context) {
     Result<ImportOutcome> outcome = importedInto(target->project, *scene, options.mesh.stem().string(), wanted, task);
     if (!outcome) return outcome.error();
     const std::string rejected = rejections(*outcome, wanted);
+    reportImport(*outcome, options, target->path.string(), report);
     if (outcome->assets.empty()) return Error{ErrorCode::BadInput, rejected};
     if (!rejected.empty()) context.err << rejected << '\n';
     moveAddedBesideOthers(target->project, outcome->project);
     if (const Status saved = saveProject(target->path, outcome->project); !saved) return saved.error();
-    return printText(importSummary(*outcome, target->path.string()), context);
+    return printSummary(importSummary(*outcome, target->path.string()), report, context);
 }
 
 }  // namespace
@@ -167,7 +212,9 @@ Verb addImport(CLI::App& program) {
         .valueName("silhouette|cap");
     command.flag("--fixed", options->isFixed, "Hold the new instances in place until they break");
     command.flag("--unbreakable", options->isUnbreakable, "Prevent the new instances from breaking");
-    return {command, [options](const CliContext& context) { return import(*options, context); }};
+    command.addReportFlag();
+    return {command,
+            [options](VerbReport& report, const CliContext& context) { return import(*options, report, context); }};
 }
 
 }  // namespace rubble

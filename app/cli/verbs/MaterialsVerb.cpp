@@ -173,7 +173,7 @@ Verb addMaterials(CLI::App& program) {
     command.argument("NAME", options->names, "Print these materials in detail");
     addMaterialsOption(command, options->folder);
     addJsonOption(command, options->isJson);
-    return {command, [options](const CliContext& context) { return printMaterials(*options, context); }};
+    return {command, [options](VerbReport&, const CliContext& context) { return printMaterials(*options, context); }};
 }
 
 }  // namespace rubble

@@ -1,8 +1,8 @@
-#include "app/cli/console/InputOutput.h"
 #include "app/cli/options/MaterialOptions.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/library/StarterProject.h"
 #include "core/base/MessageText.h"
+#include "core/io/json/JsonWriter.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/project/ProjectLock.h"
 
@@ -38,7 +38,7 @@ Result<Project> projectFor(const NewOptions& options) {
     return options.isEmpty ? emptyProject(material->preset) : starterProject(material->preset);
 }
 
-Status createProject(const NewOptions& options, const CliContext& context) {
+Status createProject(const NewOptions& options, VerbReport& report, const CliContext& context) {
     const Result<Project> project = projectFor(options);
     if (!project) return project.error();
     const Result<std::shared_ptr<const LockFile>> lock = waitForProjectLock(options.file, context.cancel);
@@ -49,7 +49,8 @@ Status createProject(const NewOptions& options, const CliContext& context) {
                      quotedPath(options.file) + " already exists; choose another name or delete it."};
     }
     if (const Status saved = saveProject(options.file, *project); !saved) return saved;
-    return printText("Created " + options.file + ".\n", context);
+    report.writeResults = [file = options.file](JsonWriter& json) { json.text("project", printableText(file)); };
+    return printSummary("Created " + options.file + ".\n", report, context);
 }
 
 }  // namespace
@@ -63,7 +64,10 @@ Verb addNew(CLI::App& program) {
         command.option("--material", options->material, "The material of the wall").valueName("NAME");
     addMaterialsOption(command, options->materials);
     command["--materials"].needs(material);
-    return {command, [options](const CliContext& context) { return createProject(*options, context); }};
+    command.addReportFlag();
+    return {command, [options](VerbReport& report, const CliContext& context) {
+                return createProject(*options, report, context);
+            }};
 }
 
 }  // namespace rubble

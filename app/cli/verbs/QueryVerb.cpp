@@ -155,7 +155,7 @@ Verb addQuery(CLI::App& program) {
         .valueName("STEP");
     addPlayOptions(command, options->play);
     addThreadsOption(command, options->threads);
-    return {command, [options](const CliContext& context) { return query(*options, context); }};
+    return {command, [options](VerbReport&, const CliContext& context) { return query(*options, context); }};
 }
 
 }  // namespace rubble

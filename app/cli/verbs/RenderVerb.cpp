@@ -146,7 +146,7 @@ Verb addRender(CLI::App& program) {
     addSimulationOptions(command, *options);
     addSamplesOption(command, options->picture);
     addThreadsOption(command, options->threads);
-    return {command, [options](const CliContext& context) { return render(*options, context); }};
+    return {command, [options](VerbReport&, const CliContext& context) { return render(*options, context); }};
 }
 
 }  // namespace rubble

@@ -13,7 +13,7 @@ namespace rubble {
 namespace {
 
 constexpr const char* kReplayFooter =
-    R"(Replays the recording of "simulate --record" on its project and compares every step. Exits with 1 if the
+    R"(Replays the recording of "simulate --record" on its project and compares every step. Exits with 3 if the
 simulation diverges, with the first step and body that differ.
 
 Output:
@@ -70,7 +70,7 @@ std::vector<std::string> warnings(const Replay& replay, const Project& project) 
     return messages;
 }
 
-Status verifyReplay(const ReplayOptions& options, const CliContext& context) {
+Status verifyReplay(const ReplayOptions& options, VerbReport& report, const CliContext& context) {
     Result<Replay> replay = loadReplay(options.file);
     if (!replay) return replay.error();
     const Result<Project> project = openProject(options.project, context);
@@ -89,9 +89,8 @@ Status verifyReplay(const ReplayOptions& options, const CliContext& context) {
     const Status played = player->seek(player->replay().steps.size(), task);
     line.clear();
     if (!played) return played.error();
-    if (const Status written = printText(outcomeJson(*player), context); !written) return written.error();
-    if (player->divergence()) return Error{ErrorCode::BadInput, player->divergence()->diagnostic().message};
-    return success();
+    if (player->divergence()) conclude(report, player->divergence()->diagnostic().message);
+    return printText(outcomeJson(*player), context);
 }
 
 }  // namespace
@@ -102,7 +101,9 @@ Verb addReplay(CLI::App& program) {
     command.argument("REPLAY", options->file, "The recording, written by simulate --record").required();
     command.argument("PROJECT", options->project, "The project that was recorded").required();
     addThreadsOption(command, options->threads);
-    return {command, [options](const CliContext& context) { return verifyReplay(*options, context); }};
+    return {command, [options](VerbReport& report, const CliContext& context) {
+                return verifyReplay(*options, report, context);
+            }};
 }
 
 }  // namespace rubble

@@ -1,4 +1,3 @@
-#include "app/cli/console/InputOutput.h"
 #include "app/cli/options/AssetOptions.h"
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/output/ProjectLoading.h"
@@ -8,6 +7,7 @@
 #include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
 #include "core/fracture/pattern/PatternKind.h"
+#include "core/io/json/JsonWriter.h"
 #include "core/io/media/GreyImageFile.h"
 #include "core/io/mesh/MeshImport.h"
 #include "core/io/project/ProjectFile.h"
@@ -50,11 +50,34 @@ struct SeedsOptions {
     VertexView view;
 };
 
-/// Changes an asset of a project. Returns a sentence that says how.
-using AssetChange = std::function<Result<std::string>(Project& project, Asset& asset)>;
+/// What was changed in an asset.
+struct ChangedAsset {
+    Id layer = 0;                      // with the seeds
+    std::optional<std::size_t> seeds;  // that were placed
+    std::string sentence;
+    std::string note;  // what was left out or reduced; empty: nothing
+};
 
-/// Applies a change to the asset, saves the project and prints the sentence.
-Status changeAsset(const SeedsOptions& options, const AssetChange& change, const CliContext& context) {
+/// Changes an asset of a project.
+using AssetChange = std::function<Result<ChangedAsset>(Project& project, Asset& asset)>;
+
+void reportChange(const SeedsOptions& options, const ChangedAsset& changed, VerbReport& report) {
+    const std::string project = options.project.string();
+    report.writeResults = [=, asset = options.asset](JsonWriter& json) {
+        json.text("project", printableText(project));
+        json.text("asset", printableText(asset));
+        json.wholeNumber("layer", std::uint64_t{changed.layer});
+        if (changed.seeds) json.wholeNumber("seeds", std::uint64_t{*changed.seeds});
+    };
+    if (changed.note.empty()) return;
+    const FindingPlace place{.file = project, .asset = options.asset, .details = {.layer = changed.layer}};
+    report.findings.push_back(
+        {Severity::Note, options.picture.empty() ? "OmittedVertices" : "ReducedPicture", place, changed.note});
+}
+
+/// Applies a change to the asset, saves the project and prints what was changed.
+Status changeAsset(const SeedsOptions& options, const AssetChange& change, VerbReport& report,
+                   const CliContext& context) {
     const Result<std::shared_ptr<const LockFile>> lock = waitForProjectLock(options.project, context.cancel);
     if (!lock) return lock.error();
     Result<Project> project = openProject(options.project, context);
@@ -62,10 +85,12 @@ Status changeAsset(const SeedsOptions& options, const AssetChange& change, const
     const Result<std::vector<Id>> selected = selectedAssets(*project, {options.asset});
     if (!selected) return selected.error();
     Asset& asset = *std::ranges::find(project->assets, selected->front(), &Asset::id);
-    const Result<std::string> changed = change(*project, asset);
+    const Result<ChangedAsset> changed = change(*project, asset);
     if (!changed) return changed.error();
     if (const Status saved = saveProject(options.project, *project); !saved) return saved.error();
-    return printText(*changed + "\nSaved " + options.project.string() + "\n", context);
+    reportChange(options, *changed, report);
+    const std::string note = changed->note.empty() ? "" : " " + changed->note;
+    return printSummary(changed->sentence + note + "\nSaved " + options.project.string() + "\n", report, context);
 }
 
 /// Returns the id of the new layer.
@@ -75,22 +100,23 @@ Id addLayer(LayerParameters parameters, Project& project, Asset& asset) {
     return id;
 }
 
-Status addVertexSeeds(const SeedsOptions& options, const CliContext& context) {
+Status addVertexSeeds(const SeedsOptions& options, VerbReport& report, const CliContext& context) {
     const TaskContext task{.cancel = context.cancel};
     const Result<SourceScene> mesh = importMesh(options.mesh, importerPath(context.programFolder), task);
     if (!mesh) return mesh.error();
     VertexView view = options.view;
     if (options.along != "z") view.along = options.along == "x" ? FileAxis::X : FileAxis::Y;
-    const AssetChange change = [&](Project& project, Asset& asset) -> Result<std::string> {
+    const AssetChange change = [&](Project& project, Asset& asset) -> Result<ChangedAsset> {
         Result<VertexSeeds> found = seedsAtVertices(*mesh, view, asset.prism.outline);
         if (!found) return found.error();
         const std::size_t count = found->seeds.seeds.size();
         const std::string omissions = found->omissionText();
-        addLayer(std::move(found->seeds), project, asset);
-        return quotedName(asset.name) + " has a new layer of " + countText(count, "seed", "seeds") + "." +
-               (omissions.empty() ? "" : " " + omissions);
+        const Id layer = addLayer(std::move(found->seeds), project, asset);
+        return ChangedAsset{layer, count,
+                            quotedName(asset.name) + " has a new layer of " + countText(count, "seed", "seeds") + ".",
+                            omissions};
     };
-    return changeAsset(options, change, context);
+    return changeAsset(options, change, report, context);
 }
 
 /// The patterns of an asset, of its levels and of single fragments, which may share layers.
@@ -142,10 +168,10 @@ void apply(const SeedsOptions& options, const DensityPicture& picture, DensityIm
     if (!options.dense.empty()) layer.dense = options.dense == "bright" ? DenseWhere::Bright : DenseWhere::Dark;
 }
 
-Status applyPicture(const SeedsOptions& options, const CliContext& context) {
+Status applyPicture(const SeedsOptions& options, VerbReport& report, const CliContext& context) {
     const Result<DensityPicture> picture = loadDensityPicture(options.picture);
     if (!picture) return picture.error();
-    const AssetChange change = [&](Project& project, Asset& asset) -> Result<std::string> {
+    const AssetChange change = [&](Project& project, Asset& asset) -> Result<ChangedAsset> {
         DensityImage added;
         std::vector<DensityImage*> images{&added};
         if (options.layer) {
@@ -156,14 +182,16 @@ Status applyPicture(const SeedsOptions& options, const CliContext& context) {
         for (DensityImage* image : images) apply(options, *picture, *image);
         const Id id = options.layer ? *options.layer : addLayer(added, project, asset);
         const std::string layer = (options.layer ? "Layer " : "The new layer ") + std::to_string(id);
-        return layer + " of " + quotedName(asset.name) + " follows " + quotedName(options.picture.filename().string()) +
-               "." + (picture->note.empty() ? "" : " " + picture->note);
+        return ChangedAsset{.layer = id,
+                            .sentence = layer + " of " + quotedName(asset.name) + " follows " +
+                                        quotedName(options.picture.filename().string()) + ".",
+                            .note = picture->note};
     };
-    return changeAsset(options, change, context);
+    return changeAsset(options, change, report, context);
 }
 
-Status addSeeds(const SeedsOptions& options, const CliContext& context) {
-    return options.picture.empty() ? addVertexSeeds(options, context) : applyPicture(options, context);
+Status addSeeds(const SeedsOptions& options, VerbReport& report, const CliContext& context) {
+    return options.picture.empty() ? addVertexSeeds(options, report, context) : applyPicture(options, report, context);
 }
 
 /// Adds --density and the options of its layer.
@@ -200,7 +228,9 @@ Verb addSeeds(CLI::App& program) {
         .valueName("x|y|z");
     command.flag("--fit", options->view.isFitted, "Scale and move the mesh to fill the outline");
     addDensityOptions(command, *options);
-    return {command, [options](const CliContext& context) { return addSeeds(*options, context); }};
+    command.addReportFlag();
+    return {command,
+            [options](VerbReport& report, const CliContext& context) { return addSeeds(*options, report, context); }};
 }
 
 }  // namespace rubble

@@ -168,7 +168,7 @@ Verb addSheet(CLI::App& program) {
     command.option("--theme", options->theme, "light (default) or dark").oneOf({"light", "dark"}).valueName("T");
     command.flag("--json", options->isJson, "Print JSON instead of a table");
     addThreadsOption(command, options->threads);
-    return {command, [options](const CliContext& context) { return sheet(*options, context); }};
+    return {command, [options](VerbReport&, const CliContext& context) { return sheet(*options, context); }};
 }
 
 }  // namespace rubble

@@ -162,9 +162,9 @@ Verb addSimulate(CLI::App& program) {
     Command command(program, "simulate", "Simulate a project or a scene of bodies", kSimulateFooter);
     const auto options = std::make_shared<SimulateOptions>();
     command.argument("FILE", options->input, "The project or scene (default: -, standard input)");
-    command.option("-n,--steps", options->steps, "The number of steps to simulate")
+    command.option("-n,--steps", options->steps, "The number of steps to simulate; 0 prints the start")
         .required()
-        .wholeInRange(ProjectNumber::Steps)
+        .wholeInRange(ProjectNumber::Step)
         .valueName("N");
     addPlayOptions(command, options->play);
     command.option("--record", options->record, "Write a recording for rubble-cli replay").valueName("FILE");
@@ -187,7 +187,7 @@ Verb addSimulate(CLI::App& program) {
     for (const char* name : {"--dt", "--no-destruction", "--record", "--no-sleep"}) state.excludes(command[name]);
     command.option("--trace", options->trace, "Write counts and energies (J) of each step").valueName("FILE.csv");
     command.flag("--timings", options->isTimed, "Add the durations of steps and of their stages to the trace");
-    return {command, [options](const CliContext& context) { return simulate(*options, context); }};
+    return {command, [options](VerbReport&, const CliContext& context) { return simulate(*options, context); }};
 }
 
 }  // namespace rubble

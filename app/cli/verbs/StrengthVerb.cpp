@@ -17,7 +17,8 @@ constexpr const char* kStrengthFooter =
 its own orientation, or when a body of a given mass and speed hits the centre of its front squarely: off-centre hits do
 less. An asset is free to move, or held in place where its instances are fixed. Prints the impulse of each requirement,
 and for each asset the thresholds that satisfy all of them. If two requirements conflict, prints both and the gap
-between them, and exits with 1; so it does where an asset with requirements breaks along bonds, without a threshold.
+between them. Exits with 3 if requirements conflict or a threshold does not satisfy them; also where an asset with
+requirements breaks along bonds, without a threshold.
 
 Examples:
   rubble-cli strength house.rubble
@@ -79,30 +80,28 @@ std::string textOf(const StrengthReport& report) {
     return text;
 }
 
-/// Returns an error with a line for each asset whose requirements conflict.
-Status statusOf(std::span<const StrengthReport> reports) {
-    std::string conflicts;
-    for (const StrengthReport& report : reports) {
-        const std::optional<std::string> conflict =
-            report.fault ? report.fault : conflictText(report.asset, report.interval);
-        if (conflict) {
-            conflicts += (conflicts.empty() ? "" : "\n") + shownName(report.asset.name) + ": " + *conflict;
-        }
-    }
-    if (!conflicts.empty()) return Error{ErrorCode::BadInput, conflicts};
-    return success();
+/// Why the requirements of an asset are not satisfied; nothing if they are.
+std::optional<std::string> unsatisfiedText(const StrengthReport& report) {
+    if (report.fault) return report.fault;
+    if (!report.threshold || report.asset.requirements.empty()) return std::nullopt;
+    if (std::optional<std::string> conflict = conflictText(report.asset, report.interval)) return conflict;
+    if (report.interval.contains(*report.threshold)) return std::nullopt;
+    return "the threshold " + impulseText(*report.threshold) + " does not satisfy the requirements.";
 }
 
-Status strength(const StrengthOptions& options, const CliContext& context) {
+Status strength(const StrengthOptions& options, VerbReport& report, const CliContext& context) {
     const Result<ProjectAssets> loaded = loadProjectAssets(options.file, options.assets, context);
     if (!loaded) return loaded.error();
     const TaskContext task{.cancel = context.cancel, .threads = options.threads};
     const Result<std::vector<StrengthReport>> reports = reportsOn(loaded->project, loaded->assets, task);
     if (!reports) return reports.error();
     std::string text;
-    for (const StrengthReport& report : *reports) text += textOf(report);
-    const Status written = printText(options.isJson ? strengthReportJson(*reports) : text, context);
-    return written ? statusOf(*reports) : written;
+    for (const StrengthReport& judged : *reports) {
+        text += textOf(judged);
+        if (const auto unsatisfied = unsatisfiedText(judged))
+            conclude(report, shownName(judged.asset.name) + ": " + *unsatisfied);
+    }
+    return printText(options.isJson ? strengthReportJson(*reports) : text, context);
 }
 
 }  // namespace
@@ -115,7 +114,8 @@ Verb addStrength(CLI::App& program) {
     addAssetOption(command, options->assets);
     addJsonOption(command, options->isJson);
     addThreadsOption(command, options->threads);
-    return {command, [options](const CliContext& context) { return strength(*options, context); }};
+    return {command,
+            [options](VerbReport& report, const CliContext& context) { return strength(*options, report, context); }};
 }
 
 }  // namespace rubble

@@ -2,14 +2,15 @@
 
 #include "app/cli/console/CliContext.h"
 #include "app/cli/options/Command.h"
+#include "app/cli/output/VerbReport.h"
 #include "core/base/Result.h"
 
 #include <functional>
 
 namespace rubble {
 
-/// Runs a verb after its options are parsed. The caller prints its error.
-using VerbAction = std::function<Status(const CliContext& context)>;
+/// Runs a verb after its options are parsed. The caller prints its error, or else what it found.
+using VerbAction = std::function<Status(VerbReport& report, const CliContext& context)>;
 
 /// A verb of rubble-cli.
 struct Verb {
@@ -36,5 +37,6 @@ Verb addMaterials(CLI::App& program);
 Verb addDiff(CLI::App& program);
 Verb addSheet(CLI::App& program);
 Verb addQuery(CLI::App& program);
+Verb addCompletion(CLI::App& program);
 
 }  // namespace rubble

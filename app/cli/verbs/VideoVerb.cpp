@@ -1,4 +1,3 @@
-#include "app/cli/console/InputOutput.h"
 #include "app/cli/console/ProgressLine.h"
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/options/PictureOptions.h"
@@ -7,6 +6,7 @@
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/project/Ranges.h"
 #include "core/base/QuantityText.h"
+#include "core/io/json/JsonWriter.h"
 #include "core/io/media/PictureSequence.h"
 #include "core/io/media/VideoFile.h"
 #include "viewport/video/Video.h"
@@ -84,7 +84,7 @@ Result<VideoPlan> planOf(const VideoOptions& options) {
                      .hasSound = options.hasSound};
 }
 
-Status video(const VideoOptions& options, const CliContext& context) {
+Status video(const VideoOptions& options, VerbReport& report, const CliContext& context) {
     Result<VideoPlan> plan = planOf(options);
     if (!plan) return plan.error();
     const bool isVideo = isVideoPath(options.output);
@@ -115,9 +115,13 @@ Status video(const VideoOptions& options, const CliContext& context) {
     line.clear();
     for (SessionPlayback& playback : *playbacks) printWarnings(playback, context);
     if (!shot) return shot;
-    return printText(countText(static_cast<std::size_t>(plan->frames), "picture", "pictures") + " written to " +
-                         options.output + "\n",
-                     context);
+    const auto pictures = static_cast<std::size_t>(plan->frames);
+    report.writeResults = [output = options.output, pictures](JsonWriter& json) {
+        json.text("output", printableText(output));
+        json.wholeNumber("pictures", std::uint64_t{pictures});
+    };
+    return printSummary(countText(pictures, "picture", "pictures") + " written to " + options.output + "\n", report,
+                        context);
 }
 
 }  // namespace
@@ -151,8 +155,10 @@ Verb addVideo(CLI::App& program) {
     addStyleOptions(command, options->picture);
     addOverlayOption(command, options->picture);
     addSamplesOption(command, options->picture);
+    command.addReportFlag();
     addThreadsOption(command, options->threads);
-    return {command, [options](const CliContext& context) { return video(*options, context); }};
+    return {command,
+            [options](VerbReport& report, const CliContext& context) { return video(*options, report, context); }};
 }
 
 }  // namespace rubble

@@ -60,6 +60,7 @@ constexpr std::array<NumberRange, kProjectNumbers> kRanges{{
     aboveZero("minimum size of fragments", "", 1e12, 0.1, "nothing is smaller than zero"),
     {"minimum size of fragments", "", 0.0, 1.0, true, 0.1, kFraction},
     {"gap", "m", 0.0, kMaxExtent, false, 0.0, "smaller gaps are lost in rounding", kLeastOffset},
+    zeroOrAbove("inset", "m", 1.0, 1e-4, "0 lets hulls touch; a hundredth of the thinnest width is the most"),
     {"roughness", "m", 0.0, kMaxExtent, false, 0.0, "0 leaves cuts straight; smaller bumps are lost in rounding",
      kLeastOffset},
     between("frequency", "1/m", 1e-6, 1e6, 10.0),

@@ -28,6 +28,7 @@ enum class ProjectNumber {
     SmallPieceSize,      // area or volume
     SmallPieceFraction,  // of the mean or the whole
     Gap,
+    HullInset,  // of collision hulls in exports
     RoughnessAmplitude,
     RoughnessFrequency,
     RoughnessOctaves,
@@ -87,7 +88,7 @@ enum class ProjectNumber {
     MortarLeastArea,
     BondClusterLevel,  // 0: the coarsest
 };
-inline constexpr int kProjectNumbers = 74;
+inline constexpr int kProjectNumbers = 75;
 
 /// The values that a number of a project can have. Files, command line, inspector and play read them here.
 struct NumberRange {

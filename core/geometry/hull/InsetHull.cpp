@@ -84,7 +84,13 @@ bool isPrism(const Polytope& polytope) {
     if (count < 3 || polytope.vertices.size() % 2 != 0 || polytope.faces.size() != count + 2) return false;
     if (polytope.planes.size() != polytope.faces.size()) return false;
     const auto hasFace = [&](std::size_t face, std::span<const std::size_t> loop) {
-        return std::ranges::equal(polytope.faces[face], loop);
+        const std::vector<std::uint32_t>& own = polytope.faces[face];
+        const auto start = static_cast<std::size_t>(std::ranges::find(own, loop[0]) - own.begin());
+        if (own.size() != loop.size() || start == own.size()) return false;
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            if (own[(start + k) % own.size()] != loop[k]) return false;
+        }
+        return true;
     };
     std::vector<std::size_t> front(count), back(count);
     for (std::size_t k = 0; k < count; ++k) {

@@ -17,7 +17,7 @@ struct InsetHull {
 /// The most that faces are moved, relative to the thinnestWidth().
 inline constexpr double kMostInset = 0.01;
 
-/// Whether a polytope has the vertices and faces of extruded(), in its order.
+/// Whether a polytope has the vertices and faces of extruded(), in its order; each face may start at any vertex.
 bool isPrism(const Polytope& polytope);
 
 /// The smallest width of a prism, m. O(n²) in its corners.

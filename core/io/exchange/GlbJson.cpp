@@ -100,7 +100,7 @@ void writeGlbMaterial(JsonWriter& json, const MeshMaterial& material) {
     json.numbers("baseColorFactor", {linearFromSrgb(colour.red), linearFromSrgb(colour.green),
                                      linearFromSrgb(colour.blue), material.opacity});
     json.wholeNumber("metallicFactor", std::uint64_t{0});
-    json.number("roughnessFactor", isTransparent ? 0.1 : 0.9);
+    json.number("roughnessFactor", material.roughness());
     if (material.isTextured) {
         json.openObject("baseColorTexture");
         json.wholeNumber("index", std::uint64_t{0});

@@ -28,6 +28,7 @@ struct MeshMaterial {
     Colour colour;
     double opacity = 1.0;
     bool isTextured = false;  // its colour is multiplied by the image
+    double roughness() const { return opacity < 1.0 ? 0.1 : 0.9; }
 };
 
 /// The materials of an asset, with unique names.

@@ -115,6 +115,17 @@ void JsonValue::requireObject(std::span<const std::string_view> required,
         if (std::ranges::find(required, key) == required.end() && std::ranges::find(optional, key) == optional.end())
             return fail("unknown key " + quotedName(key));
     }
+    requireKeys(required);
+}
+
+void JsonValue::requireKeys(std::initializer_list<std::string_view> required) const {
+    requireKeys(std::span(required.begin(), required.size()));
+}
+
+void JsonValue::requireKeys(std::span<const std::string_view> required) const {
+    const JsonDocument::Node* node = readable();
+    if (!node) return;
+    if (node->kind != JsonDocument::Kind::Object) return failExpected("an object");
     for (const std::string_view key : required)
         if (!(*this)[key].isPresent()) return fail("the key " + quotedName(key) + " is missing");
 }

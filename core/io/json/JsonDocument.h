@@ -106,6 +106,8 @@ public:
                        std::initializer_list<std::string_view> optional = {}) const;
     void requireObject(std::span<const std::string_view> required,
                        std::span<const std::string_view> optional = {}) const;
+    /// Requires an object that has all required keys; others are ignored.
+    void requireKeys(std::initializer_list<std::string_view> required) const;
     /// The value of a key; its isPresent() is false if the object does not have the key.
     JsonValue operator[](std::string_view key) const;
     /// The elements of an array, in order.
@@ -152,6 +154,7 @@ private:
     const JsonDocument::Node* readable() const;
     void failExpected(const std::string& what) const;
     void readNumbers(std::span<double> values, JsonRange range) const;
+    void requireKeys(std::span<const std::string_view> required) const;
 
     JsonDocument* m_document;
     std::uint32_t m_node;

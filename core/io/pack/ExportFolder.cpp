@@ -13,6 +13,7 @@
 #include <sys/stat.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <optional>
 #include <system_error>
 #include <vector>
@@ -159,6 +160,42 @@ Status writeExportFolder(const fs::path& path, const ContentHash& source, std::s
         writeExportedFile((*partial)->path(), folder, kManifestName, manifestJson(manifest), isFlushed);
     if (!listed) return listed;
     return replaceExport(**partial, folder, edited, flush, task);
+}
+
+Status checkExportFolder(const fs::path& path, EditedFiles edited) {
+    const fs::path folder = linkTarget(path);
+    if (const Status free = checkReplaceable(folder, edited); !free) return free;
+    std::error_code ignored;
+    return fs::exists(folder, ignored) ? checkWritable(folder) : success();
+}
+
+Status checkRemovable(const fs::path& folder) {
+    if (isLink(folder)) {
+        return Error{ErrorCode::BadInput,
+                     quotedPath(folder) + " is a link, which is not followed; remove it yourself."};
+    }
+    const auto kept = [&](const fs::path& file, const std::string& reason) {
+        return Error{ErrorCode::Edited,
+                     quotedPath(folder) + " is not removed: " + quotedPath(file) + reason + "; move it or remove it."};
+    };
+    const Result<std::optional<std::string>> unexpected = findUnexpectedFile(folder);
+    if (!unexpected) return unexpected.error();
+    if (*unexpected) return kept(folder / **unexpected, " is not part of the export");
+    const Result<std::optional<fs::path>> file = findEditedFile(folder);
+    if (!file) return file.error();
+    return *file ? kept(**file, " was modified after the export") : success();
+}
+
+Status removeExportFolder(const fs::path& folder, const TaskContext& task) {
+    const Result<OpenFile> lock = lockFolder(folder.parent_path(), task);
+    if (!lock) return lock.error();
+    if (const Status removable = checkRemovable(folder); !removable) return removable;
+    const auto removed = TemporaryFolder::create(folder.parent_path());
+    if (!removed) return removed.error();
+    if (::rename(folder.c_str(), ((*removed)->path() / folder.filename()).c_str()) != 0)
+        return cannotWrite(folder, errno);
+    if (const int code = syncFolder(folder.parent_path())) return cannotWrite(folder.parent_path(), code);
+    return success();
 }
 
 }  // namespace rubble

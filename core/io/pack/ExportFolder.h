@@ -30,4 +30,20 @@ Status writeExportFolder(const std::filesystem::path& folder, const ContentHash&
                          std::span<const ExportFile> files, EditedFiles edited = EditedFiles::Kept,
                          const TaskContext& task = {});
 
+/// Whether writeExportFolder() could replace a folder, or create it. Changes nothing.
+///
+/// Errors: those of writeExportFolder() but for Cancelled.
+Status checkExportFolder(const std::filesystem::path& folder, EditedFiles edited = EditedFiles::Kept);
+
+/// Whether removeExportFolder() could remove a folder. Changes nothing.
+///
+/// Errors: those of removeExportFolder() but for Cancelled.
+Status checkRemovable(const std::filesystem::path& folder);
+
+/// Removes an export folder in one step, with what engines wrote in it. A link is not followed.
+///
+/// Errors: BadInput if it is a link; Edited if a file in it was modified or is not part of the export; Io; Cancelled.
+/// The folder is unchanged then.
+Status removeExportFolder(const std::filesystem::path& folder, const TaskContext& task = {});
+
 }  // namespace rubble

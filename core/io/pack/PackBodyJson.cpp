@@ -7,19 +7,46 @@
 namespace rubble {
 namespace {
 
-void writeInertia(JsonWriter& json, const Mat3& inertia, double density) {
+void writeInertia(JsonWriter& json, const PackBody& body) {
+    const Mat3& inertia = body.inertia;
     json.rows("inertia", std::array{0, 1, 2}, [&](int row) {
-        return std::array{density * inertia[0][row], density * inertia[1][row], density * inertia[2][row]};
+        return std::array{inertia[0][row], inertia[1][row], inertia[2][row]};
     });
+    if (!body.principal) return;
+    const Quat& rotation = body.principal->rotation;
+    json.openObject("principal");
+    writeVector(json, "moments", body.principal->moments);
+    json.numbers("rotation", {rotation.x, rotation.y, rotation.z, rotation.w});
+    json.close();
 }
 
-/// Writes the faces as loops of vertices and of signed edges. Both start with the same edge, so that they are parallel.
-void writeFaces(JsonWriter& json, const Polytope& hull) {
-    const std::vector<std::vector<SignedEdge>> loops = signedEdgeLoops(hull);
+void writeBounds(JsonWriter& json, const PackBounds& bounds) {
+    json.openObject("bounds");
+    writeVector(json, "min", bounds.min);
+    writeVector(json, "max", bounds.max);
+    json.number("radius", bounds.radius);
+    json.number("thinnest", bounds.thinnest);
+    json.close();
+}
+
+void writeNeighbour(JsonWriter& json, const PackNeighbour& neighbour) {
+    json.openObject();
+    json.wholeNumber("fragment", std::uint64_t{neighbour.fragment});
+    json.number("area", neighbour.area);
+    if (neighbour.centroid) writeVector(json, "centroid", *neighbour.centroid);
+    if (neighbour.normal) writeVector(json, "normal", *neighbour.normal);
+    json.close();
+}
+
+/// Writes the faces as loops of vertices.
+void writeFaces(JsonWriter& json, const Polytope& hull, const std::vector<std::vector<SignedEdge>>& loops) {
     json.rows("faces", loops, [&](const std::vector<SignedEdge>& loop) {
         return std::views::transform(
             loop, [&](SignedEdge step) -> std::int64_t { return hull.edges[step.edge][step.sign > 0 ? 0 : 1]; });
     });
+}
+
+void writeSignedEdges(JsonWriter& json, const std::vector<std::vector<SignedEdge>>& loops) {
     json.openArray("signedEdges");
     for (const std::vector<SignedEdge>& loop : loops) {
         json.rows({}, loop, [](SignedEdge step) { return std::array<std::int64_t, 2>{step.edge, step.sign}; });
@@ -27,52 +54,60 @@ void writeFaces(JsonWriter& json, const Polytope& hull) {
     json.close();
 }
 
-void writeHull(JsonWriter& json, const Polytope& hull) {
+void writeHull(JsonWriter& json, const PackHull& hull, PackTopology topology) {
+    const Polytope& polytope = hull.polytope;
+    // Both kinds of loops start with the same edge, so that they are parallel.
+    const std::vector<std::vector<SignedEdge>> loops = signedEdgeLoops(polytope);
     json.openObject();
-    json.rows("vertices", hull.vertices, [](Vec3 vertex) { return std::array{vertex.x, vertex.y, vertex.z}; });
-    json.rows("edges", hull.edges, [](const auto& edge) { return std::array<std::int64_t, 2>{edge[0], edge[1]}; });
-    writeFaces(json, hull);
-    json.rows("planes", hull.planes, [](const Plane& plane) {
-        return std::array{plane.normal.x, plane.normal.y, plane.normal.z, plane.offset};
-    });
+    json.rows("vertices", polytope.vertices, [](Vec3 vertex) { return std::array{vertex.x, vertex.y, vertex.z}; });
+    const bool isFull = topology == PackTopology::Full;
+    if (isFull)
+        json.rows("edges", polytope.edges, [](const auto& edge) {
+            return std::array<std::int64_t, 2>{edge[0], edge[1]};
+        });
+    writeFaces(json, polytope, loops);
+    if (isFull) writeSignedEdges(json, loops);
+    if (isFull)
+        json.rows("planes", polytope.planes, [](const Plane& plane) {
+            return std::array{plane.normal.x, plane.normal.y, plane.normal.z, plane.offset};
+        });
+    if (hull.inset > 0.0) json.number("inset", hull.inset);
     json.close();
 }
 
 }  // namespace
 
-void writePackBody(JsonWriter& json, std::string_view key, const PackBodySource& body, double density) {
+void writePackBody(JsonWriter& json, std::string_view key, const PackBody& body, PackTopology topology) {
     json.openObject(key);
     json.text("id", body.id);
     json.text("name", body.name);
     json.wholeNumber("parent", body.parent == kNone ? std::nullopt : std::optional{body.parent});
+    json.wholeNumber("level", std::uint64_t{body.level});
+    if (body.childCount > 0) json.wholeNumber("firstChild", std::uint64_t{body.firstChild});
+    json.wholeNumber("childCount", std::uint64_t{body.childCount});
     writeVector(json, "offset", body.offset);
-    json.number("volume", body.mass.volume);
-    json.number("mass", density * body.mass.volume);
-    writeVector(json, "centreOfMass", {0.0, 0.0, 0.0});
-    writeInertia(json, body.mass.inertia, density);
+    json.number("volume", body.volume);
+    json.number("mass", body.mass);
+    writeVector(json, "centreOfMass", body.centreOfMass);
+    writeInertia(json, body);
+    if (body.bounds) writeBounds(json, *body.bounds);
     if (body.threshold) json.number("threshold", *body.threshold);
-    if (body.gap > 0.0) {
-        json.number("gap", body.gap);
-        json.number("lostMass", density * body.lostVolume);
-    }
+    if (body.gap > 0.0) json.number("gap", body.gap);
+    if (body.gap > 0.0) json.number("lostMass", body.lostMass);
     json.openArray("neighbours");
-    for (const FragmentContact& contact : body.contacts) {
-        json.openObject();
-        json.wholeNumber("fragment", std::uint64_t{body.firstSibling + contact.fragment});
-        json.number("area", contact.area);
-        json.close();
-    }
+    for (const PackNeighbour& neighbour : body.neighbours) writeNeighbour(json, neighbour);
     json.close();
     json.openArray("hulls");
-    for (const Polytope& hull : body.hulls) writeHull(json, hull);
+    for (const PackHull& hull : body.hulls) writeHull(json, hull, topology);
     json.close();
     json.close();
 }
 
-std::size_t packBodySize(const PackBodySource& body) {
-    std::size_t size = 512 + 48 * body.contacts.size();
-    for (const Polytope& hull : body.hulls) {
-        size += 80 + 64 * hull.vertices.size() + 84 * hull.planes.size() + 32 * hull.edges.size();
+std::size_t packBodySize(const PackBody& body) {
+    std::size_t size = 1024 + 120 * body.neighbours.size();
+    for (const PackHull& hull : body.hulls) {
+        const Polytope& polytope = hull.polytope;
+        size += 80 + 64 * polytope.vertices.size() + 84 * polytope.planes.size() + 32 * polytope.edges.size();
     }
     return size;
 }

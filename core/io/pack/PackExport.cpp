@@ -8,6 +8,10 @@
 #include "core/asset/strength/Threshold.h"
 #include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
+#include "core/base/Version.h"
+#include "core/io/pack/ExportCheck.h"
+#include "core/io/pack/ExportIndex.h"
+#include "core/io/pack/PackBinary.h"
 #include "core/io/pack/PackFile.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/CreatedDirectories.h"
@@ -23,20 +27,20 @@ namespace rubble {
 namespace {
 
 /// To be increased when pack.json or the mesh files of an asset change, so that existing exports are rewritten.
-constexpr std::uint64_t kExportRevision = 4;
+constexpr std::uint64_t kExportRevision = 5;
 
-/// An asset or a variant of it, and the name of the folder of its pack.
+/// An asset or a variant of it, and its names.
 struct PackedAsset {
     Asset asset;
-    std::string folder;
+    PackNames names;
 };
 
 /// Returns the assets in all variants that the project uses.
 std::vector<PackedAsset> packedAssets(const Project& project, std::span<const Id> assets) {
-    const std::map<AssetVariant, std::string> folders = packFolders(project);
+    const std::map<AssetVariant, PackNames> names = packNames(project);
     std::vector<PackedAsset> packed;
     for (const Id id : assets) {
-        for (auto at = folders.lower_bound({id}); at != folders.end() && at->first.asset == id; ++at)
+        for (auto at = names.lower_bound({id}); at != names.end() && at->first.asset == id; ++at)
             packed.push_back({variantOf(*findAsset(project, id), at->first.variant), at->second});
     }
     return packed;
@@ -69,16 +73,37 @@ private:
     double m_sum = 0.0;
 };
 
-Status writePack(const Project& project, const Asset& asset, const MeshOptions& options, const ContentHash& source,
-                 EditedFiles edited, const TaskContext& task, AssetExport& result) {
-    const AssetMaterials material = materialsOf(project, asset);
+/// Nothing if debris stays for good.
+std::optional<Debris> debrisOf(const Project& project) {
+    const bool isRemoved = project.debris.lifetime || project.debris.maxFragments;
+    return isRemoved ? std::optional(project.debris) : std::nullopt;
+}
+
+Status writePack(const Project& project, const PackedAsset& packed, const PackOptions& options,
+                 const ContentHash& source, EditedFiles edited, const TaskContext& task, AssetExport& result) {
+    const Asset& asset = packed.asset;
     Result<Bake> baked = bake(asset, task.stage(0.0, 0.5));
     if (!baked) return baked.error();
-    Result<PackMeshes> meshes = packMeshes(*baked, asset, material, options, task.stage(0.5, 0.8));
+    const PackInput input{*baked,
+                          asset,
+                          materialsOf(project, asset),
+                          packed.names,
+                          {options.inset, project.damage.rule, debrisOf(project)}};
+    Result<PackMeshes> meshes = packMeshes(input, options.meshes, task.stage(0.5, 0.8));
     if (!meshes && meshes.error().code == ErrorCode::Cancelled) return meshes.error();
     if (!meshes) return Error{meshes.error().code, "Asset " + quotedName(asset.name) + ": " + meshes.error().message};
     std::vector<ExportFile> files = std::move(meshes->files);
-    files.insert(files.begin(), {kPackName, packJson(*baked, asset, material, meshes->list, task.stage(0.8, 0.9))});
+    const PackBuilder builder(input, task.stage(0.8, 0.82));
+    if (options.files != PackFiles::Json) {
+        Result<std::string> binary = packBinary(builder, meshes->list, task.stage(0.82, 0.84));
+        if (!binary)
+            return Error{binary.error().code, "Asset " + quotedName(asset.name) + ": " + binary.error().message};
+        files.insert(files.begin(), {kPackBinaryName, std::move(*binary)});
+    }
+    if (options.files != PackFiles::Binary) {
+        std::string json = packJson(builder, meshes->list, options.topology, task.stage(0.84, 0.9));
+        files.insert(files.begin(), {kPackName, std::move(json)});
+    }
     result.fragmentCount = baked->fragmentCount();
     result.volume = baked->whole.volume;
     result.diagnostics = std::move(baked->diagnostics);
@@ -86,94 +111,45 @@ Status writePack(const Project& project, const Asset& asset, const MeshOptions& 
     return writeExportFolder(result.folder, source, files, edited, task);
 }
 
-AssetExport exportAsset(const Project& project, const PackedAsset& packed, const std::filesystem::path& folder,
-                        const MeshOptions& options, EditedFiles edited, const TaskContext& task) {
+/// The result for an asset before it is exported: whether its folder exists, and already is its export.
+AssetExport lookedUp(const PackedAsset& packed, const std::filesystem::path& folder, const ContentHash& source) {
     const Asset& asset = packed.asset;
-    AssetExport result{.asset = asset.id, .name = asset.name, .folder = folder / packed.folder};
-    if (task.isCancelled()) {
-        result.status = TaskContext::cancelled();
-        return result;
-    }
-    const ContentHash source = packSourceHash(project, asset, options);
+    AssetExport result{.asset = asset.id, .name = asset.name, .folder = folder / packed.names.folder};
+    std::error_code ignored;
+    result.isReplacing = std::filesystem::exists(result.folder, ignored);
     result.isUnchanged = isExportOf(result.folder, source);
-    if (!result.isUnchanged) result.status = writePack(project, asset, options, source, edited, task, result);
+    return result;
+}
+
+AssetExport exportAsset(const Project& project, const PackedAsset& packed, const std::filesystem::path& folder,
+                        const PackOptions& options, EditedFiles edited, const TaskContext& task) {
+    const Asset& asset = packed.asset;
+    if (task.isCancelled()) {
+        return {.asset = asset.id,
+                .name = asset.name,
+                .folder = folder / packed.names.folder,
+                .status = TaskContext::cancelled()};
+    }
+    const ContentHash source = packSourceHash(project, asset, packed.names, options);
+    AssetExport result = lookedUp(packed, folder, source);
+    if (!result.isUnchanged) result.status = writePack(project, packed, options, source, edited, task, result);
     task.report(1.0);
     return result;
 }
 
-/// Removes all that the pack of an asset that breaks whole does not contain: of bonds and cuts.
-void removeBonds(Asset& asset) {
-    asset.cutAtImpact.reset();
-    asset.bonding = {};
-    for (Level& level : asset.levels) level.bondStrength = 1.0;
-    for (FragmentLevel& leaf : asset.fragmentLevels) {
-        if (leaf.level) leaf.level->bondStrength = 1.0;
-    }
-}
-
-}  // namespace
-
-std::map<AssetVariant, std::string> packFolders(const Project& project) {
-    // Assets come before variants: a variant "wall_1" of a wall leaves the name to an asset of that name.
-    std::vector<AssetVariant> used = usedVariants(project);
-    std::ranges::stable_sort(used, {}, [](const AssetVariant& one) { return one.variant != 0; });
-    std::vector<std::string> names;
-    for (const auto& [id, variant] : used) names.push_back(nameOfVariant(findAsset(project, id)->name, variant));
-    const std::vector<std::string> folders = distinctFileNames(names);
-    std::map<AssetVariant, std::string> result;
-    for (std::size_t k = 0; k < used.size(); ++k) result.emplace(used[k], folders[k]);
-    return result;
-}
-
-ContentHash packSourceHash(const Project& project, const Asset& asset, const MeshOptions& options) {
-    // Hashes a project with this asset only, without what packs do not contain.
-    Project single;
-    single.nextId = std::numeric_limits<Id>::max();
-    const AssetMaterials material = materialsOf(project, asset);
-    single.materials = {material.own};
-    if (asset.insideMaterial != 0) single.materials.push_back(material.inside);
-    single.assets = {asset};
-    if (asset.breakAs == BreakAs::Whole) removeBonds(single.assets[0]);
-    if (asset.breakAs == BreakAs::Bonded) single.assets[0].bonding.impulsePerArea = bondImpulseOf(asset, material.own);
-    single.assets[0].requirements.clear();
-    single.assets[0].threshold = thresholdOf(asset, material.own);
-    single.assets[0].contactTime.reset();
-    single.assets[0].strengthRule = {};
-    for (Material& each : single.materials) {
-        each.tensileStrength.reset();
-        each.fractureToughness.reset();
-        each.youngsModulus.reset();
-    }
-    Hasher hasher;
-    hasher.add(kExportRevision);
-    hasher.add(std::uint64_t{kPackVersion});
-    hasher.add(bakeInputHash(asset).high);  // for the version of bake()
-    hasher.add(bakeInputHash(asset).low);
-    hasher.add(std::uint64_t{options.obj});
-    hasher.add(std::uint64_t{options.glb});
-    for (const std::uint64_t option :
-         {static_cast<std::uint64_t>(options.split), static_cast<std::uint64_t>(options.place),
-          static_cast<std::uint64_t>(options.faces), static_cast<std::uint64_t>(options.objFrame.up),
-          static_cast<std::uint64_t>(options.objFrame.unit)}) {
-        hasher.add(option);
-    }
-    hasher.add(projectText(single));
-    return hasher.digest();
-}
-
-Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<const Id> assets,
-                                             const std::filesystem::path& folder, const MeshOptions& options,
-                                             EditedFiles edited, const TaskContext& task) {
+/// Errors: NotFound if there is no asset with an id.
+Status checkAssets(const Project& project, std::span<const Id> assets) {
     for (const Id id : assets) {
         if (findAsset(project, id) != nullptr) continue;
         return Error{ErrorCode::NotFound, "The project has no asset with the id " + std::to_string(id) + "."};
     }
-    CreatedDirectories created;  // not per asset: a failing one would remove the folder of the others
-    if (const Status status = created.create(folder); !status) return status.error();
-    removeLeftovers(folder);
-    const std::vector<PackedAsset> packed = packedAssets(project, assets);
-    std::vector<AssetExport> results(packed.size());
-    SharedProgress progress(task, packed.size());
+    return success();
+}
+
+/// The memory that each export takes, bytes.
+///
+/// Errors: Limit if one takes more than there is.
+Result<std::vector<double>> memoryOf(std::span<const PackedAsset> packed) {
     std::vector<double> bytes;
     for (const PackedAsset& each : packed) {
         const Asset& asset = each.asset;
@@ -183,13 +159,116 @@ Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<c
             return Error{ErrorCode::Limit, "Asset " + quotedName(asset.name) + ": " + *fault};
         bytes.push_back(estimate.bytes(MemoryStage::Export));
     }
-    const int atOnce = bakesAtOnce(std::move(bytes), task.threads);
+    return bytes;
+}
+
+void addSourceText(Hasher& hasher, std::string_view text) {
+    hasher.add(std::uint64_t{text.size()});
+    hasher.add(text);
+}
+
+/// Removes all that the pack of an asset that breaks whole does not contain: of bonds.
+void removeBonds(Asset& asset) {
+    asset.bonding = {};
+    for (Level& level : asset.levels) level.bondStrength = 1.0;
+    for (FragmentLevel& leaf : asset.fragmentLevels) {
+        if (leaf.level) leaf.level->bondStrength = 1.0;
+    }
+}
+
+}  // namespace
+
+std::map<AssetVariant, PackNames> packNames(const Project& project) {
+    // Assets come before variants: a variant "wall_1" of a wall leaves the name to an asset of that name.
+    std::vector<AssetVariant> used = usedVariants(project);
+    std::ranges::stable_sort(used, {}, [](const AssetVariant& one) { return one.variant != 0; });
+    std::vector<std::string> words{kIndexName};  // which is not of a pack
+    for (const auto& [id, variant] : used)
+        words.push_back(meshName(nameOfVariant(findAsset(project, id)->name, variant)));
+    const std::vector<std::string> folders = distinctFileNames(words);
+    std::map<AssetVariant, PackNames> names;
+    for (std::size_t k = 0; k < used.size(); ++k) {
+        const std::string& base = findAsset(project, used[k].asset)->name;
+        names[used[k]] = {nameOfVariant(base, used[k].variant), base, used[k].variant, folders[k + 1]};
+    }
+    return names;
+}
+
+ContentHash packSourceHash(const Project& project, const Asset& asset, const PackNames& names,
+                           const PackOptions& options) {
+    // Hashes a project with this asset only, without what packs do not contain.
+    Project single;
+    single.nextId = std::numeric_limits<Id>::max();
+    const AssetMaterials material = materialsOf(project, asset);
+    single.materials = {material.own};
+    if (asset.insideMaterial != 0) single.materials.push_back(material.inside);
+    single.assets = {asset};
+    single.damage.rule = project.damage.rule;
+    single.debris = project.debris;
+    if (asset.breakAs == BreakAs::Whole) removeBonds(single.assets[0]);
+    if (asset.breakAs == BreakAs::Bonded) single.assets[0].bonding.impulsePerArea = bondImpulseOf(asset, material.own);
+    single.assets[0].requirements.clear();
+    single.assets[0].threshold = thresholdOf(asset, material.own);
+    single.assets[0].contactTime.reset();
+    single.assets[0].strengthRule = {};
+    Hasher hasher;
+    hasher.add(kExportRevision);
+    hasher.add(std::uint64_t{kPackVersion});
+    hasher.add(bakeInputHash(asset).high);  // for the version of bake()
+    hasher.add(bakeInputHash(asset).low);
+    addSourceText(hasher, programVersion());
+    const MeshOptions& meshes = options.meshes;
+    hasher.add(std::uint64_t{meshes.obj});
+    hasher.add(std::uint64_t{meshes.glb});
+    for (const std::uint64_t option :
+         {static_cast<std::uint64_t>(meshes.split), static_cast<std::uint64_t>(meshes.place),
+          static_cast<std::uint64_t>(meshes.faces), static_cast<std::uint64_t>(meshes.objFrame.up),
+          static_cast<std::uint64_t>(meshes.objFrame.unit), static_cast<std::uint64_t>(options.topology),
+          static_cast<std::uint64_t>(options.files)}) {
+        hasher.add(option);
+    }
+    hasher.add(options.inset);
+    for (const std::string& name : {names.name, names.base, names.folder}) addSourceText(hasher, name);
+    hasher.add(projectText(single));
+    return hasher.digest();
+}
+
+Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<const Id> assets,
+                                             const std::filesystem::path& folder, const PackOptions& options,
+                                             EditedFiles edited, const TaskContext& task) {
+    if (const Status known = checkAssets(project, assets); !known) return known.error();
+    CreatedDirectories created;  // not per asset: a failing one would remove the folder of the others
+    if (const Status status = created.create(folder); !status) return status.error();
+    removeLeftovers(folder);
+    const std::vector<PackedAsset> packed = packedAssets(project, assets);
+    std::vector<AssetExport> results(packed.size());
+    SharedProgress progress(task, packed.size());
+    Result<std::vector<double>> bytes = memoryOf(packed);
+    if (!bytes) return bytes.error();
+    const int atOnce = bakesAtOnce(std::move(*bytes), task.threads);
     const int threadsEach = std::max(1, task.threads / static_cast<int>(std::max<std::size_t>(1, packed.size())));
     forEachIndex(packed.size(), atOnce, [&](std::size_t index) {
         results[index] =
             exportAsset(project, packed[index], folder, options, edited, progress.contextOf(index, threadsEach));
     });
     if (task.isCancelled()) return TaskContext::cancelled();
+    return results;
+}
+
+Result<std::vector<AssetExport>> planPacks(const Project& project, std::span<const Id> assets,
+                                           const std::filesystem::path& folder, const PackOptions& options,
+                                           EditedFiles edited, const TaskContext& task) {
+    if (const Status known = checkAssets(project, assets); !known) return known.error();
+    const std::vector<PackedAsset> packed = packedAssets(project, assets);
+    if (const Result<std::vector<double>> bytes = memoryOf(packed); !bytes) return bytes.error();
+    std::vector<AssetExport> results;
+    for (const PackedAsset& each : packed) {
+        if (task.isCancelled()) return TaskContext::cancelled();
+        AssetExport result = lookedUp(each, folder, packSourceHash(project, each.asset, each.names, options));
+        if (!result.isUnchanged) result.status = checkExportFolder(result.folder, edited);
+        results.push_back(std::move(result));
+        task.report(static_cast<double>(results.size()) / static_cast<double>(packed.size()));
+    }
     return results;
 }
 

@@ -6,6 +6,7 @@
 #include "core/base/Result.h"
 #include "core/base/TaskContext.h"
 #include "core/io/pack/ExportFolder.h"
+#include "core/io/pack/PackFile.h"
 #include "core/io/pack/PackMeshes.h"
 
 #include <filesystem>
@@ -22,20 +23,36 @@ struct AssetExport {
     std::string name;  // "wall"; for a variant "wall~2"
     std::filesystem::path folder;
     Status status = success();
+    bool isReplacing = false;             // the folder existed before
     bool isUnchanged = false;             // the folder already was this export; the members below are not set
     std::size_t fragmentCount = 0;        // of all levels
     double volume = 0.0;                  // m³, of the whole
     std::vector<Diagnostic> diagnostics;  // of the bake
 };
 
-/// Returns a hash of all inputs of an asset's pack: the source in the manifest of its folder.
-ContentHash packSourceHash(const Project& project, const Asset& asset, const MeshOptions& options);
+/// The files that describe the bodies.
+enum class PackFiles { Json, Binary, Both };
 
-/// The folder of each pack of a project: the distinctFileNames() of its assets, in their order, then of the variants
-/// that instances use ("wall_2"). The names depend on all assets, so that they may be exported one by one.
-std::map<AssetVariant, std::string> packFolders(const Project& project);
+/// The files of an export.
+struct PackOptions {
+    PackFiles files = PackFiles::Both;
+    MeshOptions meshes;
+    double inset = kDefaultInset;  // m, >= 0: of collision hulls
+    PackTopology topology = PackTopology::Full;
+    bool operator==(const PackOptions&) const = default;
+};
 
-/// Writes the packs of `assets`, pack.json and meshes, each into a folder below `folder`, see packFolders(). Each
+/// Returns a hash of all inputs of the pack of an asset, in the variant that is exported: the source in the manifest of
+/// its folder.
+ContentHash packSourceHash(const Project& project, const Asset& asset, const PackNames& names,
+                           const PackOptions& options);
+
+/// The names of each pack of a project. The folders are the distinctFileNames() of its assets without blanks, in their
+/// order, then of the variants that instances use ("wall_2"); none is that of the index, export.json. They depend on
+/// all assets, so that these may be exported one by one.
+std::map<AssetVariant, PackNames> packNames(const Project& project);
+
+/// Writes the packs of `assets`, pack.json and meshes, each into a folder below `folder`, see packNames(). Each
 /// variant that instances use gets a pack of its own after that of its asset. Folders that are complete, unmodified
 /// exports of the same source are not rewritten. Leftovers of killed exports in `folder` are removed. An asset that
 /// fails is reported in its status; the others are written.
@@ -44,7 +61,15 @@ std::map<AssetVariant, std::string> packFolders(const Project& project);
 /// Errors: NotFound if there is no asset with an id; Io if `folder` cannot be created; Cancelled. On an error existing
 /// folders are unchanged and no empty one remains.
 Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<const Id> assets,
-                                             const std::filesystem::path& folder, const MeshOptions& options,
+                                             const std::filesystem::path& folder, const PackOptions& options,
                                              EditedFiles edited = EditedFiles::Kept, const TaskContext& task = {});
+
+/// What exportPacks() would do with each folder: whether it is unchanged, would be replaced, or is refused. Changes
+/// nothing and fractures nothing: that an asset cannot be fractured is not told.
+///
+/// Errors: NotFound and Limit as those of exportPacks(); Cancelled.
+Result<std::vector<AssetExport>> planPacks(const Project& project, std::span<const Id> assets,
+                                           const std::filesystem::path& folder, const PackOptions& options,
+                                           EditedFiles edited = EditedFiles::Kept, const TaskContext& task = {});
 
 }  // namespace rubble

@@ -18,5 +18,13 @@ inline constexpr std::string_view kNoChecksum = "0000000000000000000000000000000
 inline constexpr std::array<std::string_view, 3> kMeshBodies{"whole", "fragments", "fragment"};
 inline constexpr std::array<std::string_view, 2> kMeshPlaces{"assembled", "centred"};
 inline constexpr std::array<std::string_view, 3> kPackFalloffs{"constant", "linear", "smooth"};
+inline constexpr std::array<std::string_view, 2> kPackBreaks{"whole", "bonded"};
+inline constexpr std::array<std::string_view, 2> kPackRules{"impact", "momentum"};
+inline constexpr std::array<std::string_view, 2> kPackSides{"outside", "inside"};
+
+/// What all packs of this version say.
+inline constexpr std::string_view kPackVelocity = "beforeSolver";
+inline constexpr std::string_view kPackFrictionOfPair = "geometricMean";
+inline constexpr std::string_view kPackRestitutionOfPair = "maximum";
 
 }  // namespace rubble

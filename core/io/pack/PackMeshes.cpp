@@ -7,6 +7,7 @@
 #include "core/io/system/FileName.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace rubble {
 namespace {
@@ -18,19 +19,22 @@ struct PartFile {
     std::string name;  // without suffix
     PackMeshBodies bodies;
     std::vector<std::uint32_t> fragments;
+    std::optional<std::uint32_t> level;  // see PackMeshFile
 };
 
 bool isBroken(const BakedFragment& fragment) { return fragment.childCount > 0; }
 
 /// Puts fragments and their children into different files, so that the bodies of a file do not overlap.
-std::vector<PartFile> singleFiles(const Bake& bake, const Asset& asset) {
-    std::vector<PartFile> files{{meshName(asset.name) + "-fragments", PackMeshBodies::Fragments, {}}};
+std::vector<PartFile> singleFiles(const PackInput& input) {
+    const Bake& bake = input.bake;
+    std::vector<PartFile> files{{input.names.folder + "-fragments", PackMeshBodies::Fragments, {}, {}}};
     for (std::uint32_t index = 0; index < bake.fragmentCount(); ++index) {
         const BakedFragment fragment = bake.fragment(index);
         const std::size_t file = isBroken(fragment) ? fragment.level + 1 : 0;
         while (files.size() <= file) {
-            const std::string level = std::to_string(files.size() - 1);
-            files.push_back({files[0].name + "-level-" + level, PackMeshBodies::Fragments, {}});
+            const auto level = static_cast<std::uint32_t>(files.size() - 1);
+            const std::string name = files[0].name + "-level-" + std::to_string(level);
+            files.push_back({name, PackMeshBodies::Fragments, {}, level});
         }
         files[file].fragments.push_back(index);
     }
@@ -38,10 +42,11 @@ std::vector<PartFile> singleFiles(const Bake& bake, const Asset& asset) {
     return files;
 }
 
-std::vector<PartFile> fragmentFiles(const Bake& bake, const Asset& asset) {
+std::vector<PartFile> fragmentFiles(const PackInput& input) {
     std::vector<PartFile> files;
-    for (std::uint32_t index = 0; index < bake.fragmentCount(); ++index) {
-        files.push_back({fragmentBodyName(asset, bake.fragmentId(index)), PackMeshBodies::Fragment, {index}});
+    for (std::uint32_t index = 0; index < input.bake.fragmentCount(); ++index) {
+        const std::string name = fragmentBodyName(input.names, input.bake.fragmentId(index));
+        files.push_back({name, PackMeshBodies::Fragment, {index}, {}});
     }
     return files;
 }
@@ -49,10 +54,10 @@ std::vector<PartFile> fragmentFiles(const Bake& bake, const Asset& asset) {
 /// Writes parts into OBJ and GLB files, as the options say.
 class MeshFileWriter {
 public:
-    MeshFileWriter(const Asset& asset, const AssetMaterials& material, const MeshOptions& options)
+    MeshFileWriter(const PackInput& input, const MeshOptions& options)
         : m_options(options),
-          m_materials(meshMaterials(asset, material)),
-          m_materialFile(meshName(asset.name) + ".mtl") {}
+          m_materials(meshMaterials(input.asset, input.material)),
+          m_materialFile(input.names.folder + ".mtl") {}
 
     Status add(const PartFile& file, std::vector<MeshPart> parts) {
         if (m_options.faces == FaceShape::Triangles) {
@@ -79,7 +84,7 @@ private:
         const bool isOne = file.bodies == PackMeshBodies::Fragment;
         const std::uint32_t fragment = isOne ? file.fragments[0] : kNone;
         const std::string name = fittingFileName("", file.name, suffix);
-        m_meshes.list.push_back({name, file.bodies, fragment, m_options.place});
+        m_meshes.list.push_back({name, file.bodies, fragment, m_options.place, file.level});
         m_meshes.files.push_back({name, std::move(bytes)});
     }
 
@@ -91,27 +96,25 @@ private:
 
 }  // namespace
 
-Result<PackMeshes> packMeshes(const Bake& bake, const Asset& asset, const AssetMaterials& material,
-                              const MeshOptions& options, const TaskContext& task) {
+Result<PackMeshes> packMeshes(const PackInput& input, const MeshOptions& options, const TaskContext& task) {
     if (!options.obj && !options.glb) return PackMeshes();
-    MeshFileWriter files(asset, material, options);
-    const FragmentMesher mesher(asset);
-    const std::string name = meshName(asset.name);
-    const Status whole =
-        files.add({name + "-intact", PackMeshBodies::Whole, {}}, {{name, mesher.wholeMesh(bake), bake.whole.centre}});
+    const Bake& bake = input.bake;
+    MeshFileWriter files(input, options);
+    const FragmentMesher mesher(input.asset);
+    const Status whole = files.add({input.names.folder + "-intact", PackMeshBodies::Whole, {}, {}},
+                                   {{wholeBodyName(input.names), mesher.wholeMesh(bake), bake.whole.centre}});
     if (!whole) return whole.error();
-    const RoughCuts cuts(bake, asset);
+    const RoughCuts cuts(bake, input.asset);
     std::size_t done = 0;
-    for (const PartFile& file :
-         options.split == FileSplit::Single ? singleFiles(bake, asset) : fragmentFiles(bake, asset)) {
+    for (const PartFile& file : options.split == FileSplit::Single ? singleFiles(input) : fragmentFiles(input)) {
         std::vector<MeshPart> parts;
         parts.reserve(file.fragments.size());
         for (const std::uint32_t index : file.fragments) {
             if (task.isCancelled()) return TaskContext::cancelled();
             const BakedFragment fragment = bake.fragment(index);
             Mesh mesh = mesher.fragmentMesh(fragment, cuts.cornersOf(index));
-            parts.push_back(
-                {fragmentBodyName(asset, bake.fragmentId(index)), std::move(mesh), fragment.solid.offset()});
+            const std::string name = fragmentBodyName(input.names, bake.fragmentId(index));
+            parts.push_back({name, std::move(mesh), fragment.solid.offset()});
             if (++done % kProgressInterval == 0) {
                 task.report(static_cast<double>(done) / static_cast<double>(bake.fragmentCount()));
             }

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "core/asset/bake/Bake.h"
 #include "core/base/TaskContext.h"
 #include "core/io/exchange/ObjFile.h"
+#include "core/io/exchange/PackBuilder.h"
 #include "core/io/pack/ExportFolder.h"
-#include "core/io/pack/PackFile.h"
 
 #include <vector>
 
@@ -39,7 +38,6 @@ struct PackMeshes {
 /// Returns the meshes of an asset, the whole first. The files are described in docs/formats/obj-glb.md.
 ///
 /// Errors: those of glbFile(); Cancelled.
-Result<PackMeshes> packMeshes(const Bake& bake, const Asset& asset, const AssetMaterials& material,
-                              const MeshOptions& options, const TaskContext& task = {});
+Result<PackMeshes> packMeshes(const PackInput& input, const MeshOptions& options, const TaskContext& task = {});
 
 }  // namespace rubble

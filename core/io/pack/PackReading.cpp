@@ -1,7 +1,8 @@
+#include "core/geometry/hull/PolytopeTopology.h"
 #include "core/io/json/VectorJson.h"
-#include "core/io/pack/PackBondingJson.h"
 #include "core/io/pack/PackFile.h"
 #include "core/io/pack/PackFormat.h"
+#include "core/io/pack/PackHeaderJson.h"
 
 namespace rubble {
 namespace {
@@ -36,14 +37,30 @@ Plane readPlane(const JsonValue& value) {
     return {{x, y, z}, offset};
 }
 
+/// Adds what follows from the faces; what they are faulty for is left to verifyPack().
+void deriveTopology(PackHull& hull) {
+    std::optional<Polytope> derived = polytopeOf(hull.polytope.vertices, hull.polytope.faces);
+    if (!derived) return;
+    hull.polytope = std::move(*derived);
+    hull.signedEdges = signedEdgeLoops(hull.polytope);
+}
+
 PackHull readHull(const JsonValue& value) {
-    value.requireObject({"vertices", "edges", "faces", "signedEdges", "planes"});
+    value.requireKeys({"vertices", "faces"});
+    const JsonValue edges = value["edges"], planes = value["planes"], inset = value["inset"];
+    const JsonValue signedEdges = value["signedEdges"];
     const auto readLoop = [](const JsonValue& loop) { return loop.list(readSignedEdge); };
-    return {.polytope = {.vertices = value["vertices"].list(readVector),
-                         .edges = value["edges"].list(readEdge),
-                         .faces = value["faces"].list(readIndices),
-                         .planes = value["planes"].list(readPlane)},
-            .signedEdges = value["signedEdges"].list(readLoop)};
+    PackHull hull;
+    hull.polytope.vertices = value["vertices"].list(readVector);
+    hull.polytope.faces = value["faces"].list(readIndices);
+    if (edges.isPresent()) hull.polytope.edges = edges.list(readEdge);
+    if (planes.isPresent()) hull.polytope.planes = planes.list(readPlane);
+    if (signedEdges.isPresent()) hull.signedEdges = signedEdges.list(readLoop);
+    if (inset.isPresent()) hull.inset = inset.number(above(0.0));
+    const int derived = edges.isPresent() + planes.isPresent() + signedEdges.isPresent();
+    if (derived == 0) deriveTopology(hull);
+    if (derived == 1 || derived == 2) value.fail("expected edges, signed edges and planes, or none of them");
+    return hull;
 }
 
 Mat3 readInertia(const JsonValue& value) {
@@ -53,83 +70,56 @@ Mat3 readInertia(const JsonValue& value) {
     return Mat3{0.0};
 }
 
-FragmentContact readNeighbour(const JsonValue& value) {
-    value.requireObject({"fragment", "area"});
-    return {.fragment = value["fragment"].index(0, kNone - 1), .area = value["area"].number(above(0.0))};
+PrincipalInertia readPrincipal(const JsonValue& value) {
+    value.requireKeys({"moments", "rotation"});
+    const auto [x, y, z, w] = value["rotation"].numbers<4>();
+    return {readVector(value["moments"]), Quat(w, x, y, z)};
 }
 
-PackBody readPackBody(const JsonValue& value) {
-    value.requireObject(
-        {"id", "name", "parent", "offset", "volume", "mass", "centreOfMass", "inertia", "neighbours", "hulls"},
-        {"threshold", "gap", "lostMass"});
+PackBounds readBounds(const JsonValue& value) {
+    value.requireKeys({"min", "max", "radius", "thinnest"});
+    return {.min = readVector(value["min"]),
+            .max = readVector(value["max"]),
+            .radius = value["radius"].number(above(0.0)),
+            .thinnest = value["thinnest"].number(above(0.0))};
+}
+
+PackNeighbour readNeighbour(const JsonValue& value) {
+    value.requireKeys({"fragment", "area"});
+    const JsonValue centroid = value["centroid"], normal = value["normal"];
+    PackNeighbour neighbour{.fragment = value["fragment"].index(0, kNone - 1),
+                            .area = value["area"].number(above(0.0))};
+    if (centroid.isPresent()) neighbour.centroid = readVector(centroid);
+    if (normal.isPresent()) neighbour.normal = readVector(normal);
+    return neighbour;
+}
+
+PackBody readPackBody(const JsonValue& value, std::uint32_t version) {
+    value.requireKeys(
+        {"id", "name", "parent", "offset", "volume", "mass", "centreOfMass", "inertia", "neighbours", "hulls"});
     const JsonValue threshold = value["threshold"], gap = value["gap"], lostMass = value["lostMass"];
-    return {.id = value["id"].text(),
-            .name = value["name"].text(),
-            .parent = readOptionalIndex(value["parent"]),
-            .offset = readVector(value["offset"]),
-            .volume = value["volume"].number(above(0.0)),
-            .mass = value["mass"].number(above(0.0)),
-            .centreOfMass = readVector(value["centreOfMass"]),
-            .inertia = readInertia(value["inertia"]),
-            .neighbours = value["neighbours"].list(readNeighbour),
-            .threshold = threshold.isPresent() ? std::optional(threshold.number(above(0.0))) : std::nullopt,
-            .gap = gap.isPresent() ? gap.number(above(0.0)) : 0.0,
-            .lostMass = lostMass.isPresent() ? lostMass.number(atLeast(0.0)) : 0.0,
-            .hulls = value["hulls"].list(readHull)};
-}
-
-Colour readUnitColour(const JsonValue& value) {
-    const auto [red, green, blue] = value.numbers<3>(between(0.0, 1.0));
-    return {red, green, blue};
-}
-
-Material readPackMaterial(const JsonValue& value) {
-    value.requireObject({"name", "density", "friction", "restitution", "outside", "inside"});
-    return {.name = value["name"].text(),
-            .density = value["density"].number(above(0.0)),
-            .friction = value["friction"].number(atLeast(0.0)),
-            .restitution = value["restitution"].number(between(0.0, 1.0)),
-            .outside = readUnitColour(value["outside"]),
-            .inside = readUnitColour(value["inside"])};
-}
-
-PackMeshFile readMesh(const JsonValue& value) {
-    value.requireObject({"file", "bodies", "fragment", "place"});
-    return {.name = value["file"].text(),
-            .bodies = static_cast<PackMeshBodies>(value["bodies"].oneOf(kMeshBodies)),
-            .fragment = readOptionalIndex(value["fragment"]),
-            .place = static_cast<PartPlacement>(value["place"].oneOf(kMeshPlaces))};
-}
-
-/// Requires that the values of keys are the only words that this version supports.
-void requireWords(const JsonValue& value, std::initializer_list<std::array<std::string_view, 2>> words) {
-    for (const auto& [key, word] : words) {
-        if (value[key].isPresent()) value[key].oneOf(std::array{word});
-    }
-}
-
-Pack readPackVersion1(const JsonValue& root) {
-    root.requireObject({"format", "version", "units", "axes", "asset", "hash", "threshold", "material", "meshes",
-                        "whole", "fragments"},
-                       {"checksum", "bonding"});
-    const JsonValue checksum = root["checksum"], bonding = root["bonding"];
-    root["units"].requireObject({"length", "mass", "time"});
-    requireWords(root["units"], {{"length", "m"}, {"mass", "kg"}, {"time", "s"}});
-    root["axes"].requireObject({"handedness", "up", "front"});
-    requireWords(root["axes"], {{"handedness", "right"}, {"up", "y"}, {"front", "counter-clockwise"}});
-    root["asset"].requireObject({"id", "name"}, {"gap"});
-    const JsonValue gap = root["asset"]["gap"];
-    return {.asset = root["asset"]["id"].index(),
-            .name = root["asset"]["name"].text(),
-            .gap = gap.isPresent() ? gap.number(above(0.0)) : 0.0,
-            .hash = root["hash"].text(),
-            .checksum = checksum.isPresent() ? checksum.text() : std::string(),
-            .threshold = root["threshold"].number(above(0.0)),
-            .material = readPackMaterial(root["material"]),
-            .meshes = root["meshes"].list(readMesh),
-            .whole = readPackBody(root["whole"]),
-            .fragments = root["fragments"].list(readPackBody),
-            .bonding = bonding.isPresent() ? std::optional(readPackBonding(bonding)) : std::nullopt};
+    PackBody body{.id = value["id"].text(),
+                  .name = value["name"].text(),
+                  .parent = readOptionalIndex(value["parent"]),
+                  .offset = readVector(value["offset"]),
+                  .volume = value["volume"].number(above(0.0)),
+                  .mass = value["mass"].number(above(0.0)),
+                  .centreOfMass = readVector(value["centreOfMass"]),
+                  .inertia = readInertia(value["inertia"]),
+                  .neighbours = value["neighbours"].list(readNeighbour),
+                  .gap = gap.isPresent() ? gap.number(above(0.0)) : 0.0,
+                  .lostMass = lostMass.isPresent() ? lostMass.number(atLeast(0.0)) : 0.0,
+                  .hulls = value["hulls"].list(readHull)};
+    if (threshold.isPresent()) body.threshold = threshold.number(above(0.0));
+    if (version < 2) return body;
+    value.requireKeys({"level", "childCount", "principal", "bounds"});
+    const JsonValue firstChild = value["firstChild"];
+    body.level = value["level"].index();
+    body.childCount = value["childCount"].index();
+    if (firstChild.isPresent()) body.firstChild = firstChild.index(0, kNone - 1);
+    body.principal = readPrincipal(value["principal"]);
+    body.bounds = readBounds(value["bounds"]);
+    return body;
 }
 
 }  // namespace
@@ -139,7 +129,12 @@ Result<Pack> readPack(std::string_view json) {
     if (!document) return document.error();
     const Result<std::uint32_t> version = versionOf(*document, kPackFormat);
     if (!version) return version.error();
-    Pack pack = readPackVersion1(document->root());
+    const JsonValue root = document->root();
+    Pack pack = readPackHeader(root, *version);
+    root.requireKeys({"whole", "fragments"});
+    const auto readBody = [&](const JsonValue& value) { return readPackBody(value, *version); };
+    pack.whole = readBody(root["whole"]);
+    pack.fragments = root["fragments"].list(readBody);
     if (document->firstError()) return *document->firstError();
     return pack;
 }

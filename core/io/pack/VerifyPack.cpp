@@ -25,14 +25,17 @@ std::string ownerOf(const Pack& pack, const PackBody& body) {
     return "Fragment " + std::to_string(&body - pack.fragments.data()) + " " + quotedName(body.id) + ": ";
 }
 
-ErrorText verifyHeader(const Pack& pack) {
+ErrorText verifyHash(const std::string& name, const std::string& hash) {
     const auto isDigit = [](char letter) {
         return (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'f');
     };
-    if (pack.hash.size() != 32 || !std::ranges::all_of(pack.hash, isDigit))
-        return "The hash " + quotedName(pack.hash) + " is not 32 hexadecimal digits.";
-    if (pack.hash == std::string(pack.hash.size(), '0')) return std::string("The hash is zero.");
-    if (pack.name.empty()) return "The asset has no name.";
+    if (hash.size() != 32 || !std::ranges::all_of(hash, isDigit))
+        return name + " " + quotedName(hash) + " is not 32 hexadecimal digits.";
+    if (hash == std::string(hash.size(), '0')) return name + " is zero.";
+    return std::nullopt;
+}
+
+ErrorText verifyMeshFiles(const Pack& pack) {
     for (const PackMeshFile& mesh : pack.meshes) {
         const std::string owner = "The mesh " + quotedName(mesh.name) + " ";
         if (mesh.name.empty() || mesh.name.find('/') != std::string::npos) return owner + "is not a file of the pack.";
@@ -41,7 +44,49 @@ ErrorText verifyHeader(const Pack& pack) {
             return owner + "must name a fragment if it contains exactly one, and only then.";
         if (isOne && mesh.fragment >= pack.fragments.size())
             return owner + "refers to fragment " + std::to_string(mesh.fragment) + ", which does not exist.";
+        if (mesh.level && mesh.bodies != PackMeshBodies::Fragments) return owner + "has a level, but not of fragments.";
+        const auto isOfLevel = [&](const PackBody& body) { return body.childCount > 0 && body.level == *mesh.level; };
+        if (mesh.level && std::ranges::none_of(pack.fragments, isOfLevel))
+            return owner + "holds the fragments of level " + std::to_string(*mesh.level) + ", of which none breaks.";
     }
+    return std::nullopt;
+}
+
+ErrorText verifyHeader(const Pack& pack) {
+    if (ErrorText error = verifyHash("The hash", pack.hash)) return error;
+    if (pack.names.name.empty()) return "The asset has no name.";
+    if (ErrorText error = verifyMeshFiles(pack)) return error;
+    if (pack.version < 2) return std::nullopt;
+    if (ErrorText error = verifyHash("The hash of the physics", pack.physicsHash)) return error;
+    if (pack.names.folder.empty() || pack.names.base.empty()) return "The asset has no folder or no base.";
+    if ((pack.breaking.as == BreakAs::Bonded) != pack.bonding.has_value())
+        return "The asset must have bonds if it breaks bonded, and only then.";
+    return std::nullopt;
+}
+
+/// Levels ascend with parents, and the children of a body are consecutive.
+ErrorText verifyLevels(const Pack& pack) {
+    if (pack.version < 2) return std::nullopt;
+    std::vector<std::uint32_t> first(pack.fragments.size() + 1, kNone), count(first.size(), 0);  // the whole's last
+    for (std::uint32_t k = 0; k < pack.fragments.size(); ++k) {
+        const PackBody& body = pack.fragments[k];
+        const std::size_t parent = std::min<std::size_t>(body.parent, pack.fragments.size());
+        const std::uint32_t level = body.parent == kNone ? 0 : pack.fragments[body.parent].level + 1;
+        if (body.level != level) return ownerOf(pack, body) + "its level is not that of its parent and one.";
+        if (first[parent] == kNone) first[parent] = k;
+        if (k != first[parent] + count[parent]++)
+            return ownerOf(pack, body) + "it does not follow the other fragments of its parent.";
+    }
+    for (std::size_t k = 0; k < first.size(); ++k) {
+        const PackBody& body = k < pack.fragments.size() ? pack.fragments[k] : pack.whole;
+        const bool isRight = body.childCount == count[k] && (count[k] == 0 || body.firstChild == first[k]);
+        if (!isRight) return ownerOf(pack, body) + "its first child or the number of its children is wrong.";
+        const bool hasThreshold = &body == &pack.whole || body.childCount > 0;
+        if (body.threshold.has_value() != hasThreshold)
+            return ownerOf(pack, body) + "it must have a threshold if it breaks, and only then.";
+    }
+    if (pack.whole.level != 0) return "The whole has a level.";
+    if (pack.whole.threshold != pack.threshold) return "The thresholds of the pack and of the whole differ.";
     return std::nullopt;
 }
 
@@ -113,10 +158,15 @@ ErrorText verifyNeighbours(const Pack& pack, std::uint32_t index) {
             return neighbour + " is out of order; neighbours must ascend.";
         if (other == index) return neighbour + " is itself.";
         if (pack.fragments[other].parent != body.parent) return neighbour + " has another parent.";
-        const std::vector<FragmentContact>& theirs = pack.fragments[other].neighbours;
-        const auto back = std::ranges::find(theirs, index, &FragmentContact::fragment);
+        const std::vector<PackNeighbour>& theirs = pack.fragments[other].neighbours;
+        const auto back = std::ranges::find(theirs, index, &PackNeighbour::fragment);
         if (back == theirs.end()) return neighbour + " does not list it as a neighbour.";
         if (!isNear(back->area, body.neighbours[k].area)) return neighbour + " states a different shared area.";
+        const bool hasFace = pack.version >= 2 && other > index;
+        if (body.neighbours[k].centroid.has_value() != hasFace || body.neighbours[k].normal.has_value() != hasFace)
+            return neighbour + " must have centroid and normal if it has the larger index, and only then.";
+        if (hasFace && !(std::abs(glm::length(*body.neighbours[k].normal) - 1.0) <= kTolerance))
+            return neighbour + " has a normal that is not of length 1.";
     }
     return std::nullopt;
 }
@@ -182,6 +232,7 @@ std::optional<std::string> verifyPack(const Pack& pack) {
     if (ErrorText error = verifyHeader(pack)) return error;
     if (ErrorText error = verifyNames(pack)) return error;
     if (ErrorText error = verifyParents(pack)) return error;
+    if (ErrorText error = verifyLevels(pack)) return error;
     if (!pack.whole.neighbours.empty()) return std::string("The whole has neighbours.");
     for (std::uint32_t k = 0; k < pack.fragments.size(); ++k) {
         if (ErrorText error = verifyNeighbours(pack, k)) return error;

@@ -1,6 +1,8 @@
 #include "core/io/pack/VerifyPackBody.h"
 
 #include "core/base/MessageText.h"
+#include "core/geometry/hull/InsetHull.h"
+#include "core/geometry/hull/MassProperties.h"
 
 #include <glm/geometric.hpp>
 
@@ -16,6 +18,9 @@ constexpr double kProductTolerance = 1e-9;  // relative: of a product of numbers
 constexpr double kHullTolerance = 1e-6;     // relative: of values recomputed from the hulls
 constexpr double kMinThickness = 1e-9;      // of the outline's diameter: thinner pieces have no hull
 constexpr double kMinSine = 1e-12;          // of the angle between the first two edges of a loop
+constexpr double kInsetCorners = 128.0;     // insets², by which narrow faces that vanished may enlarge a cross-section
+constexpr double kInsetReach = 16.0;        // insets, by which they may enlarge the bounds
+constexpr double kQuaternionTolerance = 1e-9;  // of the length of a quaternion
 
 bool isFinite(Vec3 vector) { return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z); }
 
@@ -72,11 +77,59 @@ ErrorText verifyInertia(const Mat3& inertia) {
     return std::string("its inertia is impossible for a solid.");
 }
 
-ErrorText verifyMass(const PackBody& body, const PackScale& scale) {
+/// The principal moments are those of the inertia, in descending order.
+ErrorText verifyPrincipal(const PackBody& body) {
+    if (!body.principal) return std::nullopt;
+    const auto& [moments, rotation] = *body.principal;
+    if (!(moments.x >= moments.y * (1.0 - kProductTolerance) && moments.y >= moments.z * (1.0 - kProductTolerance)))
+        return std::string("its principal moments do not descend.");
+    if (!(std::abs(glm::length(rotation) - 1.0) <= kQuaternionTolerance) || !(rotation.w >= 0.0))
+        return std::string("its principal rotation is not of length 1 with w at least 0.");
+    if (maxElement(tensorOf(*body.principal) - body.inertia) <= kProductTolerance * trace(body.inertia))
+        return std::nullopt;
+    return std::string("its principal moments are not those of its inertia.");
+}
+
+/// The bounds are those of the hulls without their insets.
+ErrorText verifyBounds(const PackBody& body, const std::vector<Polytope>& solids, const PackScale& scale) {
+    if (!body.bounds) return std::nullopt;
+    PackBounds found{.min = Vec3(1e308), .max = Vec3(-1e308), .thinnest = 1e308};
+    for (const Polytope& solid : solids) {
+        if (solid.planes.size() >= 5) found.thinnest = std::min(found.thinnest, thinnestWidth(solid));
+        for (const Vec3& vertex : solid.vertices) {
+            found.min = glm::min(found.min, vertex);
+            found.max = glm::max(found.max, vertex);
+            found.radius = std::max(found.radius, glm::length(vertex));
+        }
+    }
+    const double slack = kProductTolerance * scale.size + kInsetReach * scale.inset;
+    const Vec3 low = glm::abs(found.min - body.bounds->min), high = glm::abs(found.max - body.bounds->max);
+    if (std::max({low.x, low.y, low.z, high.x, high.y, high.z}) <= slack &&
+        std::abs(found.radius - body.bounds->radius) <= slack &&
+        std::abs(found.thinnest - body.bounds->thinnest) <= slack)
+        return std::nullopt;
+    return std::string("its bounds are not those of its hulls.");
+}
+
+ErrorText verifyInset(const PackHull& hull, const PackScale& scale) {
+    if (hull.inset == 0.0) return std::nullopt;
+    const std::optional<Polytope> solid = solidOf({hull.polytope, hull.inset});
+    if (!solid) return std::string("it has an inset, but is not a prism.");
+    const double most = std::min(scale.inset, kMostInset * thinnestWidth(*solid)) * (1.0 + kHullTolerance);
+    if (hull.inset <= most) return std::nullopt;
+    return "its inset is " + messageText(hull.inset) + " m instead of at most " + messageText(most) + " m.";
+}
+
+ErrorText verifyMass(const PackBody& body, const std::vector<Polytope>& solids, const PackScale& scale) {
     std::vector<MassProperties> parts;
-    for (const PackHull& hull : body.hulls) parts.push_back(massOf(hull.polytope));
+    double hidden = 0.0;
+    for (const Polytope& solid : solids) {
+        parts.push_back(massOf(solid));
+        if (scale.inset > 0.0 && !solid.planes.empty())
+            hidden += kInsetCorners * scale.inset * scale.inset * (solid.planes[0].offset + solid.planes[1].offset);
+    }
     const MassProperties hulls = combined(parts);
-    const double slack = scale.slackVolume + kHullTolerance * body.volume;
+    const double slack = scale.slackVolume + kHullTolerance * body.volume + hidden;
     if (!(std::abs(hulls.volume - body.volume) <= slack)) {
         return "its hulls have a volume of " + messageText(hulls.volume) + " m³ instead of " +
                messageText(body.volume) + " m³.";
@@ -94,6 +147,13 @@ ErrorText verifyMass(const PackBody& body, const PackScale& scale) {
 
 }  // namespace
 
+std::vector<Polytope> solidsOf(const PackBody& body) {
+    std::vector<Polytope> solids;
+    for (const PackHull& hull : body.hulls)
+        solids.push_back(solidOf({hull.polytope, hull.inset}).value_or(hull.polytope));
+    return solids;
+}
+
 PackScale scaleOf(const Pack& pack) {
     Vec3 low{0.0, 0.0, 0.0};  // the origin is the centre of mass, which lies within the hulls' bounds
     Vec3 high = low;
@@ -104,9 +164,10 @@ PackScale scaleOf(const Pack& pack) {
         }
     }
     const Vec3 size = high - low;
-    return {.density = pack.material.density,
+    return {.density = pack.own().density,
             .size = glm::length(size),
-            .slackVolume = kMinThickness * (size.x * size.x + size.y * size.y) * size.z};
+            .slackVolume = kMinThickness * (size.x * size.x + size.y * size.y) * size.z,
+            .inset = pack.inset};
 }
 
 std::optional<std::string> verifyPackBody(const PackBody& body, const PackScale& scale) {
@@ -121,8 +182,12 @@ std::optional<std::string> verifyPackBody(const PackBody& body, const PackScale&
     if (body.hulls.empty()) return std::string("it has no hull.");
     for (std::size_t k = 0; k < body.hulls.size(); ++k) {
         if (ErrorText error = verifyHull(body.hulls[k])) return "hull " + std::to_string(k) + ": " + *error;
+        if (ErrorText error = verifyInset(body.hulls[k], scale)) return "hull " + std::to_string(k) + ": " + *error;
     }
-    return verifyMass(body, scale);
+    const std::vector<Polytope> solids = solidsOf(body);
+    if (ErrorText error = verifyMass(body, solids, scale)) return error;
+    if (ErrorText error = verifyPrincipal(body)) return error;
+    return verifyBounds(body, solids, scale);
 }
 
 }  // namespace rubble

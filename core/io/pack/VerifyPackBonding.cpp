@@ -28,7 +28,8 @@ Box3 boxOfWhole(const Pack& pack) {
     for (const PackHull& hull : pack.whole.hulls) {
         for (const Vec3& vertex : hull.polytope.vertices) box.include(vertex + pack.whole.offset);
     }
-    const Vec3 margin{kPlaceTolerance * (glm::length(box.max - box.min) + glm::length(pack.whole.offset)) + pack.gap};
+    const Vec3 margin{kPlaceTolerance * (glm::length(box.max - box.min) + glm::length(pack.whole.offset)) + pack.gap +
+                      pack.inset};
     return {box.min - margin, box.max + margin};
 }
 
@@ -46,8 +47,8 @@ BondErrorText verifyBond(const Pack& pack, std::uint32_t parent, const PackBond&
     if (first >= second) return "is not between two fragments in ascending order";
     if (pack.fragments[first].parent != parent || pack.fragments[second].parent != parent)
         return "is between fragments of another body";
-    const std::vector<FragmentContact>& neighbours = pack.fragments[first].neighbours;
-    const auto contact = std::ranges::find(neighbours, second, &FragmentContact::fragment);
+    const std::vector<PackNeighbour>& neighbours = pack.fragments[first].neighbours;
+    const auto contact = std::ranges::find(neighbours, second, &PackNeighbour::fragment);
     if (contact == neighbours.end()) return "is between fragments that are not neighbours";
     if (contact->area != bond.area) {
         return "has an area of " + messageText(bond.area) + " m² instead of the contact's " +
@@ -55,6 +56,9 @@ BondErrorText verifyBond(const Pack& pack, std::uint32_t parent, const PackBond&
     }
     if (!(std::abs(glm::length(bond.normal) - 1.0) <= kUnitTolerance)) return "has a normal that is not of length 1";
     if (!isInside(box, bond.centroid)) return "has a centroid outside of the whole";
+    if (contact->centroid.value_or(bond.centroid) != bond.centroid ||
+        contact->normal.value_or(bond.normal) != bond.normal)
+        return "has another centroid or normal than the contact";
     if (bond.capacity && !(*bond.capacity >= 0.0)) return "has a negative capacity";
     return std::nullopt;
 }
@@ -73,7 +77,7 @@ std::map<std::int64_t, BodyCounts> countsOf(const Pack& pack) {
         BodyCounts& parent = counts[body.parent == kNone ? -1 : std::int64_t{body.parent}];
         ++parent.fragments;
         parent.pairs += static_cast<std::size_t>(
-            std::ranges::count_if(body.neighbours, [&](const FragmentContact& other) { return other.fragment > k; }));
+            std::ranges::count_if(body.neighbours, [&](const PackNeighbour& other) { return other.fragment > k; }));
     }
     std::erase_if(counts, [](const auto& body) { return body.second.fragments < 2; });
     return counts;

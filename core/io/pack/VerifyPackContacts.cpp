@@ -2,6 +2,7 @@
 
 #include "core/base/MessageText.h"
 #include "core/io/pack/ConvexOverlap.h"
+#include "core/io/pack/VerifyPackBody.h"
 
 #include <glm/geometric.hpp>
 
@@ -18,18 +19,19 @@ constexpr double kDistanceTolerance = 1e-8;  // of the parent's size: between fa
 constexpr double kRounding = 1e-14;          // of coordinates
 constexpr double kAreaTolerance = 1e-5;      // of an area, and of the parent's size times its depth
 constexpr double kHiddenByGap = 4.0;         // gaps: by which the ends of a cut may be farther than the faces tell
+constexpr double kHiddenByInset = 16.0;      // insets: that narrow faces which vanished, at acute corners, were wide
 
 /// A box that contains a body, in the asset's frame.
 struct Bounds {
     Vec3 min, max;
 };
 
-Bounds boundsOf(const PackBody& body) {
+Bounds boundsOf(const std::vector<Polytope>& solids, Vec3 offset) {
     Bounds bounds{Vec3(1e308), Vec3(-1e308)};
-    for (const PackHull& hull : body.hulls) {
-        for (const Vec3& vertex : hull.polytope.vertices) {
-            bounds.min = glm::min(bounds.min, vertex + body.offset);
-            bounds.max = glm::max(bounds.max, vertex + body.offset);
+    for (const Polytope& solid : solids) {
+        for (const Vec3& vertex : solid.vertices) {
+            bounds.min = glm::min(bounds.min, vertex + offset);
+            bounds.max = glm::max(bounds.max, vertex + offset);
         }
     }
     return bounds;
@@ -46,7 +48,10 @@ bool touch(const Bounds& a, const Bounds& b, double reach) {
 class SiblingContacts {
 public:
     SiblingContacts(const Pack& pack, const PackBody& parent, std::vector<std::uint32_t> children)
-        : m_pack(pack), m_children(std::move(children)), m_parentId(parent.id), m_parent(boundsOf(parent)) {
+        : m_pack(pack),
+          m_children(std::move(children)),
+          m_parentId(parent.id),
+          m_parent(boundsOf(solidsOf(parent), parent.offset)) {
         const bool isGapKnown = parent.gap > 0.0 || pack.gap == 0.0 || hasGaps(pack);
         m_gap = isGapKnown ? parent.gap : pack.gap;
         const Vec3 size = m_parent.max - m_parent.min;
@@ -55,12 +60,15 @@ public:
         const double farthest = std::max(glm::length(m_parent.min), glm::length(m_parent.max));
         m_distanceTolerance = kDistanceTolerance * m_size + kRounding * farthest;
         m_areaTolerance = kAreaTolerance * m_size * m_depth;
+        m_hidden = kHiddenByGap * m_gap + kHiddenByInset * pack.inset;
+        m_reach = m_gap + m_distanceTolerance;
         for (const std::uint32_t child : m_children) {
-            m_bounds.push_back(boundsOf(pack.fragments[child]));
+            const Vec3 offset = pack.fragments[child].offset;
+            m_solids.push_back(solidsOf(pack.fragments[child]));
+            m_bounds.push_back(boundsOf(m_solids.back(), offset));
             std::vector<PlacedFace>& faces = m_faces.emplace_back();
-            for (const PackHull& hull : pack.fragments[child].hulls) {
-                std::ranges::move(placedFaces(hull.polytope, pack.fragments[child].offset), std::back_inserter(faces));
-            }
+            for (const Polytope& solid : m_solids.back())
+                std::ranges::move(placedFaces(solid, offset), std::back_inserter(faces));
         }
     }
 
@@ -69,7 +77,7 @@ public:
             if (!isWithinParent(m_bounds[k])) return ownerOf(k) + "it extends beyond its parent.";
         }
         for (std::size_t k = 0; k < m_children.size(); ++k) {
-            for (const FragmentContact& contact : fragment(k).neighbours) {
+            for (const PackNeighbour& contact : fragment(k).neighbours) {
                 const auto other = std::ranges::lower_bound(m_children, contact.fragment) - m_children.begin();
                 const auto index = static_cast<std::size_t>(other);
                 if (index < k) continue;
@@ -95,8 +103,9 @@ private:
     bool isWithinParent(const Bounds& bounds) const {
         bool isWithin = true;
         for (int axis = 0; axis < 3; ++axis) {
-            isWithin &= bounds.min[axis] >= m_parent.min[axis] - m_distanceTolerance &&
-                        bounds.max[axis] <= m_parent.max[axis] + m_distanceTolerance;
+            const double slack = m_distanceTolerance + kHiddenByInset * m_pack.inset;
+            isWithin &=
+                bounds.min[axis] >= m_parent.min[axis] - slack && bounds.max[axis] <= m_parent.max[axis] + slack;
         }
         return isWithin;
     }
@@ -107,7 +116,7 @@ private:
         std::vector<std::size_t> order(m_children.size()), open;
         for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
         std::ranges::sort(order, {}, [&](std::size_t k) { return m_bounds[k].min.x; });
-        const double reach = m_gap + m_distanceTolerance;
+        const double reach = m_reach;
         for (const std::size_t next : order) {
             std::erase_if(open, [&](std::size_t k) { return m_bounds[k].max.x + reach < m_bounds[next].min.x; });
             for (const std::size_t before : open) {
@@ -122,9 +131,9 @@ private:
     /// Siblings that touch are neighbours.
     ErrorText unlistedError() {
         return forEachNearPair([&](std::size_t first, std::size_t second) -> ErrorText {
-            const std::vector<FragmentContact>& contacts = fragment(first).neighbours;
+            const std::vector<PackNeighbour>& contacts = fragment(first).neighbours;
             const auto isListed =
-                std::ranges::find(contacts, m_children[second], &FragmentContact::fragment) != contacts.end();
+                std::ranges::find(contacts, m_children[second], &PackNeighbour::fragment) != contacts.end();
             return isListed ? std::nullopt : pairError(first, second, 0.0);
         });
     }
@@ -137,10 +146,10 @@ private:
     };
     Contact contactOf(std::size_t first, std::size_t second) const {
         Contact contact;
-        if (!touch(m_bounds[first], m_bounds[second], m_gap + m_distanceTolerance)) return contact;
+        if (!touch(m_bounds[first], m_bounds[second], m_reach)) return contact;
         for (const PlacedFace& one : m_faces[first]) {
             for (const PlacedFace& other : m_faces[second]) {
-                const auto overlap = overlapOf(one, other, m_gap + m_distanceTolerance);
+                const auto overlap = overlapOf(one, other, m_reach);
                 if (!overlap) continue;
                 const bool isNearer = overlap->distance < m_gap - m_distanceTolerance;
                 (isNearer ? contact.nearer : contact.area) += overlap->area;
@@ -153,7 +162,9 @@ private:
     /// Compares the contact of two children with the stated area; 0: they are not listed as neighbours.
     ErrorText pairError(std::size_t first, std::size_t second, double stated) {
         const Contact contact = contactOf(first, second);
-        const double hidden = m_areaTolerance + m_gap * m_depth * kHiddenByGap * static_cast<double>(contact.faces);
+        const double cuts =
+            static_cast<double>(m_pack.inset > 0.0 ? std::max<std::size_t>(1, contact.faces) : contact.faces);
+        const double hidden = m_areaTolerance + m_hidden * m_depth * cuts;
         const std::string other = ownerOf(first) + "its neighbour " + std::to_string(m_children[second]);
         if (m_gap > 0.0 && contact.nearer > hidden) return other + " is nearer than the gap.";
         m_isGapSeen |= contact.area > 0.0;
@@ -183,15 +194,13 @@ private:
     double mostBesideGap(std::size_t first, std::size_t second) const {
         const double margin = m_gap / 2.0 + m_distanceTolerance;
         const Box2 box{Vec2(m_parent.min) - Vec2(margin), Vec2(m_parent.max) + Vec2(margin)};
-        const std::vector<PackHull>&own = fragment(first).hulls, &others = fragment(second).hulls;
+        const std::vector<Polytope>&own = m_solids[first], &others = m_solids[second];
         double length = own.size() + others.size() > 2 ? m_size : 0.0;
-        for (const PackHull& one : own) {
-            for (const PackHull& other : others) {
-                length += widenedOverlap(one.polytope, fragment(first).offset, other.polytope, fragment(second).offset,
-                                         margin, box);
-            }
+        for (const Polytope& one : own) {
+            for (const Polytope& other : others)
+                length += widenedOverlap(one, fragment(first).offset, other, fragment(second).offset, margin, box);
         }
-        return (length + kHiddenByGap * m_gap) * m_depth + m_areaTolerance;
+        return (length + m_hidden) * m_depth + m_areaTolerance;
     }
 
     const Pack& m_pack;
@@ -200,8 +209,10 @@ private:
     Bounds m_parent;
     double m_gap = 0.0, m_size = 0.0, m_depth = 0.0;          // m
     double m_distanceTolerance = 0.0, m_areaTolerance = 0.0;  // m, m²
+    double m_hidden = 0.0, m_reach = 0.0;                     // m: of the end of a cut; between faces that meet
     bool m_isGapSeen = false, m_isLongCutSeen = false;
-    std::vector<Bounds> m_bounds;  // this and the following: one per child
+    std::vector<std::vector<Polytope>> m_solids;  // this and the following: one per child
+    std::vector<Bounds> m_bounds;
     std::vector<std::vector<PlacedFace>> m_faces;
 };
 

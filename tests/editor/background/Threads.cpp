@@ -95,8 +95,7 @@ void exportTo(const QTemporaryDir& folder, const Project& project) {
     std::vector<Id> assets;
     for (const Asset& asset : project.assets) assets.push_back(asset.id);
     TaskContext task{.cancel = {}, .progress = {}, .threads = 3};
-    const auto exported =
-        exportPacks(project, assets, folder.path().toStdString(), {.obj = true, .glb = true}, EditedFiles::Kept, task);
+    const auto exported = exportPacks(project, assets, folder.path().toStdString(), {}, EditedFiles::Kept, task);
     if (exported) return;
     std::printf("%s\n", exported.error().message.c_str());
     std::exit(EXIT_FAILURE);

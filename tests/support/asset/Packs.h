@@ -9,7 +9,8 @@ namespace rubble {
 inline Material heavyBrick() { return {.id = 1, .name = "brick", .density = 1800.0}; }
 
 inline const std::vector<PackMeshFile>& packMeshes() {
-    static const std::vector<PackMeshFile> files{{.name = "box.obj"}, {"box0.obj", PackMeshBodies::Fragment, 0, {}}};
+    static const std::vector<PackMeshFile> files{
+        {.name = "box.obj"}, {.name = "box0.obj", .bodies = PackMeshBodies::Fragment, .fragment = 0}};
     return files;
 }
 
@@ -30,12 +31,25 @@ inline Asset bondedRing() {
     return asset;
 }
 
-/// The pack of an asset made of heavy brick, with these meshes.
-inline std::string packOf(const Asset& asset, int threads = 1) {
+/// The pack of an asset made of a material, with these meshes.
+inline std::string packOf(const Asset& asset, const Material& material, const PackSettings& settings,
+                          PackTopology topology = PackTopology::Full, int threads = 1) {
     const Result<Bake> baked = bake(asset);
     TaskContext task;
     task.threads = threads;
-    return packJson(*baked, asset, heavyBrick(), packMeshes(), task);
+    const PackInput input{*baked, asset, material, packNames(asset), settings};
+    return packJson(PackBuilder(input, task), packMeshes(), topology, task);
+}
+
+/// The pack of an asset made of heavy brick, with these meshes.
+inline std::string packOf(const Asset& asset, int threads = 1) {
+    return packOf(asset, heavyBrick(), {}, PackTopology::Full, threads);
+}
+
+/// Its hashes.
+inline PackHashes hashesOf(const Asset& asset, const Material& material = heavyBrick(),
+                           const std::vector<PackMeshFile>& meshes = packMeshes()) {
+    return packHashes(asset, material, packNames(asset), {}, meshes);
 }
 
 }  // namespace rubble

@@ -102,6 +102,9 @@ inline Placed around(const Json& document, Json::json_pointer at) {
     return around(document, std::move(steps));
 }
 
+/// The key that is added to objects.
+inline const std::string kAddedKey = "colour scheme";
+
 /// Calls visit(at, what, value) for each mutation: every value replaced by one of every other type, every key removed,
 /// and a key added to every object. Skips values for which `fits` is true; a discarded one stands for a missing key.
 inline void forEachMutation(
@@ -119,8 +122,9 @@ inline void forEachMutation(
             less.erase(item.key());
             visit(at, " without " + item.key(), std::move(less));
         }
+        if (fits(placeOf(at / kAddedKey, document), 1)) return;
         Json more = value;
-        more["colour scheme"] = 1;
+        more[kAddedKey] = 1;
         visit(at, " with one more key", std::move(more));
     });
 }

@@ -31,7 +31,7 @@ Ring randomPoints(Random& random) {
     return ring;
 }
 
-/// The prism over the convex hull of some points, by gift wrapping with plain signs.
+/// The prism over the convex hull of some points, from corner to corner, with plain signs.
 Polytope randomPrism(Random& random) {
     const Ring points = randomPoints(random);
     Ring hull;
@@ -115,6 +115,8 @@ private slots:
         QVERIFY(isPrism(box));
         Polytope turned = box;
         std::ranges::rotate(turned.faces[0], turned.faces[0].begin() + 1);
+        QVERIFY(isPrism(turned));
+        std::ranges::reverse(turned.faces[0]);
         QVERIFY(!isPrism(turned));
         QVERIFY(!solidOf({turned, 1e-4}));
         Polytope frustum = box;

@@ -54,6 +54,54 @@ private slots:
         QVERIFY(isExportOf(m_pack, kSecond));
     }
 
+    void checkSaysWhatWritingWouldDo() {
+        QVERIFY(checkExportFolder(m_pack));
+        QVERIFY(!fs::exists(m_place / "packs"));
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        QVERIFY(checkExportFolder(m_pack));
+        QVERIFY(writeFileAtomically(m_pack / "wall.obj", "edited"));
+        QCOMPARE(checkExportFolder(m_pack).error().code, ErrorCode::Edited);
+        QVERIFY(checkExportFolder(m_pack, EditedFiles::Replaced));
+        QVERIFY(writeFileAtomically(m_pack / "notes.txt", "mine"));
+        QCOMPARE(checkExportFolder(m_pack, EditedFiles::Replaced).error().code, ErrorCode::BadInput);
+        QCOMPARE(namesIn(m_pack), (Names{"manifest.json", "notes.txt", "wall.mtl", "wall.obj"}));
+    }
+    void unmodifiedExportsAreRemoved() {
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        QVERIFY(writeFileAtomically(m_pack / "wall.obj.import", "of Godot"));
+        fs::remove(m_pack / "wall.mtl");  // nothing is lost
+        QVERIFY(checkRemovable(m_pack));
+        QVERIFY(fs::exists(m_pack));
+        QVERIFY(removeExportFolder(m_pack));
+        QCOMPARE(namesIn(m_place / "packs"), Names{});
+    }
+    void modifiedExportsAreNotRemoved_data() {
+        QTest::addColumn<QString>("file");
+        QTest::newRow("edited") << "wall.obj";
+        QTest::newRow("added") << "notes.txt";
+        QTest::newRow("no manifest") << "manifest.json";
+    }
+    void modifiedExportsAreNotRemoved() {
+        QFETCH(const QString, file);
+        QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
+        QVERIFY(writeFileAtomically(m_pack / file.toStdString(), "mine"));
+        const Names before = namesIn(m_pack);
+        QCOMPARE(checkRemovable(m_pack).error().code, ErrorCode::Edited);
+        const Status removed = removeExportFolder(m_pack);
+        QCOMPARE(removed.error().code, ErrorCode::Edited);
+        QVERIFY2(removed.error().message.find(" is not removed: ") != std::string::npos,
+                 removed.error().message.c_str());
+        QCOMPARE(namesIn(m_pack), before);
+        QCOMPARE(namesIn(m_place / "packs"), Names{"wall"});
+    }
+    void linksToExportsAreNotRemoved() {
+        QVERIFY(writeExportFolder(m_place / "elsewhere", kFirst, kFiles));
+        fs::create_directory(m_place / "packs");
+        fs::create_directory_symlink(m_place / "elsewhere", m_pack);
+        QCOMPARE(removeExportFolder(m_pack).error().code, ErrorCode::BadInput);
+        QVERIFY(fs::is_symlink(m_pack) && isExportOf(m_place / "elsewhere", kFirst));
+    }
+
     void unexpectedFilesAreNeverReplaced() {
         QVERIFY(writeExportFolder(m_pack, kFirst, kFiles));
         QVERIFY(writeFileAtomically(m_pack / "notes.txt", "mine"));

@@ -50,6 +50,12 @@ std::map<std::string, std::string> treeOf(const fs::path& folder) {
     return tree;
 }
 
+/// The source of the first asset's pack.
+ContentHash sourceOf(const Project& project, const PackOptions& options = {}) {
+    const Asset& asset = project.assets[0];
+    return packSourceHash(project, asset, packNames(project).at({asset.id}), options);
+}
+
 }  // namespace
 
 class PackExportTest : public QObject {
@@ -66,18 +72,19 @@ private slots:
         QVERIFY(assets);
         QCOMPARE(assets->size(), std::size_t{2});
         QVERIFY((*assets)[1].status);
-        QCOMPARE((*assets)[1].folder, m_out / "old roof");
+        QCOMPARE((*assets)[1].folder, m_out / "old_roof");
         QCOMPARE((*assets)[1].fragmentCount, std::size_t{6});
         QCOMPARE((*assets)[1].volume, 0.5);
         for (const char* file :
              {"wall/pack.json", "wall/manifest.json", "wall/wall-fragments.obj", "wall/wall.mtl",
-              "wall/wall-fragments.glb", "wall/wall-intact.obj", "old roof/old_roof-fragments.glb"}) {
+              "wall/wall-fragments.glb", "wall/wall-intact.obj", "old_roof/old_roof-fragments.glb"}) {
             QVERIFY2(fs::exists(m_out / file), file);
         }
     }
     void longNamesAreExported() {
         const Project project = projectOf({std::string(5000, 'x'), std::string(5000, 'x') + 'y'});
-        const auto assets = exportPacks(project, allAssets(project), m_out, {.split = FileSplit::PerFragment});
+        const auto assets =
+            exportPacks(project, allAssets(project), m_out, {.meshes = {.split = FileSplit::PerFragment}});
         QVERIFY(assets);
         for (const AssetExport& asset : *assets) {
             QVERIFY2(asset.status, asset.status ? "" : asset.status.error().message.c_str());
@@ -103,6 +110,31 @@ private slots:
         QVERIFY(assets[0].isUnchanged && !assets[1].isUnchanged);
         QVERIFY(fs::last_write_time(m_out / "a" / "pack.json") == written);
     }
+    void planIsWhatTheExportDoes() {
+        Project project = projectOf({"a", "b", "c", "d"});
+        const auto exportOf = [&project](const char* name) {
+            return std::vector<Id>{std::ranges::find(project.assets, name, &Asset::name)->id};
+        };
+        QVERIFY(exportPacks(project, exportOf("a"), m_out, {}));
+        QVERIFY(exportPacks(project, exportOf("b"), m_out, {}));
+        QVERIFY(exportPacks(project, exportOf("c"), m_out, {}));
+        project.assets[1].threshold = 7.0;
+        project.assets[2].threshold = 7.0;
+        QVERIFY(writeFileAtomically(m_out / "c" / "notes.txt", "mine"));
+        const auto before = treeOf(m_out);
+        const auto planned = planPacks(project, allAssets(project), m_out, {}).value();
+        QVERIFY(treeOf(m_out) == before);
+        const auto exported = exportPacks(project, allAssets(project), m_out, {}).value();
+        QCOMPARE(planned.size(), exported.size());
+        for (std::size_t k = 0; k < planned.size(); ++k) {
+            QCOMPARE(planned[k].folder, exported[k].folder);
+            QCOMPARE(planned[k].isUnchanged, exported[k].isUnchanged);
+            QCOMPARE(planned[k].isReplacing, exported[k].isReplacing);
+            QCOMPARE(planned[k].status.hasValue(), exported[k].status.hasValue());
+        }
+        QVERIFY(planned[0].isUnchanged && planned[1].isReplacing && !planned[2].status && !planned[3].isReplacing);
+        QVERIFY(!planPacks(project, std::vector<Id>{999}, m_out, {}));
+    }
     void modifiedOrMissingFilesAreRewritten() {
         const Project project = projectOf({"a"});
         QVERIFY(exportPacks(project, allAssets(project), m_out, {}));
@@ -120,12 +152,11 @@ private slots:
     }
     void sourceHashDependsOnAllInputs() {
         const Project project = projectOf({"a"});
-        const Asset& asset = project.assets[0];
-        const ContentHash source = packSourceHash(project, asset, {});
+        const ContentHash source = sourceOf(project);
         const auto differs = [&](const auto& change) {
             Project other = project;
             change(other, other.assets[0]);
-            return packSourceHash(other, other.assets[0], {}) != source;
+            return sourceOf(other) != source;
         };
         QVERIFY(differs([](Project&, Asset& a) { a.prism.depth = 0.25; }));
         QVERIFY(differs([](Project&, Asset& a) { a.insideUvScale = 2.0; }));
@@ -143,30 +174,31 @@ private slots:
             p.materials[0].tensileStrength = 1e6;
             a.contactTime = 1e-3;
         }));
-        QVERIFY(!differs([](Project& p, Asset&) { p.materials[0].tensileStrength = 1e6; }));
-        QVERIFY(!differs([](Project& p, Asset&) { p.materials[0].fractureToughness = 1e6; }));
-        QVERIFY(!differs([](Project& p, Asset&) { p.materials[0].youngsModulus = 1e9; }));
+        QVERIFY(differs([](Project& p, Asset&) { p.materials[0].fractureToughness = 1e6; }));
+        QVERIFY(differs([](Project& p, Asset&) { p.debris.lifetime = 2.0; }));
+        QVERIFY(differs([](Project& p, Asset&) { p.damage.rule = DamageRule::Momentum; }));
+        QVERIFY(differs([](Project&, Asset& a) { a.cutAtImpact.emplace(); }));
         QVERIFY(!differs([](Project& p, Asset&) { p.gravity.y = -1.0; }));
         QVERIFY(!differs([](Project& p, Asset&) { p.nextId = 2000; }));
-        QVERIFY(!differs([](Project& p, Asset&) { p.debris.fade = 2.0; }));
-        QVERIFY(!differs([](Project&, Asset& a) { a.cutAtImpact.emplace(); }));
         QVERIFY(!differs([](Project&, Asset& a) { a.requirements.resize(1); }));
         QVERIFY(!differs([](Project&, Asset& a) { a.bonding.radius = 2.0; }));
         QVERIFY(differs([](Project&, Asset& a) { a.breakAs = BreakAs::Bonded; }));
         for (const MeshOptions& options :
              {MeshOptions{.obj = false}, MeshOptions{.glb = false}, MeshOptions{.split = FileSplit::PerFragment},
               MeshOptions{.place = PartPlacement::Centred}, MeshOptions{.faces = FaceShape::Triangles}}) {
-            QVERIFY(packSourceHash(project, asset, options) != source);
+            QVERIFY(sourceOf(project, {.meshes = options}) != source);
         }
+        QVERIFY(sourceOf(project, {.inset = 0.0}) != source);
+        QVERIFY(sourceOf(project, {.topology = PackTopology::Loops}) != source);
     }
     void sourceHashOfBondedAssetsDependsOnTheirBonds() {
         Project project = projectOf({"a"});
         project.assets[0].breakAs = BreakAs::Bonded;
-        const ContentHash source = packSourceHash(project, project.assets[0], {});
+        const ContentHash source = sourceOf(project);
         const auto differs = [&](const auto& change) {
             Project other = project;
             change(other, other.assets[0]);
-            return packSourceHash(other, other.assets[0], {}) != source;
+            return sourceOf(other) != source;
         };
         QVERIFY(differs([](Project&, Asset& a) { a.bonding.radius = 2.0; }));
         QVERIFY(differs([](Project&, Asset& a) { a.bonding.impulsePerArea = 2.0; }));
@@ -187,6 +219,12 @@ private slots:
         QCOMPARE(assets[1].status.error().code, ErrorCode::BadInput);
         QVERIFY(fs::exists(m_out / "a" / "pack.json") && fs::exists(m_out / "c" / "pack.json"));
         QCOMPARE(treeOf(m_out / "b").size(), std::size_t{1});
+    }
+    void noFolderHasTheNameOfTheIndex() {
+        const Project project = projectOf({"export.json", "Export.JSON"});
+        const auto assets = exportPacks(project, allAssets(project), m_out, {}).value();
+        QCOMPARE(assets[0].folder, m_out / "export.json-2");
+        QCOMPARE(assets[1].folder, m_out / "Export.JSON-3");
     }
     void foldersDependOnAllAssetsOfTheProject() {
         const Project project = projectOf({"a/b", "a:B"});
@@ -216,7 +254,7 @@ private slots:
         fs::create_directories(m_out);
         for (const fs::directory_entry& entry : fs::directory_iterator(m_out)) {
             const Asset& asset = *findAsset(project, entry.path().filename().string());
-            QVERIFY(isExportOf(entry.path(), packSourceHash(project, asset, {})));
+            QVERIFY(isExportOf(entry.path(), packSourceHash(project, asset, packNames(project).at({asset.id}), {})));
         }
     }
     void cancellingLateLeavesNoEmptyFolder() {

@@ -24,8 +24,13 @@ Asset wallAsset() {
     return asset;
 }
 
+Result<PackMeshes> meshesOf(const Asset& asset, const MeshOptions& options, const TaskContext& task = {}) {
+    const Bake baked = bake(asset).value();
+    return packMeshes(PackInput{baked, asset, kBrick, packNames(asset), {}}, options, task);
+}
+
 std::vector<ExportFile> filesOf(const Asset& asset, const MeshOptions& options) {
-    return packMeshes(bake(asset).value(), asset, kBrick, options).value().files;
+    return meshesOf(asset, options).value().files;
 }
 
 std::vector<std::string> namesOf(const std::vector<ExportFile>& files) {
@@ -65,14 +70,14 @@ private slots:
                  (Names{"wall-intact.obj", "wall-intact.glb", "wall-fragments.obj", "wall-fragments.glb", "wall.mtl"}));
         const std::vector<ObjObject> objects = readObj(bytesNamed(files, "wall-fragments.obj"));
         QCOMPARE(objects.size(), std::size_t{2});
-        QCOMPARE(objects[1].name, std::string("wall-4.1"));
+        QCOMPARE(objects[1].name, std::string("wall_f4_1"));
         QVERIFY(bytesNamed(files, "wall-fragments.obj").find("\nmtllib wall.mtl\n") != std::string::npos);
     }
     void perFragmentFilesHoldOneFragmentEach() {
         const MeshOptions options{.glb = false, .split = FileSplit::PerFragment};
         const std::vector<ExportFile> files = filesOf(wallAsset(), options);
-        QCOMPARE(namesOf(files), (Names{"wall-intact.obj", "wall-4.0.obj", "wall-4.1.obj", "wall.mtl"}));
-        QCOMPARE(readObj(bytesNamed(files, "wall-4.1.obj"))[0].name, std::string("wall-4.1"));
+        QCOMPARE(namesOf(files), (Names{"wall-intact.obj", "wall_f4_0.obj", "wall_f4_1.obj", "wall.mtl"}));
+        QCOMPARE(readObj(bytesNamed(files, "wall_f4_1.obj"))[0].name, std::string("wall_f4_1"));
     }
     void withoutFormatsThereAreNoFiles() { QVERIFY(filesOf(wallAsset(), {.obj = false, .glb = false}).empty()); }
     void glbAloneHasNoMaterialFile() {
@@ -101,14 +106,13 @@ private slots:
     }
     void everyMeshIsListedForThePack() {
         const Asset asset = wallAsset();
-        const Bake baked = bake(asset).value();
-        const PackMeshes single = packMeshes(baked, asset, kBrick, {.glb = false}).value();
+        const PackMeshes single = meshesOf(asset, {.glb = false}).value();
         const std::vector<PackMeshFile> expected{{"wall-intact.obj", PackMeshBodies::Whole},
                                                  {"wall-fragments.obj", PackMeshBodies::Fragments}};
         QVERIFY(single.list == expected);
         const MeshOptions options{.obj = false, .split = FileSplit::PerFragment, .place = PartPlacement::Centred};
-        const PackMeshes each = packMeshes(baked, asset, kBrick, options).value();
-        const PackMeshFile last{"wall-4.1.glb", PackMeshBodies::Fragment, 1, PartPlacement::Centred};
+        const PackMeshes each = meshesOf(asset, options).value();
+        const PackMeshFile last{"wall_f4_1.glb", PackMeshBodies::Fragment, 1, PartPlacement::Centred};
         QVERIFY(each.list.back() == last);
     }
     void namesInFilesHaveNoSpaces() {
@@ -122,15 +126,16 @@ private slots:
         const std::vector<ExportFile> files = filesOf(asset, {.glb = false});
         std::set<std::string> expected, names;
         for (std::uint32_t k = 0; k < baked.fragmentCount(); ++k) {
-            std::string path = baked.fragmentPath(k);
-            std::ranges::replace(path, '/', '-');
-            expected.insert("old_ring-" + path);
+            std::string name = "old_ring_f";
+            for (const char letter : baked.fragmentPath(k))
+                name += letter == '.' ? "_" : letter == '/' ? "__" : std::string(1, letter);
+            expected.insert(name);
         }
         for (const char* name : {"old_ring-fragments.obj", "old_ring-fragments-level-0.obj"}) {
             for (const ObjObject& object : readObj(bytesNamed(files, name))) names.insert(object.name);
         }
         QCOMPARE(names, expected);
-        QCOMPARE(fragmentBodyName(asset, "3/5.17+8.2/4.1"), std::string("old_ring-5.17_8.2-4.1"));
+        QCOMPARE(fragmentBodyName(packNames(asset), "3/5.17+8.2/4.1"), std::string("old_ring_f5_17x8_2__4_1"));
     }
     void fragmentsOfAFileDoNotOverlap() {
         const Asset asset = ringAsset();
@@ -186,7 +191,7 @@ private slots:
         const Asset asset = wallAsset();
         TaskContext task;
         task.cancel.cancel();
-        QCOMPARE(packMeshes(bake(asset).value(), asset, kBrick, {}, task).error().code, ErrorCode::Cancelled);
+        QCOMPARE(meshesOf(asset, {}, task).error().code, ErrorCode::Cancelled);
     }
 };
 

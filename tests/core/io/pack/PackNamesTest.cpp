@@ -97,14 +97,15 @@ private slots:
         const Project project = projectWithAssets(names);
         std::vector<Id> ids;
         for (const Asset& asset : project.assets) ids.push_back(asset.id);
-        const auto exported = exportPacks(project, ids, out, {.glb = false, .split = FileSplit::PerFragment});
+        const auto exported =
+            exportPacks(project, ids, out, {.meshes = {.glb = false, .split = FileSplit::PerFragment}});
         QVERIFY2(exported.hasValue(), exported ? "" : exported.error().message.c_str());
         for (std::size_t k = 0; k < names.size(); ++k) {
             const AssetExport& one = (*exported)[k];
             QVERIFY2(one.status.hasValue(), one.status ? "" : one.status.error().message.c_str());
             const Result<Pack> pack = readPack(readFile(one.folder / "pack.json").value());
             QVERIFY2(pack.hasValue(), pack ? "" : pack.error().message.c_str());
-            QCOMPARE(pack->name, names[k]);
+            QCOMPARE(pack->names.name, names[k]);
             checkNames(toQt(namesIn(one.folder)));
         }
         const QStringList folders = toQt(namesIn(out));
@@ -122,10 +123,10 @@ private slots:
     void variantsLeaveTheirNamesToAssets() {
         Project project = projectWithAssets({"wall", "wall_1"});
         project.instances = {{.id = 20, .name = "one", .asset = 11, .variant = 1}};
-        const auto folders = packFolders(project);
-        QCOMPARE(folders.at({11, 0}), std::string("wall"));
-        QCOMPARE(folders.at({12, 0}), std::string("wall_1"));
-        QCOMPARE(folders.at({11, 1}), std::string("wall_1-2"));
+        const auto folders = packNames(project);
+        QCOMPARE(folders.at({11, 0}).folder, std::string("wall"));
+        QCOMPARE(folders.at({12, 0}).folder, std::string("wall_1"));
+        QCOMPARE(folders.at({11, 1}).folder, std::string("wall_1-2"));
     }
 
 private:

@@ -1,0 +1,1 @@
+packs/old_roof/manifest.json: two.rubble
