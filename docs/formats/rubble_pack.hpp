@@ -354,6 +354,63 @@ inline bool openBinary(std::string_view bytes, BinaryPack& pack, std::string& fa
 inline bool parseBinary(std::string_view bytes, Pack& pack, std::string& fault);
 inline bool loadBinary(const std::string& path, Pack& pack, std::string& fault);
 
+/// A pack of a scene.
+struct ScenePack {
+    std::string folder;       // beside scene.json
+    std::string physicsHash;  // that of the pack which the scene was exported with
+    std::uint32_t asset = 0, variant = 0;
+};
+
+/// An asset that stands in a scene. Its whole is at position + rotation * Pack::whole.offset.
+struct SceneInstance {
+    std::uint32_t id = 0;
+    std::string name;
+    std::uint32_t pack = 0;  // index in Scene::packs
+    Vec3 position;           // m, of the asset's frame
+    Quaternion rotation;     // of it
+    double threshold = 0.0;  // N·s, of the whole, in place of the pack's
+    bool isFixed = false;    // static until it breaks
+    bool isUnbreakable = false;
+    bool isAnchored = false;    // bonded: held by what is fixed and touches it
+    double bondStrength = 1.0;  // a factor of the capacities of its bonds
+};
+
+enum class SceneShotKind { Throw, Hammer, Explosion };
+enum class Projectile { Box, Ball, Plank, Asset };
+
+/// What happens to a scene at a time.
+struct SceneShot {
+    std::uint32_t id = 0;
+    std::string name;
+    double time = 0.0;  // s
+    SceneShotKind kind = SceneShotKind::Throw;
+    Projectile projectile = Projectile::Box;  // of a throw, as the next five
+    std::uint32_t asset = 0;                  // of Projectile::Asset: ScenePack::asset
+    Vec3 size;                                // m; x is the diameter of a ball
+    double mass = 0.0;                        // kg
+    Vec3 from, to;                            // m; it starts at `from`
+    double speed = 0.0;                       // m/s, towards `to`
+    Vec3 at;                                  // m, of a hammer and an explosion
+    Vec3 impulse;                             // N·s, of a hammer
+    double impulsePerArea = 0.0;              // N·s/m^2, of an explosion
+    double radius = 0.0;                      // m; of a hammer 0: follows from the impulse
+};
+
+/// The packs of a project as they stand: see scene.md.
+struct Scene {
+    Vec3 gravity;  // m/s^2
+    bool hasGround = false;
+    double groundHeight = 0.0;  // m
+    double groundFriction = 0.0, groundRestitution = 0.0;
+    std::vector<ScenePack> packs;
+    std::vector<SceneInstance> instances;
+    std::vector<SceneShot> shots;
+};
+
+/// Parse and read a scene.json. On an error return false, set `fault` to a message and do not change the scene.
+inline bool parseScene(std::string_view json, Scene& scene, std::string& fault);
+inline bool loadScene(const std::string& path, Scene& scene, std::string& fault);
+
 /// Units and axes of other engines. Unity: metres, left-handed, y up, with x reversed, as its importers of glTF do.
 /// Unreal: centimetres, left-handed, z up, with y and z exchanged, likewise. Masses stay kilograms; an inertia takes
 /// 10,000 times its moments in Unreal, and an impulse 100 times.
@@ -582,7 +639,10 @@ private:
             case '[': node.kind = Kind::Array; return elements(document, node, depth);
             case '"': node.kind = Kind::Text; return text(document, node.text);
             case 'n': node.kind = Kind::Null; return word("null");
-            case 't': node.kind = Kind::Boolean; return word("true");
+            case 't':
+                node.kind = Kind::Boolean;
+                node.number = 1.0;
+                return word("true");
             case 'f': node.kind = Kind::Boolean; return word("false");
             default: node.kind = Kind::Number; return number(node.number);
         }
@@ -1300,6 +1360,89 @@ public:
         if (!fault.empty()) return read;
         if (m_version < 2 && !deriveVersion2(read)) refuse(root, "the fragments of a body are not consecutive");
         mirrorContacts(read);
+        return read;
+    }
+
+    bool boolean(const Value& value) {
+        is(value, Kind::Boolean, "true or false");
+        return fault.empty() && value->number > 0.0;
+    }
+    bool booleanAt(const Value& object, const char* key) {
+        return at(object, key, [&](const Value& value) { return boolean(value); });
+    }
+    ScenePack scenePack(const Value& value) {
+        ScenePack read;
+        read.folder = textAt(value, "folder");
+        read.physicsHash = textAt(value, "physicsHash");
+        read.asset = countAt(value, "asset");
+        read.variant = countAt(value, "variant");
+        return read;
+    }
+    SceneInstance instance(const Value& value, const std::vector<ScenePack>& packs) {
+        SceneInstance read;
+        read.id = countAt(value, "id");
+        read.name = textAt(value, "name");
+        read.pack = at(value, "pack", [&](const Value& v) {
+            const std::string folder = text(v);
+            for (std::size_t k = 0; k < packs.size(); ++k) {
+                if (packs[k].folder == folder) return static_cast<std::uint32_t>(k);
+            }
+            refuse(v, "\"" + folder + "\" is no pack of the scene");
+            return 0u;
+        });
+        read.position = vectorAt(value, "position");
+        const auto rotation = at(value, "rotation", [&](const Value& v) { return numbers<4>(v); });
+        read.rotation = {rotation[0], rotation[1], rotation[2], rotation[3]};
+        read.threshold = positiveAt(value, "threshold");
+        read.isFixed = booleanAt(value, "fixed");
+        read.isUnbreakable = booleanAt(value, "unbreakable");
+        read.isAnchored = booleanAt(value, "anchored");
+        read.bondStrength = numberAt(value, "bondStrength");
+        return read;
+    }
+    SceneShot shot(const Value& value) {
+        SceneShot read;
+        read.id = countAt(value, "id");
+        read.name = textAt(value, "name");
+        read.time = numberAt(value, "time");
+        read.kind = static_cast<SceneShotKind>(oneOfAt(value, "kind", {"throw", "hammer", "explosion"}));
+        at(value, "action", [&](const Value& action) {
+            if (read.kind == SceneShotKind::Throw) {
+                read.projectile =
+                    static_cast<Projectile>(oneOfAt(action, "projectile", {"box", "ball", "plank", "asset"}));
+                read.asset = countAt(action, "asset");
+                read.size = vectorAt(action, "size");
+                read.mass = numberAt(action, "mass");
+                read.from = vectorAt(action, "from");
+                read.to = vectorAt(action, "to");
+                read.speed = numberAt(action, "speed");
+                return 0;
+            }
+            read.at = vectorAt(action, "at");
+            if (read.kind == SceneShotKind::Hammer) read.impulse = vectorAt(action, "impulse");
+            if (read.kind == SceneShotKind::Explosion) read.impulsePerArea = numberAt(action, "impulse");
+            read.radius = optionalAt(action, "radius");
+            return 0;
+        });
+        return read;
+    }
+    Scene scene(const Value& root) {
+        Scene read;
+        oneOfAt(root, "format", {"rubble-scene"});
+        at(root, "version", [&](const Value& version) {
+            if (number(version) != 1.0) refuse(version, "this header reads version 1");
+            return 0;
+        });
+        read.gravity = vectorAt(root, "gravity");
+        if (const std::optional<Value> ground = fault.empty() ? find(root, "ground") : std::nullopt) {
+            read.hasGround = true;
+            read.groundHeight = numberAt(*ground, "height");
+            read.groundFriction = numberAt(*ground, "friction");
+            read.groundRestitution = numberAt(*ground, "restitution");
+        }
+        read.packs = listAt(root, "packs", [&](const Value& value) { return scenePack(value); });
+        read.instances = listAt(root, "instances", [&](const Value& value) { return instance(value, read.packs); });
+        read.shots = listAt(root, "shots", [&](const Value& value) { return shot(value); });
         return read;
     }
 
@@ -2147,6 +2290,31 @@ inline bool load(const std::string& path, Pack& pack, std::string& fault) {
     const std::optional<std::string> json = detail::bytesOf(path, fault);
     if (!json) return false;
     if (parse(*json, pack, fault)) return true;
+    fault = "\"" + path + "\": " + fault;
+    return false;
+}
+
+inline bool parseScene(std::string_view json, Scene& scene, std::string& fault) {
+    detail::Parser parser(json);
+    detail::Document document;
+    if (!parser.parse(document)) {
+        fault = parser.fault();
+        return false;
+    }
+    detail::Reader reader;
+    Scene read = reader.scene(detail::Value{&document, 0, nullptr, nullptr, 0});
+    if (!reader.fault.empty()) {
+        fault = reader.fault;
+        return false;
+    }
+    scene = std::move(read);
+    return true;
+}
+
+inline bool loadScene(const std::string& path, Scene& scene, std::string& fault) {
+    const std::optional<std::string> json = detail::bytesOf(path, fault);
+    if (!json) return false;
+    if (parseScene(*json, scene, fault)) return true;
     fault = "\"" + path + "\": " + fault;
     return false;
 }

@@ -72,7 +72,7 @@ private slots:
             }
             const QByteArray errors = programs.errors();
             QVERIFY2(errors.isEmpty(), errors);
-            QCOMPARE(entries(at("packs")), (QStringList{"export.json", "wall"}));
+            QCOMPARE(entries(at("packs")), (QStringList{"export.json", "scene.json", "wall"}));
             QProcess check;
             check.start(RUBBLE_CLI, {"check", at("packs"), at("other.rubble")});
             QVERIFY(check.waitForFinished(kPatience));

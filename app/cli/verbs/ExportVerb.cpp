@@ -9,7 +9,9 @@
 #include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"
 #include "core/io/pack/ExportIndex.h"
+#include "core/io/pack/OutputFiles.h"
 #include "core/io/pack/PackExport.h"
+#include "core/io/pack/SceneFile.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -82,6 +84,15 @@ std::string projectName(const ExportArguments& arguments) {
     return printableText(fs::path(arguments.project).filename().string());
 }
 
+EditedFiles editedFiles(const ExportArguments& arguments) {
+    return arguments.isOverwriting ? EditedFiles::Replaced : EditedFiles::Kept;
+}
+
+/// An error with what to do about it.
+Error refusal(const Error& error) {
+    return {error.code, error.message + (error.code == ErrorCode::Edited ? " Use --overwrite to replace it." : "")};
+}
+
 /// The names of the folders of all packs of a project, in its order.
 Names folderNames(const Project& project) {
     Names names;
@@ -122,20 +133,42 @@ std::vector<PrunedFolder> prune(const ExportArguments& arguments, const Names& s
     return pruned;
 }
 
-/// Updates the index of the output folder: to the exported folders, and those that are still there.
+/// Whether all packs of the project are in place.
+bool isWhole(const ExportArguments& arguments, const ExportOutcome& outcome) {
+    const auto isInPlace = [](const AssetExport& pack) { return pack.status.hasValue(); };
+    return arguments.assets.empty() && std::ranges::all_of(outcome.packs, isInPlace);
+}
+
+/// The files in the output folder itself: the scene, if all of its packs are in place.
+std::vector<ExportFile> outputFiles(const ExportArguments& arguments, const Project& project,
+                                    const ExportOutcome& outcome) {
+    if (!isWhole(arguments, outcome) || !hasScene(project)) return {};
+    return {{kSceneName, sceneFileJson(project, arguments.pack)}};
+}
+
+/// Writes the files in the output folder itself, and updates its index: to these, the exported folders, and those that
+/// are still there.
 Status updateIndex(const ExportArguments& arguments, const Project& project, const ExportOutcome& outcome,
-                   const CliContext& context) {
+                   const std::optional<ExportIndex>& before, const CliContext& context) {
     if (!isThere(arguments.out)) return success();  // nothing was exported
+    const std::vector<ExportFile> files = outputFiles(arguments, project, outcome);
     const Names current = folderNames(project);
     std::set<std::string> exported;
     for (const AssetExport& pack : outcome.packs) {
         if (pack.status) exported.insert(pack.folder.filename().string());
     }
-    const auto change = [&](const std::optional<ExportIndex>& earlier) {
-        return indexAfterExport(earlier, projectName(arguments), current, exported,
-                                staleIn(arguments, earlier, current));
+    const auto setFiles = [&](std::span<const ManifestEntry> entries) {
+        const auto change = [&](const std::optional<ExportIndex>& earlier) {
+            ExportIndex index = indexAfterExport(earlier, projectName(arguments), current, exported,
+                                                 staleIn(arguments, earlier, current));
+            if (isWhole(arguments, outcome)) index.files.assign(entries.begin(), entries.end());
+            return index;
+        };
+        return changeExportIndex(arguments.out, change, {.cancel = context.cancel});
     };
-    return changeExportIndex(arguments.out, change, {.cancel = context.cancel});
+    const Result<std::vector<ManifestEntry>> written =
+        writeOutputFiles(arguments.out, files, before, projectName(arguments), editedFiles(arguments), setFiles);
+    return written ? setFiles(*written) : Status(refusal(written.error()));
 }
 
 /// Writes that the manifests of all exported packs depend on the project.
@@ -150,14 +183,14 @@ Status writeDepfile(const ExportArguments& arguments, const ExportOutcome& outco
 
 /// Writes the index and the dependency file.
 Status writeLists(const ExportArguments& arguments, const Project& project, const ExportOutcome& outcome,
-                  const CliContext& context) {
-    if (const Status written = updateIndex(arguments, project, outcome, context); !written) return written;
+                  const std::optional<ExportIndex>& before, const CliContext& context) {
+    if (const Status written = updateIndex(arguments, project, outcome, before, context); !written) return written;
     return arguments.depfile.empty() ? success() : writeDepfile(arguments, outcome, context);
 }
 
 Result<ExportOutcome> exportOrPlan(const ExportArguments& arguments, const Project& project, std::span<const Id> assets,
                                    const CliContext& context) {
-    const EditedFiles edited = arguments.isOverwriting ? EditedFiles::Replaced : EditedFiles::Kept;
+    const EditedFiles edited = editedFiles(arguments);
     ProgressLine line(context, "Exporting");
     const TaskContext task{context.cancel, [&](double fraction) { line.show(fraction); }, arguments.threads};
     const auto run = arguments.isDryRun ? planPacks : exportPacks;
@@ -180,7 +213,7 @@ Status exportAssets(ExportArguments arguments, VerbReport& report, const CliCont
     if (!outcome) return outcome.error();
     if (arguments.isPruning)
         outcome->pruned = prune(arguments, staleIn(arguments, *earlier, folderNames(*project)), context);
-    const Status listed = arguments.isDryRun ? success() : writeLists(arguments, *project, *outcome, context);
+    const Status listed = arguments.isDryRun ? success() : writeLists(arguments, *project, *outcome, *earlier, context);
     const Status printed = printExport(*outcome, arguments.project, report, context);
     if (listed) return printed;
     if (printed) return listed;

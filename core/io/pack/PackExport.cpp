@@ -73,22 +73,12 @@ private:
     double m_sum = 0.0;
 };
 
-/// Nothing if debris stays for good.
-std::optional<Debris> debrisOf(const Project& project) {
-    const bool isRemoved = project.debris.lifetime || project.debris.maxFragments;
-    return isRemoved ? std::optional(project.debris) : std::nullopt;
-}
-
 Status writePack(const Project& project, const PackedAsset& packed, const PackOptions& options,
                  const ContentHash& source, EditedFiles edited, const TaskContext& task, AssetExport& result) {
     const Asset& asset = packed.asset;
     Result<Bake> baked = bake(asset, task.stage(0.0, 0.5));
     if (!baked) return baked.error();
-    const PackInput input{*baked,
-                          asset,
-                          materialsOf(project, asset),
-                          packed.names,
-                          {options.inset, project.damage.rule, debrisOf(project)}};
+    const PackInput input{*baked, asset, materialsOf(project, asset), packed.names, packSettings(project, options)};
     Result<PackMeshes> meshes = packMeshes(input, options.meshes, task.stage(0.5, 0.8));
     if (!meshes && meshes.error().code == ErrorCode::Cancelled) return meshes.error();
     if (!meshes) return Error{meshes.error().code, "Asset " + quotedName(asset.name) + ": " + meshes.error().message};
@@ -192,6 +182,12 @@ std::map<AssetVariant, PackNames> packNames(const Project& project) {
         names[used[k]] = {nameOfVariant(base, used[k].variant), base, used[k].variant, folders[k + 1]};
     }
     return names;
+}
+
+PackSettings packSettings(const Project& project, const PackOptions& options) {
+    PackSettings settings{.inset = options.inset, .rule = project.damage.rule};
+    if (project.debris.lifetime || project.debris.maxFragments) settings.debris = project.debris;
+    return settings;
 }
 
 ContentHash packSourceHash(const Project& project, const Asset& asset, const PackNames& names,

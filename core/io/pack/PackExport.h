@@ -42,6 +42,9 @@ struct PackOptions {
     bool operator==(const PackOptions&) const = default;
 };
 
+/// The settings of packs of a project that are exported so.
+PackSettings packSettings(const Project& project, const PackOptions& options);
+
 /// Returns a hash of all inputs of the pack of an asset, in the variant that is exported: the source in the manifest of
 /// its folder.
 ContentHash packSourceHash(const Project& project, const Asset& asset, const PackNames& names,
