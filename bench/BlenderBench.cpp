@@ -7,7 +7,7 @@
 #include "core/asset/bake/Bake.h"
 #include "core/asset/mesh/FragmentMesh.h"
 #include "core/io/exchange/ObjFile.h"
-#include "core/io/pack/ExportFolder.h"
+#include "core/io/output/ExportFolder.h"
 #include "core/io/pack/PackFile.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Tests app/cli/verbs/CheckVerb.cpp and core/io/pack/ExportFolder.cpp: folders of packs, names and links in them.
+// Tests app/cli/verbs/CheckVerb.cpp and core/io/output/ExportFolder.cpp: folders of packs, names and links in them.
 #include "app/cli/Cli.h"
 #include "core/io/pack/PackExport.h"
 #include "tests/support/TestProgram.h"

@@ -1,5 +1,5 @@
 // Tests export --prune in app/cli/verbs/ExportVerb.cpp where recorded cases cannot: links, several programs at once.
-#include "core/io/pack/ExportIndex.h"
+#include "core/io/output/ExportIndex.h"
 #include "core/io/project/ProjectFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/asset/compare/RecipeDifference.h"
-#include "core/io/pack/ExportManifest.h"
+#include "core/io/output/ExportManifest.h"
 #include "core/io/pack/PackFile.h"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 #include "app/cli/output/PackFolders.h"
 
 #include "core/base/MessageText.h"
-#include "core/io/pack/ExportManifest.h"
+#include "core/io/output/ExportManifest.h"
 #include "core/io/pack/PackFile.h"
 #include "core/io/system/FolderReading.h"
 #include "core/io/system/Temporary.h"

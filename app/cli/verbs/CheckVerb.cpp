@@ -13,7 +13,7 @@
 #include "core/base/Parallel.h"
 #include "core/base/QuantityText.h"
 #include "core/io/json/JsonWriter.h"
-#include "core/io/pack/ExportCheck.h"
+#include "core/io/output/ExportCheck.h"
 #include "core/io/pack/PackBinary.h"
 #include "core/io/pack/PackFile.h"
 #include "core/io/project/ProjectFile.h"

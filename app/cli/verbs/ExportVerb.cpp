@@ -8,8 +8,9 @@
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"
-#include "core/io/pack/ExportIndex.h"
-#include "core/io/pack/OutputFiles.h"
+#include "core/io/output/ExportIndex.h"
+#include "core/io/output/OutputFiles.h"
+#include "core/io/pack/ExportTarget.h"
 #include "core/io/pack/PackExport.h"
 #include "core/io/pack/SceneFile.h"
 
@@ -41,13 +42,14 @@ Examples:
   rubble-cli export house.rubble --out packs --prune --depfile packs.d --quiet
   rubble-cli export house.rubble --out packs --asset wall --format obj --pieces files --place centred)";
 
-enum class Formats { Obj, Glb, Both, None };
+enum class Formats { Default, Obj, Glb, Both, None };
 
 struct ExportArguments {
     std::string project;
     std::string out;
     std::vector<std::string> assets;
-    Formats formats = Formats::Both;
+    std::optional<ExportTarget> target;
+    Formats formats = Formats::Default;
     PackOptions pack;
     bool isOverwriting = false;
     bool isDryRun = false;
@@ -139,11 +141,14 @@ bool isWhole(const ExportArguments& arguments, const ExportOutcome& outcome) {
     return arguments.assets.empty() && std::ranges::all_of(outcome.packs, isInPlace);
 }
 
-/// The files in the output folder itself: the scene, if all of its packs are in place.
+/// The files in the output folder itself, if all packs are in place: the scene, and how to use it in a program.
 std::vector<ExportFile> outputFiles(const ExportArguments& arguments, const Project& project,
                                     const ExportOutcome& outcome) {
-    if (!isWhole(arguments, outcome) || !hasScene(project)) return {};
-    return {{kSceneName, sceneFileJson(project, arguments.pack)}};
+    std::vector<ExportFile> files;
+    if (!isWhole(arguments, outcome)) return files;
+    if (hasScene(project)) files.push_back({kSceneName, sceneFileJson(project, arguments.pack)});
+    if (arguments.target) files.push_back({kReadmeName, readmeFor(*arguments.target)});
+    return files;
 }
 
 /// Writes the files in the output folder itself, and updates its index: to these, the exported folders, and those that
@@ -201,8 +206,10 @@ Result<ExportOutcome> exportOrPlan(const ExportArguments& arguments, const Proje
 }
 
 Status exportAssets(ExportArguments arguments, VerbReport& report, const CliContext& context) {
-    arguments.pack.meshes.obj = arguments.formats == Formats::Obj || arguments.formats == Formats::Both;
-    arguments.pack.meshes.glb = arguments.formats == Formats::Glb || arguments.formats == Formats::Both;
+    if (arguments.formats != Formats::Default) {
+        arguments.pack.meshes.obj = arguments.formats == Formats::Obj || arguments.formats == Formats::Both;
+        arguments.pack.meshes.glb = arguments.formats == Formats::Glb || arguments.formats == Formats::Both;
+    }
     const Result<Project> project = openProject(arguments.project, context);
     if (!project) return project.error();
     const Result<std::vector<Id>> selected = selectedAssets(*project, arguments.assets);
@@ -232,6 +239,16 @@ Verb addExport(CLI::App& program) {
         .required()
         .valueName("FOLDER");
     addAssetOption(command, arguments->assets);
+    std::vector<std::string> targets(kExportTargets.begin(), kExportTargets.end());
+    const auto setTarget = [arguments](const std::string& word) {
+        const auto found = std::ranges::find(kExportTargets, word);
+        arguments->target = static_cast<ExportTarget>(found - kExportTargets.begin());
+        arguments->pack = optionsFor(*arguments->target);
+    };
+    // Before the options that change what it sets: they are applied in this order.
+    command.callback("--for", setTarget, "Write what a program needs, with a README.md for it")
+        .oneOf(targets)
+        .valueName("neutral|unity|unreal|godot|blender|web");
     addEnumOption<Formats>(
         command, "--format", "The mesh files to write (default: both)",
         {{"obj", Formats::Obj}, {"glb", Formats::Glb}, {"both", Formats::Both}, {"none", Formats::None}},

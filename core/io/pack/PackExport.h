@@ -5,7 +5,7 @@
 #include "core/base/Diagnostic.h"
 #include "core/base/Result.h"
 #include "core/base/TaskContext.h"
-#include "core/io/pack/ExportFolder.h"
+#include "core/io/output/ExportFolder.h"
 #include "core/io/pack/PackFile.h"
 #include "core/io/pack/PackMeshes.h"
 

@@ -3,7 +3,7 @@
 #include "core/base/TaskContext.h"
 #include "core/io/exchange/ObjFile.h"
 #include "core/io/exchange/PackBuilder.h"
-#include "core/io/pack/ExportFolder.h"
+#include "core/io/output/ExportFolder.h"
 
 #include <vector>
 

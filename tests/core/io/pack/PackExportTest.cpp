@@ -1,5 +1,5 @@
-#include "core/io/pack/ExportCheck.h"
-#include "core/io/pack/ExportFolder.h"
+#include "core/io/output/ExportCheck.h"
+#include "core/io/output/ExportFolder.h"
 #include "core/io/pack/PackExport.h"
 
 #include "core/io/system/AtomicFile.h"

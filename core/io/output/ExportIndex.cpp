@@ -1,4 +1,4 @@
-#include "core/io/pack/ExportIndex.h"
+#include "core/io/output/ExportIndex.h"
 
 #include "core/base/MessageText.h"
 #include "core/io/json/JsonDocument.h"

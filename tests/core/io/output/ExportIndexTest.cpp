@@ -1,4 +1,4 @@
-#include "core/io/pack/ExportIndex.h"
+#include "core/io/output/ExportIndex.h"
 
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/Schemas.h"

@@ -1,8 +1,8 @@
-#include "core/io/pack/ExportFolder.h"
+#include "core/io/output/ExportFolder.h"
 
 #include "core/base/MessageText.h"
-#include "core/io/pack/ExportCheck.h"
-#include "core/io/pack/ExportManifest.h"
+#include "core/io/output/ExportCheck.h"
+#include "core/io/output/ExportManifest.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/CreatedDirectories.h"
 #include "core/io/system/FileErrors.h"

@@ -1,4 +1,4 @@
-#include "core/io/pack/OutputFiles.h"
+#include "core/io/output/OutputFiles.h"
 
 #include "core/base/MessageText.h"
 #include "core/io/system/AtomicFile.h"

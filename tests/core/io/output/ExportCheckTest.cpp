@@ -1,7 +1,7 @@
-#include "core/io/pack/ExportCheck.h"
+#include "core/io/output/ExportCheck.h"
 
-#include "core/io/pack/ExportFolder.h"
-#include "core/io/pack/ExportManifest.h"
+#include "core/io/output/ExportFolder.h"
+#include "core/io/output/ExportManifest.h"
 #include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"
 

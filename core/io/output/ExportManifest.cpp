@@ -1,4 +1,4 @@
-#include "core/io/pack/ExportManifest.h"
+#include "core/io/output/ExportManifest.h"
 
 #include "core/io/json/JsonDocument.h"
 #include "core/io/json/JsonWriter.h"

@@ -2,7 +2,7 @@
 
 #include "core/base/Result.h"
 #include "core/base/TaskContext.h"
-#include "core/io/pack/ExportManifest.h"
+#include "core/io/output/ExportManifest.h"
 
 #include <filesystem>
 #include <functional>

@@ -1,6 +1,6 @@
-#include "core/io/pack/ExportManifest.h"
+#include "core/io/output/ExportManifest.h"
 
-#include "core/io/pack/ExportFolder.h"
+#include "core/io/output/ExportFolder.h"
 #include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"
 

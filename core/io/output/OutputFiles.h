@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/base/Result.h"
-#include "core/io/pack/ExportFolder.h"
-#include "core/io/pack/ExportIndex.h"
+#include "core/io/output/ExportFolder.h"
+#include "core/io/output/ExportIndex.h"
 
 #include <filesystem>
 #include <functional>

@@ -1,7 +1,7 @@
-#include "core/io/pack/ExportCheck.h"
+#include "core/io/output/ExportCheck.h"
 
 #include "core/base/MessageText.h"
-#include "core/io/pack/ExportManifest.h"
+#include "core/io/output/ExportManifest.h"
 #include "core/io/system/FolderReading.h"
 
 #include <algorithm>

@@ -1,0 +1,102 @@
+#include "core/io/pack/ExportTarget.h"
+
+namespace rubble {
+namespace {
+
+constexpr std::string_view kFiles = R"(
+| File | Holds |
+|---|---|
+| `scene.json` | where the instances stand, ground, gravity, and throws |
+| `<asset>/pack.json` | for each asset masses, inertia, collision hulls, thresholds, materials, and bonds |
+| `<asset>/pack.bin` | the same, for mapping into memory; not in every export |
+| `<asset>/<asset>-intact.*` | the mesh of the asset before it breaks |
+| `<asset>/<asset>-fragments.*` | the meshes of its fragments, an object each, called as in `pack.json` |
+| `export.json`, `manifest.json` | what was exported, so that the next export replaces no file that you edited |
+
+Metres, kilograms, seconds; right-handed, y up. Rotations are quaternions x, y, z, w.
+
+The whole of an instance stands at position + rotation · offset of the whole. When an impact reaches its threshold,
+remove it and add its fragments (those from `firstChild` on) at position + rotation · their offsets, with the velocity
+of that point of the whole. The impact is J = (1 + e) · v · m with the velocities before the solver. Never add bodies
+of two levels at once.
+
+Fragments keep still when they take the place of the whole, since their collision hulls are inset by 0.1 mm. Where the
+engine adds a margin around shapes, set it below that.
+)";
+
+std::string_view titleOf(ExportTarget target) {
+    constexpr std::array<std::string_view, 6> kTitles{"any engine", "Unity",   "Unreal Engine",
+                                                      "Godot",      "Blender", "the web"};
+    return kTitles[static_cast<std::size_t>(target)];
+}
+
+std::string_view stepsFor(ExportTarget target) {
+    switch (target) {
+        case ExportTarget::Neutral:
+            return "In C++ read the packs with `rubble_pack.hpp`, a single header that is installed with Rubble, in "
+                   "other\n"
+                   "languages as JSON.\n";
+        case ExportTarget::Unity:
+            return "1. Copy this folder into `Assets`; import the GLB files with glTFast or UnityGLTF.\n"
+                   "2. These importers reverse x: a position (x, y, z) becomes (−x, y, z), a rotation (x, y, z, w)\n"
+                   "   becomes (x, −y, −z, w).\n"
+                   "3. Give each body a `Rigidbody` with `mass`, `centerOfMass` 0, `inertiaTensor` = "
+                   "`principal.moments`\n"
+                   "   and `inertiaTensorRotation` = `principal.rotation`, and for each hull a convex `MeshCollider`.\n"
+                   "4. Set the default contact offset to 0.0001 or less.\n"
+                   "\nNot tested in Unity itself.\n";
+        case ExportTarget::Unreal:
+            return "1. Import the GLB files (Interchange). It converts metres to centimetres and exchanges y and z: a\n"
+                   "   position (x, y, z) becomes 100 · (x, z, y), a rotation "
+                   "(x, y, z, w) becomes (−x, −z, −y, w).\n"
+                   "2. Read `pack.json` for masses in kg and thresholds: an impulse in N·s is 100 kg·cm/s, a moment "
+                   "of\n"
+                   "   inertia in kg·m² is 10,000 kg·cm². `rubble_pack.hpp` "
+                   "compiles without exceptions and RTTI, and\n"
+                   "   has these conversions.\n"
+                   "\nNot tested in Unreal Engine itself.\n";
+        case ExportTarget::Godot:
+            return "1. Copy this folder into the project; Godot imports the GLB files.\n"
+                   "2. Read `pack.json` and `scene.json` with `JSON.parse_string()`; give each body a `RigidBody3D` "
+                   "with\n"
+                   "   `mass`, and for each hull a `CollisionShape3D` with a `ConvexPolygonShape3D` of its vertices.\n"
+                   "3. Set the margin of these shapes to 0.00002.\n"
+                   "\nPacks are tested in Godot 3.2.\n";
+        case ExportTarget::Blender:
+            return "1. Import the GLB files: *File ▸ Import ▸ glTF 2.0*. Blender turns y up into z up.\n"
+                   "2. For rigid bodies, set *Shape* to *Convex Hull*, *Mass* from `pack.json`, and *Collision Margin* "
+                   "to\n"
+                   "   0.00002 m.\n"
+                   "\nMeshes are tested in Blender 3.4.\n";
+        case ExportTarget::Web:
+            return "1. Load the GLB files with `GLTFLoader` of three.js or the loader of Babylon.js.\n"
+                   "2. Read `pack.json` with `fetch()`, and make bodies in Rapier, Jolt, PhysX, Havok or cannon-es; "
+                   "the\n"
+                   "   example `rapier_example.mjs` that is installed with Rubble has 80 lines.\n"
+                   "\nTested in three.js, Babylon.js, Rapier, Jolt, PhysX, Havok, MuJoCo and cannon-es.\n";
+    }
+    return {};
+}
+
+}  // namespace
+
+PackOptions optionsFor(ExportTarget target) {
+    PackOptions options;
+    if (target == ExportTarget::Neutral) return options;
+    options.meshes.obj = false;
+    const bool isNative = target == ExportTarget::Unity || target == ExportTarget::Unreal;
+    options.files = isNative ? PackFiles::Both : PackFiles::Json;
+    options.topology = PackTopology::Loops;
+    return options;
+}
+
+std::string readmeFor(ExportTarget target) {
+    std::string text = "# Destructible assets for ";
+    text += titleOf(target);
+    text += "\n\nExported by Rubble.\n\n";
+    text += stepsFor(target);
+    text += kFiles;
+    return text;
+}
+
+}  // namespace rubble

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/io/pack/PackExport.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace rubble {
+
+/// The program that an export is for.
+enum class ExportTarget { Neutral, Unity, Unreal, Godot, Blender, Web };
+inline constexpr std::array<std::string_view, 6> kExportTargets{"neutral", "unity",   "unreal",
+                                                                "godot",   "blender", "web"};
+
+/// The file in an output folder that says how to use the export.
+inline constexpr const char* kReadmeName = "README.md";
+
+/// What is exported for a program.
+PackOptions optionsFor(ExportTarget target);
+
+/// Returns README.md of an export: what its files are, and how to use them in the program.
+std::string readmeFor(ExportTarget target);
+
+}  // namespace rubble

@@ -1,0 +1,37 @@
+#include "core/io/pack/ExportTarget.h"
+
+#include "tests/support/TestProgram.h"
+
+#include <QTest>
+
+#include <set>
+
+using namespace rubble;
+
+class ExportTargetTest : public QObject {
+    Q_OBJECT
+private slots:
+    void everyTargetHasAReadmeOfItsOwn() {
+        std::set<std::string> texts;
+        for (std::size_t k = 0; k < kExportTargets.size(); ++k) {
+            const std::string text = readmeFor(static_cast<ExportTarget>(k));
+            QVERIFY(text.starts_with("# Destructible assets for "));
+            QVERIFY(text.find("`scene.json`") != std::string::npos && text.ends_with(".\n"));
+            texts.insert(text);
+        }
+        QCOMPARE(texts.size(), kExportTargets.size());
+    }
+    void everyTargetHasMeshesAndBodies() {
+        for (std::size_t k = 0; k < kExportTargets.size(); ++k) {
+            const PackOptions options = optionsFor(static_cast<ExportTarget>(k));
+            QVERIFY(options.meshes.glb);
+            QVERIFY(options.files != PackFiles::Binary);
+            QCOMPARE(options.inset, kDefaultInset);
+        }
+        QVERIFY(optionsFor(ExportTarget::Neutral) == PackOptions());
+        QVERIFY(!optionsFor(ExportTarget::Godot).meshes.obj);
+    }
+};
+
+RUBBLE_TEST(ExportTargetTest)
+#include "ExportTargetTest.moc"
