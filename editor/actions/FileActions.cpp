@@ -49,10 +49,10 @@ FileActions::FileActions(Views& views, const PreferenceStore& preferences, Recen
                     QKeySequence("Ctrl+I")},
                    &FileActions::importWithDialog);
     m_export = add({"file-export", tr("&Export…"), tr("Export packs and meshes for engines and other programs"),
-                    QKeySequence("Ctrl+Shift+E")},
+                    QKeySequence("Ctrl+E")},
                    &FileActions::exportWithDialog);
     m_exportAgain = add({"file-export-again", tr("Export A&gain"), tr("Repeat the last export of this project"),
-                         QKeySequence("Ctrl+E")},
+                         QKeySequence("Ctrl+Shift+E")},
                         &FileActions::exportAgain);
     m_menu->addAction((new PictureActions(views))->action());
     m_menu->addSeparator();
