@@ -19,7 +19,7 @@ attempt() {
   shift
   "$@" >out 2>err || status=$?
   runs=$((runs + 1))
-  if [ $status = 0 ]; then
+  if [ $status = 0 ] || [ $status = 3 ]; then  # 3: a result with findings
     results=$((results + 1))
   elif [ $status -le 2 ] && tail -n 1 err | grep -q '[.?]$'; then
     sentences=$((sentences + 1))
