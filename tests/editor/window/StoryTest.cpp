@@ -156,7 +156,7 @@ private slots:
             }
         }
         QCOMPARE(objects, 38);                                      // the fragments and the whole
-        QTest::keyClick(m_window, Qt::Key_E, Qt::ControlModifier);  // exports again without a dialog
+        QTest::keyClick(m_window, Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);  // exports again without a dialog
     }
     void cleanupTestCase() {
         QVERIFY(m_window->close());
