@@ -155,8 +155,9 @@ private slots:
                 objects += line.startsWith("o ");
             }
         }
-        QCOMPARE(objects, 38);                                      // the fragments and the whole
-        QTest::keyClick(m_window, Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);  // exports again without a dialog
+        QCOMPARE(objects, 38);  // the fragments and the whole
+        QTest::keyClick(m_window, Qt::Key_E,
+                        Qt::ControlModifier | Qt::ShiftModifier);  // exports again without a dialog
     }
     void cleanupTestCase() {
         QVERIFY(m_window->close());
