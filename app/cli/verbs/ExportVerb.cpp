@@ -265,6 +265,7 @@ Verb addExport(CLI::App& program) {
     addEnumOption<ObjUnit>(command, "--unit", "The unit of OBJ files (default: m)",
                            {{"m", ObjUnit::Metre}, {"cm", ObjUnit::Centimetre}, {"mm", ObjUnit::Millimetre}},
                            meshes.objFrame.unit);
+    command.flag("--glb-physics", meshes.glbPhysics, "Write rigid bodies and their colliders into GLB files");
     command.option("--inset", arguments->pack.inset, "The inset of collision hulls in m (default: 0.0001)")
         .inRange(ProjectNumber::HullInset)
         .valueName("LENGTH");

@@ -1,5 +1,7 @@
 #include "core/io/exchange/GlbBuffer.h"
 
+#include "core/base/Assert.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -27,6 +29,18 @@ std::uint32_t materialOf(const MeshFace& face) {
     return face.side == FaceSide::Inside ? GlbBuffer::kInside : face.material;
 }
 
+/// Sets the bounds of a primitive to those of its positions.
+void setBounds(GlbPrimitive& primitive, const std::vector<std::array<float, 3>>& positions) {
+    primitive.min = primitive.max = positions[primitive.firstVertex];
+    for (std::uint32_t i = 0; i < primitive.vertexCount; ++i) {
+        const std::array<float, 3>& position = positions[primitive.firstVertex + i];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            primitive.min[axis] = std::min(primitive.min[axis], position[axis]);
+            primitive.max[axis] = std::max(primitive.max[axis], position[axis]);
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<GlbPrimitive> GlbBuffer::add(const Mesh& mesh) {
@@ -44,17 +58,22 @@ std::vector<GlbPrimitive> GlbBuffer::add(const Mesh& mesh) {
         primitive.vertexCount = vertexCount() - primitive.firstVertex;
         primitive.indexCount = indexCount() - primitive.firstIndex;
     }
-    for (GlbPrimitive& primitive : primitives) {
-        primitive.min = primitive.max = m_positions[primitive.firstVertex];
-        for (std::uint32_t i = 0; i < primitive.vertexCount; ++i) {
-            const std::array<float, 3>& position = m_positions[primitive.firstVertex + i];
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                primitive.min[axis] = std::min(primitive.min[axis], position[axis]);
-                primitive.max[axis] = std::max(primitive.max[axis], position[axis]);
-            }
-        }
-    }
+    for (GlbPrimitive& primitive : primitives) setBounds(primitive, m_positions);
     return primitives;
+}
+
+void GlbBuffer::addHull(const Polytope& hull) {
+    RUBBLE_ASSERT(!hull.vertices.empty());
+    GlbPrimitive primitive{.firstVertex = hullVertexCount(), .firstIndex = hullIndexCount()};
+    for (const Vec3& vertex : hull.vertices) m_hullPositions.push_back(toFloats(vertex));
+    for (const std::vector<std::uint32_t>& face : hull.faces) {
+        for (std::size_t k = 2; k < face.size(); ++k)
+            m_hullIndices.insert(m_hullIndices.end(), {face[0], face[k - 1], face[k]});
+    }
+    primitive.vertexCount = hullVertexCount() - primitive.firstVertex;
+    primitive.indexCount = hullIndexCount() - primitive.firstIndex;
+    setBounds(primitive, m_hullPositions);
+    m_hulls.push_back(primitive);
 }
 
 std::uint32_t GlbBuffer::vertexOf(const Mesh& mesh, MeshCorner corner, std::uint32_t normal,
@@ -71,7 +90,8 @@ std::uint32_t GlbBuffer::vertexOf(const Mesh& mesh, MeshCorner corner, std::uint
 }
 
 std::size_t GlbBuffer::size() const {
-    return sizeOf(m_positions) + sizeOf(m_normals) + sizeOf(m_uvs) + sizeOf(m_indices);
+    return sizeOf(m_positions) + sizeOf(m_normals) + sizeOf(m_uvs) + sizeOf(m_indices) + sizeOf(m_hullPositions) +
+           sizeOf(m_hullIndices);
 }
 
 void GlbBuffer::appendTo(std::string& bytes) const {
@@ -79,6 +99,8 @@ void GlbBuffer::appendTo(std::string& bytes) const {
     appendArray(bytes, m_normals);
     appendArray(bytes, m_uvs);
     appendArray(bytes, m_indices);
+    appendArray(bytes, m_hullPositions);
+    appendArray(bytes, m_hullIndices);
 }
 
 }  // namespace rubble

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/geometry/hull/Polytope.h"
 #include "core/geometry/mesh/Mesh.h"
 
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,7 +23,7 @@ struct GlbPrimitive {
     std::array<float, 3> max{};
 };
 
-/// The binary chunk of a GLB file: four arrays, one after the other.
+/// The binary chunk of a GLB file: four arrays, one after the other, and two more if there are hulls.
 class GlbBuffer {
 public:
     static constexpr std::uint32_t kInside = 0xffffffff;
@@ -29,12 +31,19 @@ public:
     /// Adds a mesh as triangles, a primitive for each run of faces with the same material. Inside faces have the
     /// material kInside. Corners with equal position, normal and texture coordinates share a vertex.
     std::vector<GlbPrimitive> add(const Mesh& mesh);
+    /// Adds a hull as triangles, a fan for each face. Hulls have arrays of their own: positions and indices.
+    void addHull(const Polytope& hull);
 
+    /// The hulls: ranges of their arrays, in the order in which they were added.
+    std::span<const GlbPrimitive> hulls() const { return m_hulls; }
+    std::uint32_t hullVertexCount() const { return static_cast<std::uint32_t>(m_hullPositions.size()); }
+    std::uint32_t hullIndexCount() const { return static_cast<std::uint32_t>(m_hullIndices.size()); }
     std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(m_positions.size()); }
     std::uint32_t indexCount() const { return static_cast<std::uint32_t>(m_indices.size()); }
     /// The size of all arrays in bytes.
     std::size_t size() const;
-    /// Appends the arrays: positions, normals, texture coordinates (v down, as in glTF), indices; little-endian.
+    /// Appends the arrays: positions, normals, texture coordinates (v down, as in glTF), indices; positions and indices
+    /// of hulls; little-endian.
     void appendTo(std::string& bytes) const;
 
 private:
@@ -50,7 +59,10 @@ private:
     std::vector<std::array<float, 3>> m_normals;
     std::vector<std::array<float, 2>> m_uvs;
     std::vector<std::uint32_t> m_indices;  // relative to the primitive's first vertex
-    std::vector<LastVertex> m_last;        // by position of the mesh being added
+    std::vector<GlbPrimitive> m_hulls;
+    std::vector<std::array<float, 3>> m_hullPositions;
+    std::vector<std::uint32_t> m_hullIndices;  // relative to the hull's first vertex
+    std::vector<LastVertex> m_last;            // by position of the mesh being added
 };
 
 }  // namespace rubble

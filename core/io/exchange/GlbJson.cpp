@@ -11,7 +11,13 @@ constexpr std::uint64_t kFloat = 5126;
 constexpr std::uint64_t kUnsignedInt = 5125;
 constexpr std::uint64_t kArrayBuffer = 34962;
 constexpr std::uint64_t kElementArrayBuffer = 34963;
-constexpr std::uint64_t kImageView = 4;  // behind those of the arrays
+
+// Views of hulls, behind those of the four arrays of meshes.
+constexpr std::uint64_t kHullPositionView = 4;
+constexpr std::uint64_t kHullIndexView = 5;
+
+/// The view of the image, behind those of the arrays.
+std::uint64_t imageView(const GlbBuffer& buffer) { return buffer.hulls().empty() ? 4 : 6; }
 
 /// Returns the fifth root of a value in (0, 1], by Newton's method from above: the same bits on every processor.
 double fifthRoot(double value) {
@@ -74,7 +80,8 @@ void writePrimitive(JsonWriter& json, const GlbPrimitive& primitive, std::uint64
 }
 
 void writeMeshes(JsonWriter& json, std::span<const MeshPart> parts,
-                 std::span<const std::vector<GlbPrimitive>> primitives, const MeshMaterials& materials) {
+                 std::span<const std::vector<GlbPrimitive>> primitives, const MeshMaterials& materials,
+                 const GlbPhysics* physics) {
     json.openArray("meshes");
     std::uint64_t accessor = 0;
     for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -88,6 +95,7 @@ void writeMeshes(JsonWriter& json, std::span<const MeshPart> parts,
         json.close();
         json.close();
     }
+    if (physics != nullptr) writeHullMeshes(json, parts, *physics, accessor);
     json.close();
 }
 
@@ -111,14 +119,14 @@ void writeGlbMaterial(JsonWriter& json, const MeshMaterial& material) {
     json.close();
 }
 
-/// Writes the image, whose view is the last one, and the texture that repeats it.
-void writeGlbTexture(JsonWriter& json, const MeshMaterials& materials) {
+/// Writes the image, whose view is given, and the texture that repeats it.
+void writeGlbTexture(JsonWriter& json, const MeshMaterials& materials, std::uint64_t view) {
     constexpr std::uint64_t kLinear = 9729, kLinearMipmapLinear = 9987, kRepeat = 10497;
     json.openArray("images");
     json.openObject();
     json.text("name", materials.imageFile);
     json.text("mimeType", materials.image->mediaType());
-    json.wholeNumber("bufferView", kImageView);
+    json.wholeNumber("bufferView", view);
     json.close();
     json.close();
     json.openArray("samplers");
@@ -153,19 +161,27 @@ void writeBound(JsonWriter& json, std::string_view key, const std::array<float, 
     json.numbers(key, {double{bound[0]}, double{bound[1]}, double{bound[2]}});
 }
 
-/// Writes the four accessors of a primitive, in the order of the buffer's arrays.
-void writeAccessors(JsonWriter& json, const GlbPrimitive& primitive) {
-    const std::uint64_t vertex = primitive.firstVertex;
-    openAccessor(json, 0, 12 * vertex, kFloat, primitive.vertexCount, "VEC3");
+void writePositions(JsonWriter& json, std::uint64_t view, const GlbPrimitive& primitive) {
+    openAccessor(json, view, 12 * std::uint64_t{primitive.firstVertex}, kFloat, primitive.vertexCount, "VEC3");
     writeBound(json, "min", primitive.min);
     writeBound(json, "max", primitive.max);
     json.close();
+}
+
+void writeIndices(JsonWriter& json, std::uint64_t view, const GlbPrimitive& primitive) {
+    openAccessor(json, view, 4 * std::uint64_t{primitive.firstIndex}, kUnsignedInt, primitive.indexCount, "SCALAR");
+    json.close();
+}
+
+/// Writes the four accessors of a primitive, in the order of the buffer's arrays.
+void writeAccessors(JsonWriter& json, const GlbPrimitive& primitive) {
+    const std::uint64_t vertex = primitive.firstVertex;
+    writePositions(json, 0, primitive);
     openAccessor(json, 1, 12 * vertex, kFloat, primitive.vertexCount, "VEC3");
     json.close();
     openAccessor(json, 2, 8 * vertex, kFloat, primitive.vertexCount, "VEC2");
     json.close();
-    openAccessor(json, 3, 4 * std::uint64_t{primitive.firstIndex}, kUnsignedInt, primitive.indexCount, "SCALAR");
-    json.close();
+    writeIndices(json, 3, primitive);
 }
 
 /// Writes a view of `count` elements of `stride` bytes that starts at `offset`, and moves `offset` to its end.
@@ -188,6 +204,10 @@ void writeBuffer(JsonWriter& json, const GlbBuffer& buffer, const EncodedImage* 
     writeView(json, offset, buffer.vertexCount(), 12, kArrayBuffer);
     writeView(json, offset, buffer.vertexCount(), 8, kArrayBuffer);
     writeView(json, offset, buffer.indexCount(), 4, kElementArrayBuffer);
+    if (!buffer.hulls().empty()) {
+        writeView(json, offset, buffer.hullVertexCount(), 12, kArrayBuffer);
+        writeView(json, offset, buffer.hullIndexCount(), 4, kElementArrayBuffer);
+    }
     const std::size_t imageSize = image == nullptr ? 0 : image->bytes().size();
     if (image != nullptr) {
         json.openObject();
@@ -207,20 +227,27 @@ void writeBuffer(JsonWriter& json, const GlbBuffer& buffer, const EncodedImage* 
 }  // namespace
 
 std::string glbJson(std::span<const MeshPart> parts, std::span<const std::vector<GlbPrimitive>> primitives,
-                    const GlbBuffer& buffer, const MeshMaterials& materials, PartPlacement place) {
+                    const GlbBuffer& buffer, const MeshMaterials& materials, PartPlacement place,
+                    const GlbPhysics* physics) {
     JsonWriter json(JsonLayout::Compact, 1024 + 1500 * parts.size());
     json.openObject();
     writeGlbAsset(json);
-    writeNodes(json, parts, place);
-    writeMeshes(json, parts, primitives, materials);
+    if (physics != nullptr) writePhysicsExtensions(json, *physics, parts.size());
+    if (physics != nullptr) writePhysicsNodes(json, parts, place, *physics);
+    if (physics == nullptr) writeNodes(json, parts, place);
+    writeMeshes(json, parts, primitives, materials, physics);
     json.openArray("materials");
     for (const MeshMaterial& material : materials.outside) writeGlbMaterial(json, material);
     writeGlbMaterial(json, materials.inside);
     json.close();
-    if (materials.image) writeGlbTexture(json, materials);
+    if (materials.image) writeGlbTexture(json, materials, imageView(buffer));
     json.openArray("accessors");
     for (const std::vector<GlbPrimitive>& part : primitives) {
         for (const GlbPrimitive& primitive : part) writeAccessors(json, primitive);
+    }
+    for (const GlbPrimitive& hull : buffer.hulls()) {
+        writePositions(json, kHullPositionView, hull);
+        writeIndices(json, kHullIndexView, hull);
     }
     json.close();
     writeBuffer(json, buffer, materials.image.get());

@@ -226,6 +226,7 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Pac
     hasher.add(options.inset);
     for (const std::string& name : {names.name, names.base, names.folder}) addSourceText(hasher, name);
     hasher.add(projectText(single));
+    if (meshes.glb && meshes.glbPhysics) hasher.add("glbPhysics");  // without it hashes are as they were
     return hasher.digest();
 }
 

@@ -54,11 +54,15 @@ std::vector<PartFile> fragmentFiles(const PackInput& input) {
 /// Writes parts into OBJ and GLB files, as the options say.
 class MeshFileWriter {
 public:
-    MeshFileWriter(const PackInput& input, const MeshOptions& options)
+    MeshFileWriter(const PackInput& input, const MeshOptions& options, const TaskContext& task)
         : m_options(options),
           m_materials(meshMaterials(input.asset, input.material)),
-          m_materialFile(input.names.folder + ".mtl") {}
+          m_materialFile(input.names.folder + ".mtl"),
+          m_input(input) {
+        if (options.glb && options.glbPhysics) m_builder.emplace(input, task);
+    }
 
+    /// Adds the files of parts, which are the whole if the file has no fragments.
     Status add(const PartFile& file, std::vector<MeshPart> parts) {
         if (m_options.faces == FaceShape::Triangles) {
             for (MeshPart& part : parts) part.mesh = triangulated(part.mesh);
@@ -66,7 +70,8 @@ public:
         if (m_options.obj)
             addFile(file, ".obj", objFile(parts, m_materials, m_options.place, m_materialFile, m_options.objFrame));
         if (!m_options.glb) return success();
-        Result<std::string> glb = glbFile(parts, m_materials, m_options.place);
+        const std::optional<GlbPhysics> physics = physicsOf(file);
+        Result<std::string> glb = glbFile(parts, m_materials, m_options.place, physics ? &*physics : nullptr);
         if (!glb) return glb.error();
         addFile(file, ".glb", std::move(*glb));
         return success();
@@ -80,6 +85,19 @@ public:
     }
 
 private:
+    /// The bodies in a file, in the order of its parts; nothing if GLB files have none.
+    std::optional<GlbPhysics> physicsOf(const PartFile& file) const {
+        if (!m_builder) return std::nullopt;
+        GlbPhysics physics{.bodies = {}, .material = m_input.material.own};
+        if (file.bodies == PackMeshBodies::Whole) physics.bodies.push_back({m_builder->whole(), {}});
+        for (const std::uint32_t index : file.fragments) {
+            PackBody body = m_builder->fragment(index);
+            std::string parent =
+                body.parent == kNone ? std::to_string(m_input.asset.id) : m_input.bake.fragmentId(body.parent);
+            physics.bodies.push_back({std::move(body), std::move(parent)});
+        }
+        return physics;
+    }
     void addFile(const PartFile& file, const char* suffix, std::string bytes) {
         const bool isOne = file.bodies == PackMeshBodies::Fragment;
         const std::uint32_t fragment = isOne ? file.fragments[0] : kNone;
@@ -91,6 +109,8 @@ private:
     MeshOptions m_options;
     MeshMaterials m_materials;
     std::string m_materialFile;
+    PackInput m_input;
+    std::optional<PackBuilder> m_builder;  // for the physics of GLB files
     PackMeshes m_meshes;
 };
 
@@ -99,7 +119,7 @@ private:
 Result<PackMeshes> packMeshes(const PackInput& input, const MeshOptions& options, const TaskContext& task) {
     if (!options.obj && !options.glb) return PackMeshes();
     const Bake& bake = input.bake;
-    MeshFileWriter files(input, options);
+    MeshFileWriter files(input, options, task);
     const FragmentMesher mesher(input.asset);
     const Status whole = files.add({input.names.folder + "-intact", PackMeshBodies::Whole, {}, {}},
                                    {{wholeBodyName(input.names), mesher.wholeMesh(bake), bake.whole.centre}});

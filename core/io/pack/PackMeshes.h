@@ -26,6 +26,7 @@ struct MeshOptions {
     PartPlacement place = PartPlacement::Assembled;
     FaceShape faces = FaceShape::Polygons;
     ObjFrame objFrame;
+    bool glbPhysics = false;  // GLB files have rigid bodies with the hulls of the pack as colliders
     bool operator==(const MeshOptions&) const = default;
 };
 

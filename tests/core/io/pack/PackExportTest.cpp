@@ -185,9 +185,12 @@ private slots:
         QVERIFY(differs([](Project&, Asset& a) { a.breakAs = BreakAs::Bonded; }));
         for (const MeshOptions& options :
              {MeshOptions{.obj = false}, MeshOptions{.glb = false}, MeshOptions{.split = FileSplit::PerFragment},
-              MeshOptions{.place = PartPlacement::Centred}, MeshOptions{.faces = FaceShape::Triangles}}) {
+              MeshOptions{.place = PartPlacement::Centred}, MeshOptions{.faces = FaceShape::Triangles},
+              MeshOptions{.glbPhysics = true}}) {
             QVERIFY(sourceOf(project, {.meshes = options}) != source);
         }
+        const MeshOptions obj{.glb = false}, objWithPhysics{.glb = false, .glbPhysics = true};
+        QVERIFY(sourceOf(project, {.meshes = obj}) == sourceOf(project, {.meshes = objWithPhysics}));
         QVERIFY(sourceOf(project, {.inset = 0.0}) != source);
         QVERIFY(sourceOf(project, {.topology = PackTopology::Loops}) != source);
     }
