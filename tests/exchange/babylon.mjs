@@ -1,4 +1,5 @@
-// The glTF loader of Babylon.js loads the GLB files of packs: node babylon.mjs PACKS PLACE.
+// The glTF loader of Babylon.js loads the GLB files of packs: node babylon.mjs PACKS PLACE [physics]. It ignores
+// their physics.
 import {readFileSync} from "node:fs";
 import {join, resolve} from "node:path";
 import {pathToFileURL} from "node:url";
@@ -39,7 +40,8 @@ for (const {path, name, bodies} of meshesOf(packs)) {
   const objects = new Map();
   for (const mesh of meshes) {
     if (mesh.getTotalVertices() === 0) continue;
-    const owner = mesh.name.replace(/_primitive\d+$/, "");
+    // With physics, the mesh is a child of the body.
+    const owner = mesh.name.replace(/_primitive\d+$/, "").replace(/_mesh$/, "");
     objects.set(owner, [...(objects.get(owner) ?? []), ...trianglesOf(mesh)]);
   }
   const list = [...objects].map(([owner, triangles]) => ({name: owner, triangles}));

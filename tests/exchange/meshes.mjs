@@ -60,3 +60,33 @@ export function checkObjects(title, objects, bodies) {
   for (const fault of faults) console.log(`  FAULT: ${fault}`);
   return faults.length;
 }
+
+/// Compares the physics of nodes {name, extensions, extras, children: their extensions} with the bodies of a file;
+/// returns the number of faults.
+export function checkPhysics(nodes, bodies, pack) {
+  const faults = [];
+  for (const body of bodies) {
+    const {extensions, extras, children} = nodes.find(({name}) => name === body.name) ?? {};
+    const bodyFaults = extensions ? faultsOfPhysics(extensions, extras, children, body, pack) : ["no physics"];
+    faults.push(...bodyFaults.map((fault) => `${body.name}: ${fault}`));
+  }
+  for (const fault of faults) console.log(`  FAULT: ${fault}`);
+  return faults.length;
+}
+
+function faultsOfPhysics(extensions, extras, children, body, pack) {
+  const {mass, inertiaDiagonal, inertiaOrientation} = extensions.KHR_physics_rigid_bodies.motion;
+  const {mass: omiMass, type} = extensions.OMI_physics_body.motion;
+  const isSame = (a, b) => a.every((value, k) => value === b[k]);
+  const parent = body === pack.whole ? null : body.parent === null ? pack.whole.id : pack.fragments[body.parent].id;
+  const colliders = children.filter((child) => child?.KHR_physics_rigid_bodies?.collider.geometry.convexHull);
+  const shapes = children.filter((child) => child?.OMI_physics_body?.collider);
+  const checks = {
+    mass: mass === body.mass && omiMass === body.mass && type === "dynamic",
+    inertia: isSame(inertiaDiagonal, body.principal.moments) && isSame(inertiaOrientation, body.principal.rotation),
+    extras: extras.id === body.id && extras.parent === parent && extras.level === body.level,
+    threshold: extras.threshold === (body === pack.whole ? pack.threshold : body.threshold ?? undefined),
+    colliders: colliders.length === body.hulls.length && shapes.length === body.hulls.length,
+  };
+  return Object.keys(checks).filter((key) => !checks[key]);
+}

@@ -1,11 +1,12 @@
-// The GLTFLoader of three.js loads the GLB files of packs: node three.mjs PACKS PLACE.
+// The GLTFLoader of three.js loads the GLB files of packs: node three.mjs PACKS PLACE [physics]. With physics,
+// the extensions are in userData.
 import {readFileSync} from "node:fs";
 import {join, resolve} from "node:path";
 import {pathToFileURL} from "node:url";
-import {checkObjects, meshesOf} from "./meshes.mjs";
+import {checkObjects, checkPhysics, meshesOf} from "./meshes.mjs";
 import {installed} from "./packages.mjs";
 
-const [packs, place] = process.argv.slice(2);
+const [packs, place, physics] = process.argv.slice(2);
 const {version, folder} = installed(place, "three");
 const load = (file) => import(pathToFileURL(resolve(join(folder, file))).href);
 const {Vector3} = await load("build/three.module.js");
@@ -25,7 +26,7 @@ function trianglesOf(object) {
 }
 
 let faults = 0;
-for (const {path, name, bodies} of meshesOf(packs)) {
+for (const {path, name, pack, bodies} of meshesOf(packs)) {
   const bytes = readFileSync(path);
   const buffer = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
   const {scene} = await new GLTFLoader().parseAsync(buffer, "");
@@ -33,5 +34,10 @@ for (const {path, name, bodies} of meshesOf(packs)) {
   // Names lose their periods; the original is in userData.
   const objects = scene.children.map((child) => ({name: child.userData.name ?? child.name, triangles: trianglesOf(child)}));
   faults += checkObjects(`three.js ${version}: ${name}`, objects, bodies);
+  if (!physics) continue;
+  const nodes = scene.children.map(({name, userData, children}) =>
+    ({name: userData.name ?? name, extensions: userData.gltfExtensions, extras: userData.rubble,
+      children: children.map((child) => child.userData.gltfExtensions)}));
+  faults += checkPhysics(nodes, bodies, pack);
 }
 process.exit(faults > 0 ? 1 : 0);

@@ -1,9 +1,10 @@
-// gltf-validator finds no error and no warning in the GLB files of packs: node validator.mjs PACKS PLACE.
+// gltf-validator finds no error and no warning in the GLB files of packs: node validator.mjs PACKS PLACE [physics].
+// With physics, it says that it does not know the extensions.
 import {readFileSync} from "node:fs";
 import {meshesOf} from "./meshes.mjs";
 import {installed, loaderFrom} from "./packages.mjs";
 
-const [packs, place] = process.argv.slice(2);
+const [packs, place, physics] = process.argv.slice(2);
 const {version} = installed(place, "gltf-validator");
 const {default: validator} = await loaderFrom(place)("gltf-validator");
 let faults = 0;
@@ -15,5 +16,10 @@ for (const {path, name} of meshesOf(packs)) {
     if (severity < 2) console.log(`  ${code}: ${message}`);
   }
   faults += numErrors + numWarnings;
+  const unknown = issues.messages.filter(({code}) => code === "UNSUPPORTED_EXTENSION").length;
+  if (unknown !== (physics ? 4 : 0)) {
+    console.log(`  FAULT: ${unknown} extensions that it does not know`);
+    ++faults;
+  }
 }
 process.exit(faults > 0 ? 1 : 0);
