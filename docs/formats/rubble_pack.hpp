@@ -421,8 +421,7 @@ inline Vec3 toUnreal(const Vec3& position) {
     return {kUnrealLength * position.x, kUnrealLength * position.z, kUnrealLength * position.y};
 }
 inline Quaternion toUnreal(const Quaternion& q) { return {-q.x, -q.z, -q.y, q.w}; }
-/// The same of directions, normals for one, which have no unit.
-inline Vec3 directionToUnity(const Vec3& direction) { return toUnity(direction); }
+/// The same of directions, normals for one, which have no unit; those of Unity are as positions.
 inline Vec3 directionToUnreal(const Vec3& direction) { return {direction.x, direction.z, direction.y}; }
 /// Angular velocities, rad/s: a mirror reverses them.
 inline Vec3 angularToUnity(const Vec3& angular) { return {angular.x, -angular.y, -angular.z}; }
@@ -2035,6 +2034,35 @@ inline std::optional<std::string> bytesOf(const std::string& path, std::string& 
     return std::nullopt;
 }
 
+/// Reads a JSON text: `read` makes a result of its root. After a fault the result is as it was.
+template <class T, class Read>
+bool readJson(std::string_view json, T& result, std::string& fault, Read read) {
+    Parser parser(json);
+    Document document;
+    if (!parser.parse(document)) {
+        fault = parser.fault();
+        return false;
+    }
+    Reader reader;
+    T made = read(reader, Value{&document, 0, nullptr, nullptr, 0});
+    if (!reader.fault.empty()) {
+        fault = reader.fault;
+        return false;
+    }
+    result = std::move(made);
+    return true;
+}
+
+/// Reads a file by one of the functions that parse its bytes.
+template <class T>
+bool loadBy(bool (*parse)(std::string_view, T&, std::string&), const std::string& path, T& result, std::string& fault) {
+    const std::optional<std::string> bytes = bytesOf(path, fault);
+    if (!bytes) return false;
+    if (parse(*bytes, result, fault)) return true;
+    fault = "\"" + path + "\": " + fault;
+    return false;
+}
+
 }  // namespace detail
 
 inline Structure structureOf(const Pack& pack, std::size_t fracture, double strength) {
@@ -2223,20 +2251,8 @@ inline bool readDamage(std::string_view bytes, const std::string& bake, std::vec
 }
 
 inline bool parse(std::string_view json, Pack& pack, std::string& fault) {
-    detail::Parser parser(json);
-    detail::Document document;
-    if (!parser.parse(document)) {
-        fault = parser.fault();
-        return false;
-    }
-    detail::Reader reader;
-    Pack read = reader.pack(detail::Value{&document, 0, nullptr, nullptr, 0});
-    if (!reader.fault.empty()) {
-        fault = reader.fault;
-        return false;
-    }
-    pack = std::move(read);
-    return true;
+    return detail::readJson(json, pack, fault,
+                            [](detail::Reader& reader, const detail::Value& root) { return reader.pack(root); });
 }
 
 inline bool openBinary(std::string_view bytes, BinaryPack& pack, std::string& fault) {
@@ -2252,71 +2268,36 @@ inline bool openBinary(std::string_view bytes, BinaryPack& pack, std::string& fa
 inline bool parseBinary(std::string_view bytes, Pack& pack, std::string& fault) {
     BinaryPack source;
     if (!openBinary(bytes, source, fault)) return false;
-    detail::Parser parser(source.header);
-    detail::Document document;
-    if (!parser.parse(document)) {
-        fault = parser.fault();
-        return false;
-    }
-    detail::Reader reader;
-    const detail::Value root{&document, 0, nullptr, nullptr, 0};
-    Pack read = reader.header(root, source.fragmentCount());
-    read.fragments.resize(source.fragmentCount());
-    bool hasArea = detail::bodyOf(source, source.whole(), read.whole);
-    for (std::uint32_t k = 0; k < source.fragmentCount(); ++k)
-        hasArea = detail::bodyOf(source, source.fragment(k), read.fragments[k]) && hasArea;
-    if (reader.fault.empty()) {
+    return detail::readJson(source.header, pack, fault, [&](detail::Reader& reader, const detail::Value& root) {
+        Pack read = reader.header(root, source.fragmentCount());
+        read.fragments.resize(source.fragmentCount());
+        bool hasArea = detail::bodyOf(source, source.whole(), read.whole);
+        for (std::uint32_t k = 0; k < source.fragmentCount(); ++k)
+            hasArea = detail::bodyOf(source, source.fragment(k), read.fragments[k]) && hasArea;
+        if (!hasArea) reader.refuse(root, "a face of a hull has no area");
+        if (!reader.fault.empty()) return read;
         if (const std::optional<detail::Value> bonds = detail::Reader::find(root, "bonding"))
             read.bonding = reader.bonding(*bonds, read.fragments);
-    }
-    if (!reader.fault.empty() || !hasArea) {
-        fault = reader.fault.empty() ? "A face of a hull has no area." : reader.fault;
-        return false;
-    }
-    detail::addContacts(source, read);
-    pack = std::move(read);
-    return true;
+        if (reader.fault.empty()) detail::addContacts(source, read);
+        return read;
+    });
 }
 
 inline bool loadBinary(const std::string& path, Pack& pack, std::string& fault) {
-    const std::optional<std::string> bytes = detail::bytesOf(path, fault);
-    if (!bytes) return false;
-    if (parseBinary(*bytes, pack, fault)) return true;
-    fault = "\"" + path + "\": " + fault;
-    return false;
+    return detail::loadBy(parseBinary, path, pack, fault);
 }
 
 inline bool load(const std::string& path, Pack& pack, std::string& fault) {
-    const std::optional<std::string> json = detail::bytesOf(path, fault);
-    if (!json) return false;
-    if (parse(*json, pack, fault)) return true;
-    fault = "\"" + path + "\": " + fault;
-    return false;
+    return detail::loadBy(parse, path, pack, fault);
 }
 
 inline bool parseScene(std::string_view json, Scene& scene, std::string& fault) {
-    detail::Parser parser(json);
-    detail::Document document;
-    if (!parser.parse(document)) {
-        fault = parser.fault();
-        return false;
-    }
-    detail::Reader reader;
-    Scene read = reader.scene(detail::Value{&document, 0, nullptr, nullptr, 0});
-    if (!reader.fault.empty()) {
-        fault = reader.fault;
-        return false;
-    }
-    scene = std::move(read);
-    return true;
+    return detail::readJson(json, scene, fault,
+                            [](detail::Reader& reader, const detail::Value& root) { return reader.scene(root); });
 }
 
 inline bool loadScene(const std::string& path, Scene& scene, std::string& fault) {
-    const std::optional<std::string> json = detail::bytesOf(path, fault);
-    if (!json) return false;
-    if (parseScene(*json, scene, fault)) return true;
-    fault = "\"" + path + "\": " + fault;
-    return false;
+    return detail::loadBy(parseScene, path, scene, fault);
 }
 
 inline bool parseEvents(std::string_view lines, EventLog& log, std::string& fault) {
@@ -2342,11 +2323,7 @@ inline bool parseEvents(std::string_view lines, EventLog& log, std::string& faul
 }
 
 inline bool loadEvents(const std::string& path, EventLog& log, std::string& fault) {
-    const std::optional<std::string> lines = detail::bytesOf(path, fault);
-    if (!lines) return false;
-    if (parseEvents(*lines, log, fault)) return true;
-    fault = "\"" + path + "\": " + fault;
-    return false;
+    return detail::loadBy(parseEvents, path, log, fault);
 }
 
 }  // namespace rubble_pack

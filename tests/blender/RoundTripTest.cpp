@@ -67,7 +67,8 @@ private slots:
         for (const PartPlacement place : {PartPlacement::Assembled, PartPlacement::Centred}) {
             const MeshOptions options{.place = place};
             const QString prefix = place == PartPlacement::Assembled ? "" : "centred-";
-            const PackMeshes meshes = packMeshes({m_bake, asset, brick, packNames(asset), {}}, options).value();
+            const PackMeshes meshes =
+                packMeshes(PackBuilder({m_bake, asset, brick, packNames(asset), {}}), options).value();
             for (const ExportFile& file : meshes.files) {
                 // In one folder, so that each OBJ file finds its MTL file and image.
                 const QString name = prefix + QString::fromStdString(file.name);

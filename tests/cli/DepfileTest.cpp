@@ -28,6 +28,14 @@ void writeText(const QString& path, const std::string& text) {
 // Names that are valid in folders of exports and in most paths.
 const Paths kOddNames{"plain", "two words", "a#b", "a$b", "50%", "back\\slash", "both\\ words", "größe"};
 
+/// A folder of its own in which there is an empty file.
+QDir folderWith(const QTemporaryDir& place, const std::string& name) {
+    const QDir folder(place.filePath(QString::number(qHash(QByteArray::fromStdString(name)))));
+    folder.mkpath(".");
+    writeText(folder.filePath(QString::fromStdString(name)), "");
+    return folder;
+}
+
 }  // namespace
 
 class DepfileTest : public QObject {
@@ -52,10 +60,8 @@ private slots:
         if (QStandardPaths::findExecutable("make").isEmpty()) QSKIP("make is not installed");
         const QTemporaryDir place;
         for (const std::string& name : kOddNames) {
-            const QDir folder(place.filePath(QString::number(qHash(QByteArray::fromStdString(name)))));
-            QVERIFY(folder.mkpath("."));
             const std::string source = name + ".rubble";
-            writeText(folder.filePath(QString::fromStdString(source)), "");
+            const QDir folder = folderWith(place, source);
             // The recipe runs, which says that the prerequisite is known and exists.
             writeText(folder.filePath("Makefile"), "include packs.d\nout:\n\t@echo built $(words $^)\n");
             writeText(folder.filePath("packs.d"), depfile({"out"}, {source}));
@@ -72,10 +78,8 @@ private slots:
         if (QStandardPaths::findExecutable("ninja").isEmpty()) QSKIP("ninja is not installed");
         const QTemporaryDir place;
         for (const std::string& name : kOddNames) {
-            const QDir folder(place.filePath(QString::number(qHash(QByteArray::fromStdString(name)))));
-            QVERIFY(folder.mkpath("."));
             const std::string source = name + ".rubble";
-            writeText(folder.filePath(QString::fromStdString(source)), "");
+            const QDir folder = folderWith(place, source);
             writeText(folder.filePath("ready.d"), depfile({"out"}, {source}));
             writeText(folder.filePath("build.ninja"),
                       "rule r\n  command = cp ready.d packs.d && touch out\n"

@@ -62,6 +62,7 @@ public:
     /// Finds the contacts of all fragments, with task.threads threads.
     explicit PackBuilder(const PackInput& input, const TaskContext& task = {});
 
+    const PackInput& input() const { return m_input; }
     /// The pack without its bodies and bonds.
     Pack header(std::span<const PackMeshFile> meshes) const;
     PackBody whole() const;

@@ -34,10 +34,7 @@ ExportIndex readIndexMembers(const JsonValue& root) {
     ExportIndex index;
     index.project = root["project"].text();
     index.folders = root["folders"].list([](const JsonValue& folder) { return folder.text(); });
-    for (const JsonValue file : root["files"].elements()) {
-        file.requireObject({"name", "size", "hash"});
-        index.files.push_back({file["name"].text(), file["size"].wholeNumber(), file["hash"].text()});
-    }
+    index.files = readEntries(root);
     return index;
 }
 
@@ -52,15 +49,7 @@ std::string exportIndexJson(const ExportIndex& index) {
     json.openArray("folders");
     for (const std::string& folder : index.folders) json.text({}, folder);
     json.close();
-    json.openArray("files");
-    for (const ManifestEntry& file : index.files) {
-        json.openObject({}, JsonLayout::Inline);
-        json.text("name", file.name);
-        json.wholeNumber("size", file.size);
-        json.text("hash", file.hash);
-        json.close();
-    }
-    json.close();
+    writeEntries(json, index.files);
     json.close();
     return std::move(json).finished();
 }

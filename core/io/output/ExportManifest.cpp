@@ -22,15 +22,7 @@ std::string manifestJson(const Manifest& manifest) {
     json.text("format", kManifestFormat);
     json.wholeNumber("version", std::uint64_t{kManifestVersion});
     json.text("source", manifest.source);
-    json.openArray("files");
-    for (const ManifestEntry& file : manifest.files) {
-        json.openObject({}, JsonLayout::Inline);
-        json.text("name", file.name);
-        json.wholeNumber("size", file.size);
-        json.text("hash", file.hash);
-        json.close();
-    }
-    json.close();
+    writeEntries(json, manifest.files);
     json.close();
     return std::move(json).finished();
 }
@@ -45,10 +37,7 @@ std::optional<Manifest> readManifest(const fs::path& folder) {
     if (root["format"].text() != kManifestFormat || root["version"].index() != kManifestVersion) return std::nullopt;
     Manifest manifest;
     manifest.source = root["source"].text();
-    for (const JsonValue file : root["files"].elements()) {
-        file.requireObject({"name", "size", "hash"});
-        manifest.files.push_back({file["name"].text(), file["size"].wholeNumber(), file["hash"].text()});
-    }
+    manifest.files = readEntries(root);
     if (document->firstError()) return std::nullopt;
     const auto isInFolder = [](const ManifestEntry& file) {
         const fs::path name = file.name;
@@ -56,6 +45,25 @@ std::optional<Manifest> readManifest(const fs::path& folder) {
     };
     if (!std::ranges::all_of(manifest.files, isInFolder)) return std::nullopt;
     return manifest;
+}
+
+void writeEntries(JsonWriter& json, std::span<const ManifestEntry> files) {
+    json.openArray("files");
+    for (const ManifestEntry& file : files) {
+        json.openObject({}, JsonLayout::Inline);
+        json.text("name", file.name);
+        json.wholeNumber("size", file.size);
+        json.text("hash", file.hash);
+        json.close();
+    }
+    json.close();
+}
+
+std::vector<ManifestEntry> readEntries(const JsonValue& root) {
+    return root["files"].list([](const JsonValue& file) {
+        file.requireObject({"name", "size", "hash"});
+        return ManifestEntry{file["name"].text(), file["size"].wholeNumber(), file["hash"].text()};
+    });
 }
 
 ManifestEntry manifestEntry(const std::string& name, std::string_view bytes) {

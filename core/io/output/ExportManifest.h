@@ -1,10 +1,13 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/io/json/JsonDocument.h"
+#include "core/io/json/JsonWriter.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +35,10 @@ std::string manifestJson(const Manifest& manifest);
 
 /// The manifest of a folder; nothing if there is none that this version can read, or if it names a file elsewhere.
 std::optional<Manifest> readManifest(const std::filesystem::path& folder);
+
+/// Write and read a list of files as the member "files".
+void writeEntries(JsonWriter& json, std::span<const ManifestEntry> files);
+std::vector<ManifestEntry> readEntries(const JsonValue& root);
 
 ManifestEntry manifestEntry(const std::string& name, std::string_view bytes);
 /// The entry of a file as it is now. Errors: NotFound, Io; a link is not followed.

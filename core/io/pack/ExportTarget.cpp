@@ -56,7 +56,10 @@ std::string_view stepsFor(ExportTarget target) {
                    "   has these conversions.\n"
                    "\nNot tested in Unreal Engine itself.\n";
         case ExportTarget::Godot:
-            return "1. Copy this folder into the project; Godot imports the GLB files.\n"
+            return "1. Copy this folder into the project; Godot imports the GLB files. They hold rigid bodies with "
+                   "masses\n"
+                   "   and colliders (OMI_physics_body), which Godot 4.3 and later read; earlier ones take the "
+                   "meshes.\n"
                    "2. Read `pack.json` and `scene.json` with `JSON.parse_string()`; give each body a `RigidBody3D` "
                    "with\n"
                    "   `mass`, and for each hull a `CollisionShape3D` with a `ConvexPolygonShape3D` of its vertices.\n"
@@ -87,6 +90,7 @@ PackOptions optionsFor(ExportTarget target) {
     const bool isNative = target == ExportTarget::Unity || target == ExportTarget::Unreal;
     options.files = isNative ? PackFiles::Both : PackFiles::Json;
     options.topology = PackTopology::Loops;
+    options.meshes.glbPhysics = target == ExportTarget::Godot || target == ExportTarget::Web;
     return options;
 }
 

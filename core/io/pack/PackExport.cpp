@@ -79,19 +79,19 @@ Status writePack(const Project& project, const PackedAsset& packed, const PackOp
     Result<Bake> baked = bake(asset, task.stage(0.0, 0.5));
     if (!baked) return baked.error();
     const PackInput input{*baked, asset, materialsOf(project, asset), packed.names, packSettings(project, options)};
-    Result<PackMeshes> meshes = packMeshes(input, options.meshes, task.stage(0.5, 0.8));
+    const PackBuilder builder(input, task.stage(0.5, 0.52));
+    Result<PackMeshes> meshes = packMeshes(builder, options.meshes, task.stage(0.52, 0.8));
     if (!meshes && meshes.error().code == ErrorCode::Cancelled) return meshes.error();
     if (!meshes) return Error{meshes.error().code, "Asset " + quotedName(asset.name) + ": " + meshes.error().message};
     std::vector<ExportFile> files = std::move(meshes->files);
-    const PackBuilder builder(input, task.stage(0.8, 0.82));
     if (options.files != PackFiles::Json) {
-        Result<std::string> binary = packBinary(builder, meshes->list, task.stage(0.82, 0.84));
+        Result<std::string> binary = packBinary(builder, meshes->list, task.stage(0.8, 0.82));
         if (!binary)
             return Error{binary.error().code, "Asset " + quotedName(asset.name) + ": " + binary.error().message};
         files.insert(files.begin(), {kPackBinaryName, std::move(*binary)});
     }
     if (options.files != PackFiles::Binary) {
-        std::string json = packJson(builder, meshes->list, options.topology, task.stage(0.84, 0.9));
+        std::string json = packJson(builder, meshes->list, options.topology, task.stage(0.82, 0.9));
         files.insert(files.begin(), {kPackName, std::move(json)});
     }
     result.fragmentCount = baked->fragmentCount();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/json/FormatVersion.h"
+#include "core/io/json/JsonWriter.h"
 #include "core/io/pack/PackFile.h"
 
 #include <array>
@@ -21,6 +22,9 @@ inline constexpr std::array<std::string_view, 3> kPackFalloffs{"constant", "line
 inline constexpr std::array<std::string_view, 2> kPackBreaks{"whole", "bonded"};
 inline constexpr std::array<std::string_view, 2> kPackRules{"impact", "momentum"};
 inline constexpr std::array<std::string_view, 2> kPackSides{"outside", "inside"};
+
+/// Writes the units, as the member "units", of a pack or a scene.
+void writeUnits(JsonWriter& json);
 
 /// What all packs of this version say.
 inline constexpr std::string_view kPackVelocity = "beforeSolver";

@@ -11,12 +11,7 @@
 namespace rubble {
 namespace {
 
-void writeUnits(JsonWriter& json) {
-    json.openObject("units");
-    json.text("length", "m");
-    json.text("mass", "kg");
-    json.text("time", "s");
-    json.close();
+void writeAxes(JsonWriter& json) {
     json.openObject("axes");
     json.text("handedness", "right");
     json.text("up", "y");
@@ -240,11 +235,20 @@ void readVersion2(const JsonValue& root, Pack& pack) {
 
 }  // namespace
 
+void writeUnits(JsonWriter& json) {
+    json.openObject("units");
+    json.text("length", "m");
+    json.text("mass", "kg");
+    json.text("time", "s");
+    json.close();
+}
+
 void writePackHeader(JsonWriter& json, const Pack& pack) {
     json.text("format", kPackFormat.name);
     json.wholeNumber("version", std::uint64_t{kPackVersion});
     json.text("generator", pack.generator);
     writeUnits(json);
+    writeAxes(json);
     writePackNames(json, pack);
     json.text("hash", pack.hash);
     json.text("physicsHash", pack.physicsHash);

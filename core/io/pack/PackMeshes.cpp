@@ -54,13 +54,11 @@ std::vector<PartFile> fragmentFiles(const PackInput& input) {
 /// Writes parts into OBJ and GLB files, as the options say.
 class MeshFileWriter {
 public:
-    MeshFileWriter(const PackInput& input, const MeshOptions& options, const TaskContext& task)
-        : m_options(options),
-          m_materials(meshMaterials(input.asset, input.material)),
-          m_materialFile(input.names.folder + ".mtl"),
-          m_input(input) {
-        if (options.glb && options.glbPhysics) m_builder.emplace(input, task);
-    }
+    MeshFileWriter(const PackBuilder& builder, const MeshOptions& options)
+        : m_builder(builder),
+          m_options(options),
+          m_materials(meshMaterials(builder.input().asset, builder.input().material)),
+          m_materialFile(builder.input().names.folder + ".mtl") {}
 
     /// Adds the files of parts, which are the whole if the file has no fragments.
     Status add(const PartFile& file, std::vector<MeshPart> parts) {
@@ -87,13 +85,13 @@ public:
 private:
     /// The bodies in a file, in the order of its parts; nothing if GLB files have none.
     std::optional<GlbPhysics> physicsOf(const PartFile& file) const {
-        if (!m_builder) return std::nullopt;
-        GlbPhysics physics{.bodies = {}, .material = m_input.material.own};
-        if (file.bodies == PackMeshBodies::Whole) physics.bodies.push_back({m_builder->whole(), {}});
+        if (!m_options.glbPhysics) return std::nullopt;
+        const auto& [bake, asset, material, names, settings] = m_builder.input();
+        GlbPhysics physics{.bodies = {}, .material = material.own};
+        if (file.bodies == PackMeshBodies::Whole) physics.bodies.push_back({m_builder.whole(), {}});
         for (const std::uint32_t index : file.fragments) {
-            PackBody body = m_builder->fragment(index);
-            std::string parent =
-                body.parent == kNone ? std::to_string(m_input.asset.id) : m_input.bake.fragmentId(body.parent);
+            PackBody body = m_builder.fragment(index);
+            std::string parent = body.parent == kNone ? std::to_string(asset.id) : bake.fragmentId(body.parent);
             physics.bodies.push_back({std::move(body), std::move(parent)});
         }
         return physics;
@@ -106,20 +104,20 @@ private:
         m_meshes.files.push_back({name, std::move(bytes)});
     }
 
+    const PackBuilder& m_builder;
     MeshOptions m_options;
     MeshMaterials m_materials;
     std::string m_materialFile;
-    PackInput m_input;
-    std::optional<PackBuilder> m_builder;  // for the physics of GLB files
     PackMeshes m_meshes;
 };
 
 }  // namespace
 
-Result<PackMeshes> packMeshes(const PackInput& input, const MeshOptions& options, const TaskContext& task) {
+Result<PackMeshes> packMeshes(const PackBuilder& builder, const MeshOptions& options, const TaskContext& task) {
     if (!options.obj && !options.glb) return PackMeshes();
+    const PackInput& input = builder.input();
     const Bake& bake = input.bake;
-    MeshFileWriter files(input, options, task);
+    MeshFileWriter files(builder, options);
     const FragmentMesher mesher(input.asset);
     const Status whole = files.add({input.names.folder + "-intact", PackMeshBodies::Whole, {}, {}},
                                    {{wholeBodyName(input.names), mesher.wholeMesh(bake), bake.whole.centre}});

@@ -39,6 +39,6 @@ struct PackMeshes {
 /// Returns the meshes of an asset, the whole first. The files are described in docs/formats/obj-glb.md.
 ///
 /// Errors: those of glbFile(); Cancelled.
-Result<PackMeshes> packMeshes(const PackInput& input, const MeshOptions& options, const TaskContext& task = {});
+Result<PackMeshes> packMeshes(const PackBuilder& builder, const MeshOptions& options, const TaskContext& task = {});
 
 }  // namespace rubble

@@ -19,11 +19,7 @@ void writeSceneHeader(JsonWriter& json) {
     json.text("format", kSceneFormat.name);
     json.wholeNumber("version", std::uint64_t{kSceneFormat.version});
     json.text("generator", std::string("Rubble ") + programVersion());
-    json.openObject("units");
-    json.text("length", "m");
-    json.text("mass", "kg");
-    json.text("time", "s");
-    json.close();
+    writeUnits(json);
     json.openObject("axes");
     json.text("handedness", "right");
     json.text("up", "y");

@@ -29,7 +29,7 @@ struct PhysicsExport {
         const Bake baked = bake(asset).value();
         const PackInput input{baked, asset, {kStone, kStone}, packNames(asset), {}};
         pack = packOf(input, {});
-        const PackMeshes meshes = packMeshes(input, options).value();
+        const PackMeshes meshes = packMeshes(PackBuilder(input), options).value();
         for (const ExportFile& file : meshes.files) {
             const std::string fault = openGlb(file.bytes, files[file.name]);
             if (!fault.empty()) qWarning("%s: %s", file.name.c_str(), fault.c_str());

@@ -166,7 +166,7 @@ private slots:
         const Asset& asset = project.assets[0];
         const Bake whole = bake(asset).value();
         const PackMeshes meshes =
-            packMeshes({whole, asset, materialsOf(project, asset), packNames(asset), {}}, {}).value();
+            packMeshes(PackBuilder({whole, asset, materialsOf(project, asset), packNames(asset), {}}), {}).value();
         for (const ExportFile& file : meshes.files) mesh.write("pack/" + file.name, file.bytes);
         for (const char* name : {"pack/wall-intact.obj", "pack/wall-intact.glb"}) {
             const ImportOutcome again = outcomeOf(mesh.path(name));

@@ -26,7 +26,7 @@ Asset wallAsset() {
 
 Result<PackMeshes> meshesOf(const Asset& asset, const MeshOptions& options, const TaskContext& task = {}) {
     const Bake baked = bake(asset).value();
-    return packMeshes(PackInput{baked, asset, kBrick, packNames(asset), {}}, options, task);
+    return packMeshes(PackBuilder({baked, asset, kBrick, packNames(asset), {}}), options, task);
 }
 
 std::vector<ExportFile> filesOf(const Asset& asset, const MeshOptions& options) {
