@@ -41,6 +41,7 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent) : QDialog(pare
     addFields();
     addForm();
     showOptions(lastExportOptions(workspace).value_or(defaultOptions(workspace)));
+    connect(m_target, &QComboBox::currentIndexChanged, this, &ExportDialog::applyTarget);
     for (QCheckBox* box : {m_obj, m_glb}) connect(box, &QCheckBox::toggled, this, &ExportDialog::updateSummary);
     for (QComboBox* box : {m_split, m_place, m_faces}) {
         connect(box, &QComboBox::currentIndexChanged, this, &ExportDialog::updateSummary);
@@ -56,6 +57,8 @@ void ExportDialog::addFields() {
     m_assets->setToolTip(tr("Select the assets to export; each is written to a folder with its name"));
     m_folder = new QLineEdit;
     m_folder->setToolTip(tr("Set the output folder, which gets a subfolder for each asset"));
+    m_target = comboBox({tr("Any engine"), "Unity", "Unreal Engine", "Godot", "Blender", tr("Web")},
+                        tr("Select the program that the export is for; a README.md says how to use it there"));
     m_obj = new QCheckBox(tr("&OBJ with materials"));
     m_obj->setToolTip(tr("Write Wavefront OBJ files, which all 3D programs read"));
     m_glb = new QCheckBox(tr("&GLB"));
@@ -83,10 +86,11 @@ void ExportDialog::addForm() {
     auto* folderLabel = new QLabel(tr("&Folder:"));
     folderLabel->setBuddy(m_folder);
     form->addRow(folderLabel, createPathRow(*m_folder, [this] { browse(); }));
+    form->addRow(tr("&Program:"), m_target);
     form->addRow(tr("Meshes:"), m_obj);
     form->addRow(QString(), m_glb);
     form->addRow(tr("Frag&ments:"), m_split);
-    form->addRow(tr("&Position:"), m_place);
+    form->addRow(tr("Posi&tion:"), m_place);
     form->addRow(tr("OBJ fa&ces:"), m_faces);
     form->addRow(tr("OBJ a&xes:"), m_up);
     form->addRow(tr("OBJ &unit:"), m_unit);
@@ -105,6 +109,7 @@ void ExportDialog::showOptions(const ExportOptions& options) {
         item->setCheckState(isSelected ? Qt::Checked : Qt::Unchecked);
     }
     m_folder->setText(QDir::toNativeSeparators(options.folder));
+    m_target->setCurrentIndex(static_cast<int>(options.target));
     m_obj->setChecked(options.meshes.obj);
     m_glb->setChecked(options.meshes.glb);
     m_split->setCurrentIndex(options.meshes.split == FileSplit::PerFragment);
@@ -128,6 +133,7 @@ ExportOptions ExportDialog::options() const {
     std::vector<Id> selected = selectedAssets();
     const bool areAll = static_cast<int>(selected.size()) == m_assets->count();
     if (!areAll) options.assets = std::move(selected);  // all: includes assets that are added later
+    options.target = static_cast<ExportTarget>(m_target->currentIndex());
     options.meshes.obj = m_obj->isChecked();
     options.meshes.glb = m_glb->isChecked();
     options.meshes.split = m_split->currentIndex() == 1 ? FileSplit::PerFragment : FileSplit::Single;
@@ -141,6 +147,14 @@ ExportOptions ExportDialog::options() const {
 void ExportDialog::browse() {
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Export Folder"), m_folder->text());
     if (!folder.isEmpty()) m_folder->setText(QDir::toNativeSeparators(folder));
+}
+
+/// Selects the meshes that the program reads.
+void ExportDialog::applyTarget() {
+    const MeshOptions meshes = optionsFor(options().target).meshes;
+    m_obj->setChecked(meshes.obj);
+    m_glb->setChecked(meshes.glb);
+    updateSummary();
 }
 
 /// Shows what will be written, and enables what is relevant.
@@ -161,10 +175,10 @@ void ExportDialog::updateSummary() {
         }
         folders.append(nameText(names.at({id}).folder));
     }
-    const QString content = meshes.obj && meshes.glb ? tr("pack.json, OBJ and GLB meshes")
-                            : meshes.obj             ? tr("pack.json and OBJ meshes")
-                            : meshes.glb             ? tr("pack.json and a GLB mesh")
-                                                     : tr("pack.json");
+    const QString content = meshes.obj && meshes.glb ? tr("packs, OBJ and GLB meshes")
+                            : meshes.obj             ? tr("packs and OBJ meshes")
+                            : meshes.glb             ? tr("packs and GLB meshes")
+                                                     : tr("packs");
     m_summary->setText(tr("Writes %n folder(s) with %1: %2", nullptr, static_cast<int>(assets.size()))
                            .arg(content, folders.join(", ")));
 }

@@ -26,11 +26,13 @@ private:
     void showOptions(const ExportOptions& options);
     void browse();
     std::vector<Id> selectedAssets() const;
+    void applyTarget();
     void updateSummary();
 
     Workspace& m_workspace;
     QListWidget* m_assets;
     QLineEdit* m_folder;
+    QComboBox* m_target;
     QCheckBox* m_obj;
     QCheckBox* m_glb;
     QComboBox* m_split;

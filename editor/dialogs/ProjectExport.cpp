@@ -1,6 +1,6 @@
 #include "editor/dialogs/ProjectExport.h"
 
-#include "core/io/pack/PackExport.h"
+#include "core/io/pack/OutputFolder.h"
 #include "editor/dialogs/MessageBoxes.h"
 #include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
@@ -32,6 +32,8 @@ void store(const QString& group, const ExportOptions& options) {
     QSettings settings;
     settings.beginGroup(group);
     settings.setValue("folder", settingOf(options.folder));
+    const std::string_view target = kExportTargets[static_cast<std::size_t>(options.target)];
+    settings.setValue("target", QString::fromUtf8(target.data(), static_cast<qsizetype>(target.size())));
     settings.setValue("obj", options.meshes.obj);
     settings.setValue("glb", options.meshes.glb);
     settings.setValue("filePerFragment", options.meshes.split == FileSplit::PerFragment);
@@ -45,6 +47,15 @@ void store(const QString& group, const ExportOptions& options) {
     settings.setValue("assets", assets);
 }
 
+/// What the program needs, with the meshes that were selected.
+PackOptions packOptions(const ExportOptions& options) {
+    PackOptions pack = optionsFor(options.target);
+    const bool hasPhysics = pack.meshes.glbPhysics;
+    pack.meshes = options.meshes;
+    pack.meshes.glbPhysics = hasPhysics;
+    return pack;
+}
+
 std::vector<Id> assetsToExport(const ExportOptions& options, const Project& project) {
     if (options.assets) return *options.assets;
     std::vector<Id> assets;
@@ -54,12 +65,31 @@ std::vector<Id> assetsToExport(const ExportOptions& options, const Project& proj
 
 bool isEdited(const AssetExport& asset) { return !asset.status && asset.status.error().code == ErrorCode::Edited; }
 
-/// Asks whether to replace the folders of assets that hold files changed after their export.
-bool confirmReplacing(const std::vector<AssetExport>& exports, QWidget* parent) {
+/// What an export did: with the packs, and with the scene and the index beside them.
+struct ExportRun {
+    std::vector<AssetExport> packs;
+    Status finished = success();
+};
+
+Result<ExportRun> runExport(const OutputRequest& request, const Project& project, const std::vector<Id>& assets,
+                            const TaskContext& task) {
+    const Result<std::optional<ExportIndex>> earlier = readExportIndex(request.folder);
+    if (!earlier) return earlier.error();
+    Result<std::vector<AssetExport>> packs =
+        exportPacks(project, assets, request.folder, request.options, request.edited, task);
+    if (!packs) return packs.error();
+    const Status finished = finishExport(request, project, *packs, *earlier, task);
+    return ExportRun{std::move(*packs), finished};
+}
+
+/// Asks whether to replace the folders that hold files changed after their export.
+bool confirmReplacing(const ExportRun& run, const QString& folder, QWidget* parent) {
     QStringList folders;
-    for (const AssetExport& asset : exports) {
+    for (const AssetExport& asset : run.packs) {
         if (isEdited(asset)) folders.append('"' + fileNameText(fromPath(asset.folder)) + '"');
     }
+    if (!run.finished && run.finished.error().code == ErrorCode::Edited)
+        folders.append('"' + fileNameText(folder) + '"');
     if (folders.isEmpty()) return false;
     const QString changed = ExportTexts::tr("Files in the %n folder(s) %1 were changed after the last export.", nullptr,
                                             static_cast<int>(folders.size()))
@@ -69,10 +99,10 @@ bool confirmReplacing(const std::vector<AssetExport>& exports, QWidget* parent) 
 }
 
 /// Shows the assets that failed and returns a sentence about the others. Files that the user keeps are no failure.
-QString summary(const std::vector<AssetExport>& exports, const QString& folder, Messages& messages, QWidget* parent) {
+QString summary(const ExportRun& run, const QString& folder, Messages& messages, QWidget* parent) {
     QStringList errors;
     int written = 0, unchanged = 0, kept = 0;
-    for (const AssetExport& asset : exports) {
+    for (const AssetExport& asset : run.packs) {
         if (asset.status) {
             ++(asset.isUnchanged ? unchanged : written);
             continue;
@@ -83,6 +113,11 @@ QString summary(const std::vector<AssetExport>& exports, const QString& folder, 
         }
         errors.append(QString::fromStdString(asset.status.error().message));
         messages.add({.severity = Severity::Error, .text = errors.last(), .asset = asset.asset});
+    }
+    if (!run.finished && run.finished.error().code != ErrorCode::Edited) {
+        const QString sentence = QString::fromStdString(run.finished.error().message);
+        messages.add({.severity = Severity::Error, .text = sentence});
+        showError(parent, sentence);
     }
     if (!errors.isEmpty()) {
         const int failed = static_cast<int>(errors.size());
@@ -103,6 +138,8 @@ std::optional<ExportOptions> lastExportOptions(Workspace& workspace) {
     if (group.isEmpty() || !settings.contains(group + "/folder")) return std::nullopt;
     settings.beginGroup(group);
     ExportOptions options{.folder = pathOf(settings.value("folder"))};
+    const auto target = std::ranges::find(kExportTargets, settings.value("target").toString().toStdString());
+    if (target != kExportTargets.end()) options.target = static_cast<ExportTarget>(target - kExportTargets.begin());
     options.meshes.obj = settings.value("obj").toBool();
     options.meshes.glb = settings.value("glb").toBool();
     if (settings.value("filePerFragment").toBool()) options.meshes.split = FileSplit::PerFragment;
@@ -122,20 +159,26 @@ ExportSummary exportProject(Workspace& workspace, const ExportOptions& options, 
     store(settingsGroup(workspace.file().path()), options);
     const Project project = workspace.project();
     const std::vector<Id> assets = assetsToExport(options, project);
-    using Outcome = Result<std::vector<AssetExport>>;
-    const auto run = [&](EditedFiles edited) {
+    OutputRequest request{.folder = toPath(options.folder),
+                          .project = indexName(toPath(workspace.file().path())),
+                          .options = packOptions(options),
+                          .target = options.target,
+                          .hasAllAssets = !options.assets};
+    const auto run = [&] {
         TaskDialog dialog(ExportTexts::tr("Exporting…"), parent);
-        return dialog.run<Outcome>([&](const TaskContext& task) {
-            return exportPacks(project, assets, toPath(options.folder), {.meshes = options.meshes}, edited, task);
-        });
+        return dialog.run<Result<ExportRun>>(
+            [&](const TaskContext& task) { return runExport(request, project, assets, task); });
     };
-    Outcome outcome = run(EditedFiles::Kept);
-    if (outcome && confirmReplacing(*outcome, parent)) outcome = run(EditedFiles::Replaced);
+    Result<ExportRun> outcome = run();
+    if (outcome && confirmReplacing(*outcome, options.folder, parent)) {
+        request.edited = EditedFiles::Replaced;
+        outcome = run();
+    }
     if (outcome) {
         const QString sentence = summary(*outcome, options.folder, messages, parent);
         messages.add({.text = sentence});
-        return {sentence,
-                std::ranges::any_of(*outcome, [](const AssetExport& exported) { return exported.status.hasValue(); })};
+        const auto isExported = [](const AssetExport& exported) { return exported.status.hasValue(); };
+        return {sentence, std::ranges::any_of(outcome->packs, isExported)};
     }
     if (outcome.error().code == ErrorCode::Cancelled) {
         return {ExportTexts::tr("Export cancelled. No incomplete files were left."), false};

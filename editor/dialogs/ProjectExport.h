@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/pack/PackMeshes.h"
+#include "core/io/pack/ExportTarget.h"
 #include "editor/document/Messages.h"
 #include "editor/workspace/Workspace.h"
 
@@ -12,6 +12,7 @@ namespace rubble {
 struct ExportOptions {
     QString folder;
     std::optional<std::vector<Id>> assets;  // none: all assets of the project at the time of the export
+    ExportTarget target = ExportTarget::Neutral;
     MeshOptions meshes;
 };
 

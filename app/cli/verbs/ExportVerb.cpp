@@ -7,18 +7,14 @@
 #include "app/cli/output/ProjectLoading.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/project/Ranges.h"
-#include "core/base/MessageText.h"
 #include "core/io/output/ExportIndex.h"
-#include "core/io/output/OutputFiles.h"
-#include "core/io/pack/ExportTarget.h"
+#include "core/io/pack/OutputFolder.h"
 #include "core/io/pack/PackExport.h"
-#include "core/io/pack/SceneFile.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -81,11 +77,6 @@ void addEnumOption(Command& command, const char* name, const char* help, const A
 
 using Names = std::vector<std::string>;
 
-/// The name of the project's file as the index has it: a text, of whatever bytes.
-std::string projectName(const ExportArguments& arguments) {
-    return printableText(fs::path(arguments.project).filename().string());
-}
-
 EditedFiles editedFiles(const ExportArguments& arguments) {
     return arguments.isOverwriting ? EditedFiles::Replaced : EditedFiles::Kept;
 }
@@ -95,32 +86,14 @@ Error refusal(const Error& error) {
     return {error.code, error.message + (error.code == ErrorCode::Edited ? " Use --overwrite to replace it." : "")};
 }
 
-/// The names of the folders of all packs of a project, in its order.
-Names folderNames(const Project& project) {
-    Names names;
-    for (const auto& [variant, pack] : packNames(project)) names.push_back(pack.folder);
-    return names;
-}
-
-/// Whether there is something at a path, be it a dangling link.
-bool isThere(const fs::path& path) {
-    std::error_code ignored;
-    return fs::exists(fs::symlink_status(path, ignored));
-}
-
-/// The folders in the output folder that the project exported earlier and has no asset for any more. One that is also
-/// that of an asset is not: "Wall" and "wall" on file systems that ignore case.
-Names staleIn(const ExportArguments& arguments, const std::optional<ExportIndex>& earlier, const Names& current) {
-    const fs::path out = arguments.out;
-    Names stale = staleFolders(earlier, projectName(arguments), current);
-    std::erase_if(stale, [&](const std::string& folder) {
-        const auto isSame = [&](const std::string& name) {
-            std::error_code error;  // where one of them is missing
-            return fs::equivalent(out / name, out / folder, error) && !error;
-        };
-        return !isThere(out / folder) || std::ranges::any_of(current, isSame);
-    });
-    return stale;
+/// What the output folder is to hold.
+OutputRequest requestOf(const ExportArguments& arguments) {
+    return {.folder = arguments.out,
+            .project = indexName(arguments.project),
+            .options = arguments.pack,
+            .target = arguments.target,
+            .hasAllAssets = arguments.assets.empty(),
+            .edited = editedFiles(arguments)};
 }
 
 /// Removes stale folders.
@@ -135,47 +108,6 @@ std::vector<PrunedFolder> prune(const ExportArguments& arguments, const Names& s
     return pruned;
 }
 
-/// Whether all packs of the project are in place.
-bool isWhole(const ExportArguments& arguments, const ExportOutcome& outcome) {
-    const auto isInPlace = [](const AssetExport& pack) { return pack.status.hasValue(); };
-    return arguments.assets.empty() && std::ranges::all_of(outcome.packs, isInPlace);
-}
-
-/// The files in the output folder itself, if all packs are in place: the scene, and how to use it in a program.
-std::vector<ExportFile> outputFiles(const ExportArguments& arguments, const Project& project,
-                                    const ExportOutcome& outcome) {
-    std::vector<ExportFile> files;
-    if (!isWhole(arguments, outcome)) return files;
-    if (hasScene(project)) files.push_back({kSceneName, sceneFileJson(project, arguments.pack)});
-    if (arguments.target) files.push_back({kReadmeName, readmeFor(*arguments.target)});
-    return files;
-}
-
-/// Writes the files in the output folder itself, and updates its index: to these, the exported folders, and those that
-/// are still there.
-Status updateIndex(const ExportArguments& arguments, const Project& project, const ExportOutcome& outcome,
-                   const std::optional<ExportIndex>& before, const CliContext& context) {
-    if (!isThere(arguments.out)) return success();  // nothing was exported
-    const std::vector<ExportFile> files = outputFiles(arguments, project, outcome);
-    const Names current = folderNames(project);
-    std::set<std::string> exported;
-    for (const AssetExport& pack : outcome.packs) {
-        if (pack.status) exported.insert(pack.folder.filename().string());
-    }
-    const auto setFiles = [&](std::span<const ManifestEntry> entries) {
-        const auto change = [&](const std::optional<ExportIndex>& earlier) {
-            ExportIndex index = indexAfterExport(earlier, projectName(arguments), current, exported,
-                                                 staleIn(arguments, earlier, current));
-            if (isWhole(arguments, outcome)) index.files.assign(entries.begin(), entries.end());
-            return index;
-        };
-        return changeExportIndex(arguments.out, change, {.cancel = context.cancel});
-    };
-    const Result<std::vector<ManifestEntry>> written =
-        writeOutputFiles(arguments.out, files, before, projectName(arguments), editedFiles(arguments), setFiles);
-    return written ? setFiles(*written) : Status(refusal(written.error()));
-}
-
 /// Writes that the manifests of all exported packs depend on the project.
 Status writeDepfile(const ExportArguments& arguments, const ExportOutcome& outcome, const CliContext& context) {
     Names targets;
@@ -186,10 +118,12 @@ Status writeDepfile(const ExportArguments& arguments, const ExportOutcome& outco
     return text ? writeOutput(arguments.depfile, *text, context) : text.error();
 }
 
-/// Writes the index and the dependency file.
+/// Writes what is beside the packs, and the dependency file.
 Status writeLists(const ExportArguments& arguments, const Project& project, const ExportOutcome& outcome,
-                  const std::optional<ExportIndex>& before, const CliContext& context) {
-    if (const Status written = updateIndex(arguments, project, outcome, before, context); !written) return written;
+                  const std::optional<ExportIndex>& earlier, const CliContext& context) {
+    const Status finished =
+        finishExport(requestOf(arguments), project, outcome.packs, earlier, {.cancel = context.cancel});
+    if (!finished) return refusal(finished.error());
     return arguments.depfile.empty() ? success() : writeDepfile(arguments, outcome, context);
 }
 
@@ -219,7 +153,8 @@ Status exportAssets(ExportArguments arguments, VerbReport& report, const CliCont
     Result<ExportOutcome> outcome = exportOrPlan(arguments, *project, *selected, context);
     if (!outcome) return outcome.error();
     if (arguments.isPruning)
-        outcome->pruned = prune(arguments, staleIn(arguments, *earlier, folderNames(*project)), context);
+        outcome->pruned =
+            prune(arguments, stalePacks(arguments.out, indexName(arguments.project), *project, *earlier), context);
     const Status listed = arguments.isDryRun ? success() : writeLists(arguments, *project, *outcome, *earlier, context);
     const Status printed = printExport(*outcome, arguments.project, report, context);
     if (listed) return printed;

@@ -21,11 +21,6 @@ bool isPlainName(const std::string& name) {
     return !name.empty() && fs::path(name) == fs::path(name).filename() && name != "." && name != "..";
 }
 
-/// Whether an index is of a project.
-bool isIndexOf(const std::optional<ExportIndex>& index, const std::string& project) {
-    return index && index->project == project;
-}
-
 bool hasName(std::span<const std::string> names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
 }
@@ -77,6 +72,10 @@ Result<std::optional<ExportIndex>> readExportIndex(const fs::path& folder) {
                          std::ranges::all_of(index.files, isPlainName, &ManifestEntry::name);
     if (!areHere) return unreadable(ErrorCode::BadInput, "it names folders or files elsewhere.");
     return std::optional(std::move(index));
+}
+
+bool isIndexOf(const std::optional<ExportIndex>& index, const std::string& project) {
+    return index && (index->project == project || index->project.empty());
 }
 
 Status changeExportIndex(const fs::path& folder,

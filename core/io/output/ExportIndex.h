@@ -41,6 +41,9 @@ Status changeExportIndex(const std::filesystem::path& folder,
                          const std::function<ExportIndex(const std::optional<ExportIndex>&)>& change,
                          const TaskContext& task = {});
 
+/// Whether an index is of a project. That of a project without a file is of any.
+bool isIndexOf(const std::optional<ExportIndex>& index, const std::string& project);
+
 /// The folders of an earlier index that no asset of the project has any more. None if it is of another project.
 std::vector<std::string> staleFolders(const std::optional<ExportIndex>& earlier, const std::string& project,
                                       std::span<const std::string> current);

@@ -2,6 +2,7 @@
 
 #include "core/base/MessageText.h"
 #include "core/io/system/AtomicFile.h"
+#include "core/io/system/FileErrors.h"
 
 #include <algorithm>
 
@@ -10,7 +11,7 @@ namespace {
 
 /// Whether the index lists a file as it is now.
 bool isListed(const std::optional<ExportIndex>& earlier, const std::string& project, const ManifestEntry& file) {
-    return earlier && earlier->project == project && std::ranges::find(earlier->files, file) != earlier->files.end();
+    return isIndexOf(earlier, project) && std::ranges::find(earlier->files, file) != earlier->files.end();
 }
 
 }  // namespace
@@ -20,7 +21,7 @@ Result<std::vector<ManifestEntry>> writeOutputFiles(const std::filesystem::path&
                                                     const std::optional<ExportIndex>& earlier,
                                                     const std::string& project, EditedFiles edited,
                                                     const AnnounceFiles& announce) {
-    std::vector<ManifestEntry> entries, announced;
+    std::vector<ManifestEntry> entries, announced, gone;
     std::vector<const ExportFile*> changed;
     for (const ExportFile& file : files) {
         entries.push_back(manifestEntry(file.name, file.bytes));
@@ -36,11 +37,22 @@ Result<std::vector<ManifestEntry>> writeOutputFiles(const std::filesystem::path&
         if (current) announced.push_back(*current);
         changed.push_back(&file);
     }
-    if (changed.empty()) return entries;
+    for (const ManifestEntry& file : earlier ? earlier->files : std::vector<ManifestEntry>()) {
+        const bool isWritten = std::ranges::find(files, file.name, &ExportFile::name) != files.end();
+        const Result<ManifestEntry> current = manifestEntryOfFile(folder, file.name);
+        if (!isWritten && current && *current == file && isListed(earlier, project, file)) gone.push_back(file);
+    }
+    announced.insert(announced.end(), gone.begin(), gone.end());
+    if (changed.empty() && gone.empty()) return entries;
     if (const Status listed = announce(announced); !listed) return listed.error();
     for (const ExportFile* file : changed) {
         if (const Status written = writeFileAtomically(folder / file->name, file->bytes); !written)
             return written.error();
+    }
+    for (const ManifestEntry& file : gone) {
+        std::error_code error;
+        std::filesystem::remove(folder / file.name, error);
+        if (error) return cannotWrite(folder / file.name, error.value());
     }
     return entries;
 }

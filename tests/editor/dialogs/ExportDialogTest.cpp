@@ -112,6 +112,40 @@ private slots:
         QVERIFY(m_workspace->file().saveAs(m_folder->filePath("other.rubble")).hasValue());
         QVERIFY(!lastExportOptions(*m_workspace));
     }
+    void programsGetTheirFilesAndAReadme() {
+        {
+            ExportDialog dialog(*m_workspace, nullptr);
+            for (auto* box : dialog.findChildren<QComboBox*>()) {
+                if (box->findText("Godot") >= 0) box->setCurrentText("Godot");
+            }
+            QVERIFY(!dialog.options().meshes.obj && dialog.options().meshes.glb);
+            exportProject(*m_workspace, dialog.options(), m_messages, nullptr);
+        }
+        QVERIFY(bytesOfFile(m_folder->filePath("packs/README.md")).startsWith("# Destructible assets for Godot\n"));
+        QVERIFY(bytesOfFile(m_folder->filePath("packs/wall/wall-fragments.glb")).contains("KHR_physics_rigid_bodies"));
+        QVERIFY(!QFile::exists(m_folder->filePath("packs/wall/pack.bin")));
+        QVERIFY(lastExportOptions(*m_workspace)->target == ExportTarget::Godot);
+    }
+    /// As the command line: the scene and the index, which know what an export wrote.
+    void sceneAndIndexAreWritten() {
+        exportBy([](QListWidget&) {});
+        QVERIFY(bytesOfFile(m_folder->filePath("packs/export.json")).contains("\"project\": \"wall.rubble\""));
+        const QByteArray scene = bytesOfFile(m_folder->filePath("packs/scene.json"));
+        QCOMPARE(scene.count("\"bondStrength\""), m_workspace->project().instances.size());
+        exportAgain();
+        QCOMPARE(bytesOfFile(m_folder->filePath("packs/scene.json")), scene);
+        addInstance();
+        exportAgain();
+        QVERIFY(bytesOfFile(m_folder->filePath("packs/scene.json")) != scene);
+        QCOMPARE(m_messages.list().back().severity, Severity::Note);
+    }
+    void someAssetsLeaveTheSceneAsItIs() {
+        exportBy([](QListWidget&) {});
+        const QByteArray scene = bytesOfFile(m_folder->filePath("packs/scene.json"));
+        addInstance();
+        exportBy([](QListWidget& assets) { uncheck(assets, "gable"); });
+        QCOMPARE(bytesOfFile(m_folder->filePath("packs/scene.json")), scene);
+    }
     void everyFileNameIsExported() {
         for (const std::string& name : {std::string("h\xff"), std::string(248, 'x')}) {
             const std::filesystem::path place = toPath(m_folder->path()) / name;
@@ -127,6 +161,10 @@ private slots:
     }
 
 private:
+    void addInstance() {
+        const Id wall = m_workspace->project().assets.front().id;
+        m_workspace->document().push(placeInstance(m_workspace->project(), wall, {.position = {3.0, 0.0, 5.0}}).edit);
+    }
     void addPrism(const char* name) {
         m_workspace->document().push(
             addAsset(m_workspace->project(), name, {isoscelesTriangleOutline(2.0, 1.0), 0.5}).edit);

@@ -1,4 +1,5 @@
-// Tests core/io/pack/SceneFile.cpp, core/io/output/OutputFiles.cpp, and the scenes of docs/formats/rubble_pack.hpp.
+// Tests core/io/pack/SceneFile.cpp, core/io/pack/OutputFolder.cpp, core/io/output/OutputFiles.cpp, and the scenes of
+// docs/formats/rubble_pack.hpp.
 #include "core/asset/strength/Threshold.h"
 #include "core/io/output/OutputFiles.h"
 #include "core/io/pack/PackFile.h"
@@ -130,6 +131,10 @@ private slots:
                                  EditedFiles::Kept, announce)
                     .error()
                     .code == ErrorCode::Edited);
+        QVERIFY(write({}, {manifestEntry("scene.json", "one")}));  // an edited file is not removed
+        QVERIFY(std::filesystem::exists(out / "scene.json"));
+        QVERIFY(write({}, {manifestEntry("scene.json", "two")}));
+        QVERIFY(!std::filesystem::exists(out / "scene.json"));
         QVERIFY(write(first, {}, EditedFiles::Replaced));
         QCOMPARE(*readFile(out / "scene.json"), std::string("one"));
     }

@@ -1,0 +1,79 @@
+#include "core/io/pack/OutputFolder.h"
+
+#include "core/base/MessageText.h"
+#include "core/io/output/OutputFiles.h"
+#include "core/io/pack/SceneFile.h"
+
+#include <algorithm>
+#include <set>
+
+namespace rubble {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The names of the folders of all packs of a project, in its order.
+std::vector<std::string> folderNames(const Project& project) {
+    std::vector<std::string> names;
+    for (const auto& [variant, pack] : packNames(project)) names.push_back(pack.folder);
+    return names;
+}
+
+/// Whether there is something at a path, be it a dangling link.
+bool isThere(const fs::path& path) {
+    std::error_code ignored;
+    return fs::exists(fs::symlink_status(path, ignored));
+}
+
+/// The files in the output folder itself.
+std::vector<ExportFile> outputFiles(const OutputRequest& request, const Project& project) {
+    std::vector<ExportFile> files;
+    if (hasScene(project)) files.push_back({kSceneName, sceneFileJson(project, request.options)});
+    if (request.target) files.push_back({kReadmeName, readmeFor(*request.target)});
+    return files;
+}
+
+}  // namespace
+
+std::string indexName(const fs::path& project) { return printableText(project.filename().string()); }
+
+Status finishExport(const OutputRequest& request, const Project& project, std::span<const AssetExport> packs,
+                    const std::optional<ExportIndex>& earlier, const TaskContext& task) {
+    if (!isThere(request.folder)) return success();  // nothing was exported
+    const auto isInPlace = [](const AssetExport& pack) { return pack.status.hasValue(); };
+    const bool isWhole = request.hasAllAssets && std::ranges::all_of(packs, isInPlace);
+    const std::vector<std::string> current = folderNames(project);
+    std::set<std::string> exported;
+    for (const AssetExport& pack : packs) {
+        if (pack.status) exported.insert(pack.folder.filename().string());
+    }
+    const auto list = [&](std::optional<std::span<const ManifestEntry>> files) {
+        const auto change = [&](const std::optional<ExportIndex>& before) {
+            const std::vector<std::string> stale = stalePacks(request.folder, request.project, project, before);
+            ExportIndex index = indexAfterExport(before, request.project, current, exported, stale);
+            if (files) index.files.assign(files->begin(), files->end());
+            return index;
+        };
+        return changeExportIndex(request.folder, change, {.cancel = task.cancel});
+    };
+    if (!isWhole) return list(std::nullopt);
+    const Result<std::vector<ManifestEntry>> written =
+        writeOutputFiles(request.folder, outputFiles(request, project), earlier, request.project, request.edited, list);
+    return written ? list(*written) : Status(written.error());
+}
+
+std::vector<std::string> stalePacks(const fs::path& folder, const std::string& name, const Project& project,
+                                    const std::optional<ExportIndex>& earlier) {
+    const std::vector<std::string> current = folderNames(project);
+    std::vector<std::string> stale = staleFolders(earlier, name, current);
+    std::erase_if(stale, [&](const std::string& one) {
+        const auto isSame = [&](const std::string& other) {
+            std::error_code error;  // where one of them is missing
+            return fs::equivalent(folder / other, folder / one, error) && !error;
+        };
+        return !isThere(folder / one) || std::ranges::any_of(current, isSame);
+    });
+    return stale;
+}
+
+}  // namespace rubble
