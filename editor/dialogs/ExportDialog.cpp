@@ -1,6 +1,7 @@
 #include "editor/dialogs/ExportDialog.h"
 
 #include "core/io/pack/PackExport.h"
+#include "core/io/pack/SceneFile.h"
 #include "editor/dialogs/OutputPath.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/ComboBox.h"
@@ -179,8 +180,12 @@ void ExportDialog::updateSummary() {
                             : meshes.obj             ? tr("packs and OBJ meshes")
                             : meshes.glb             ? tr("packs and GLB meshes")
                                                      : tr("packs");
-    m_summary->setText(tr("Writes %n folder(s) with %1: %2", nullptr, static_cast<int>(assets.size()))
-                           .arg(content, folders.join(", ")));
+    QString text = tr("Writes %n folder(s) with %1: %2", nullptr, static_cast<int>(assets.size()))
+                       .arg(content, folders.join(", "));
+    // Only if all packs are there: both speak of all of them.
+    if (static_cast<int>(assets.size()) == m_assets->count())
+        text += tr("; beside them %1").arg(hasScene(m_workspace.project()) ? "scene.json, README.md" : "README.md");
+    m_summary->setText(text);
 }
 
 }  // namespace rubble

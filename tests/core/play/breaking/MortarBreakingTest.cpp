@@ -102,6 +102,16 @@ bool areClustersWhole(const Session& session) {
     return true;
 }
 
+/// Throws a ball at a random place of the portal.
+void throwAtPortal(Session& session, Random& random) {
+    const Vec3 to(random.between(-2.0, 2.0), random.between(0.2, 4.0), 0.0);
+    addInput(session, ShotInput{"ball", Throw{.size = {0.4, 0.4, 0.4},
+                                              .mass = random.between(50.0, 800.0),
+                                              .from = to + Vec3(random.between(-2.0, 2.0), 0.5, 4.0),
+                                              .to = to,
+                                              .speed = random.between(5.0, 40.0)}});
+}
+
 }  // namespace
 
 class MortarBreakingTest : public QObject {
@@ -219,12 +229,7 @@ private slots:
         for (int round = 0; round < 60; ++round) {
             Session session = started(test::mortarPortal(random.between(20.0, 800.0)));
             for (int hit = 0; hit < 4; ++hit) {
-                const Vec3 to(random.between(-2.0, 2.0), random.between(0.2, 4.0), 0.0);
-                addInput(session, ShotInput{"ball", Throw{.size = {0.4, 0.4, 0.4},
-                                                          .mass = random.between(50.0, 800.0),
-                                                          .from = to + Vec3(random.between(-2.0, 2.0), 0.5, 4.0),
-                                                          .to = to,
-                                                          .speed = random.between(5.0, 40.0)}});
+                throwAtPortal(session, random);
                 for (int k = 0; k < 40; ++k) {
                     session.step();
                     const QString fault = faultOfMortar(session);
@@ -244,12 +249,7 @@ private slots:
             for (Asset& asset : project.assets) asset.bonding.span = round % 2 == 0 ? 0.0 : random.between(0.5, 2.0);
             Session session = started(project);
             for (int hit = 0; hit < 3; ++hit) {
-                const Vec3 to(random.between(-2.0, 2.0), random.between(0.2, 4.0), 0.0);
-                addInput(session, ShotInput{"ball", Throw{.size = {0.4, 0.4, 0.4},
-                                                          .mass = random.between(50.0, 800.0),
-                                                          .from = to + Vec3(random.between(-2.0, 2.0), 0.5, 4.0),
-                                                          .to = to,
-                                                          .speed = random.between(5.0, 40.0)}});
+                throwAtPortal(session, random);
                 for (int k = 0; k < 30; ++k) {
                     session.step();
                     const QString place = QString("seed %1, round %2, hit %3: ").arg(kSeed).arg(round).arg(hit);
