@@ -182,7 +182,7 @@ void ExportDialog::updateSummary() {
                                                      : tr("packs");
     QString text = tr("Writes %n folder(s) with %1: %2", nullptr, static_cast<int>(assets.size()))
                        .arg(content, folders.join(", "));
-    // Only if all packs are there: both speak of all of them.
+    // Only if all packs are there: both name all of them.
     if (static_cast<int>(assets.size()) == m_assets->count())
         text += tr("; beside them %1").arg(hasScene(m_workspace.project()) ? "scene.json, README.md" : "README.md");
     m_summary->setText(text);
