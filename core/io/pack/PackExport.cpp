@@ -216,6 +216,8 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Pac
     const MeshOptions& meshes = options.meshes;
     hasher.add(std::uint64_t{meshes.obj});
     hasher.add(std::uint64_t{meshes.glb});
+    hasher.add(std::uint64_t{meshes.usd});
+    hasher.add(std::uint64_t{meshes.mjcf});
     for (const std::uint64_t option :
          {static_cast<std::uint64_t>(meshes.split), static_cast<std::uint64_t>(meshes.place),
           static_cast<std::uint64_t>(meshes.faces), static_cast<std::uint64_t>(meshes.objFrame.up),

@@ -184,8 +184,9 @@ private slots:
         QVERIFY(!differs([](Project&, Asset& a) { a.bonding.radius = 2.0; }));
         QVERIFY(differs([](Project&, Asset& a) { a.breakAs = BreakAs::Bonded; }));
         for (const MeshOptions& options :
-             {MeshOptions{.obj = false}, MeshOptions{.glb = false}, MeshOptions{.split = FileSplit::PerFragment},
-              MeshOptions{.place = PartPlacement::Centred}, MeshOptions{.faces = FaceShape::Triangles}}) {
+             {MeshOptions{.obj = false}, MeshOptions{.glb = false}, MeshOptions{.usd = true}, MeshOptions{.mjcf = true},
+              MeshOptions{.split = FileSplit::PerFragment}, MeshOptions{.place = PartPlacement::Centred},
+              MeshOptions{.faces = FaceShape::Triangles}}) {
             QVERIFY(sourceOf(project, {.meshes = options}) != source);
         }
         QVERIFY(sourceOf(project, {.inset = 0.0}) != source);
