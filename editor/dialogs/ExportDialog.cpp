@@ -58,7 +58,7 @@ void ExportDialog::addFields() {
     m_assets->setToolTip(tr("Select the assets to export; each is written to a folder with its name"));
     m_folder = new QLineEdit;
     m_folder->setToolTip(tr("Set the output folder, which gets a subfolder for each asset"));
-    m_target = comboBox({tr("Any engine"), "Unity", "Unreal Engine", "Godot", "Blender", tr("Web")},
+    m_target = comboBox({tr("Any engine"), "Unity", "Unreal Engine", "Godot", "Blender", tr("Web"), "USD"},
                         tr("Select the program that the export is for; a README.md says how to use it there"));
     m_obj = new QCheckBox(tr("&OBJ with materials"));
     m_obj->setToolTip(tr("Write Wavefront OBJ files, which all 3D programs read"));

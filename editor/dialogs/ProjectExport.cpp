@@ -50,9 +50,10 @@ void store(const QString& group, const ExportOptions& options) {
 /// What the program needs, with the meshes that were selected.
 PackOptions packOptions(const ExportOptions& options) {
     PackOptions pack = optionsFor(options.target);
-    const bool hasPhysics = pack.meshes.glbPhysics;
+    const MeshOptions needed = pack.meshes;
     pack.meshes = options.meshes;
-    pack.meshes.glbPhysics = hasPhysics;
+    pack.meshes.glbPhysics = needed.glbPhysics;
+    pack.meshes.usd = needed.usd;
     return pack;
 }
 

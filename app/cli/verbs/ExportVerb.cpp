@@ -183,11 +183,13 @@ Verb addExport(CLI::App& program) {
     // Before the options that change what it sets: they are applied in this order.
     command.callback("--for", setTarget, "Write what a program needs, with a README.md for it")
         .oneOf(targets)
-        .valueName("neutral|unity|unreal|godot|blender|web");
+        .valueName("neutral|unity|unreal|godot|blender|web|usd");
     addEnumOption<Formats>(
         command, "--format", "The mesh files to write (default: both)",
         {{"obj", Formats::Obj}, {"glb", Formats::Glb}, {"both", Formats::Both}, {"none", Formats::None}},
         arguments->formats);
+    command.flag("--usd", meshes.usd, "Write the whole and the fragments as USD with physics, too");
+    command.flag("--mjcf", meshes.mjcf, "Write the fragments as a model of MuJoCo, too");
     addEnumOption<FileSplit>(command, "--pieces", "All fragments in a single file (default) or one file each",
                              {{"single", FileSplit::Single}, {"files", FileSplit::PerFragment}}, meshes.split);
     addEnumOption<PartPlacement>(

@@ -19,24 +19,6 @@ constexpr std::uint64_t kHullIndexView = 5;
 /// The view of the image, behind those of the arrays.
 std::uint64_t imageView(const GlbBuffer& buffer) { return buffer.hulls().empty() ? 4 : 6; }
 
-/// Returns the fifth root of a value in (0, 1], by Newton's method from above: the same bits on every processor.
-double fifthRoot(double value) {
-    double root = 1.0;
-    for (int iteration = 0; iteration < 40; ++iteration) {
-        const double fourth = root * root * root * root;
-        root -= (fourth * root - value) / (5.0 * fourth);
-    }
-    return root;
-}
-
-/// Converts a component of an sRGB colour to linear, as colours are in glTF.
-/// Source: IEC 61966-2-1.
-double linearFromSrgb(double component) {
-    if (component <= 0.04045) return component / 12.92;
-    const double square = (component + 0.055) * (component + 0.055) / (1.055 * 1.055);
-    return square * fifthRoot(square);  // to the power of 2.4; power() would change the last digit in exported files
-}
-
 void writeGlbAsset(JsonWriter& json) {
     json.openObject("asset");
     json.text("version", "2.0");
@@ -100,13 +82,12 @@ void writeMeshes(JsonWriter& json, std::span<const MeshPart> parts,
 }
 
 void writeGlbMaterial(JsonWriter& json, const MeshMaterial& material) {
-    const Colour& colour = material.colour;
+    const Vec3 colour = linearColour(material.colour);
     const bool isTransparent = material.opacity < 1.0;
     json.openObject();
     json.text("name", material.name);
     json.openObject("pbrMetallicRoughness");
-    json.numbers("baseColorFactor", {linearFromSrgb(colour.red), linearFromSrgb(colour.green),
-                                     linearFromSrgb(colour.blue), material.opacity});
+    json.numbers("baseColorFactor", {colour.x, colour.y, colour.z, material.opacity});
     json.wholeNumber("metallicFactor", std::uint64_t{0});
     json.number("roughnessFactor", material.roughness());
     if (material.isTextured) {

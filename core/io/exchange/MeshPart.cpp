@@ -16,7 +16,29 @@ std::string uniqueName(const std::string& name, std::set<std::string>& taken) {
     return candidate;
 }
 
+/// Returns the fifth root of a value in (0, 1], by Newton's method from above: the same bits on every processor.
+double fifthRoot(double value) {
+    double root = 1.0;
+    for (int iteration = 0; iteration < 40; ++iteration) {
+        const double fourth = root * root * root * root;
+        root -= (fourth * root - value) / (5.0 * fourth);
+    }
+    return root;
+}
+
+/// Converts a component of an sRGB colour to linear, as colours are in glTF.
+/// Source: IEC 61966-2-1.
+double linearFromSrgb(double component) {
+    if (component <= 0.04045) return component / 12.92;
+    const double square = (component + 0.055) * (component + 0.055) / (1.055 * 1.055);
+    return square * fifthRoot(square);  // to the power of 2.4; power() would change the last digit in exported files
+}
+
 }  // namespace
+
+Vec3 linearColour(const Colour& colour) {
+    return {linearFromSrgb(colour.red), linearFromSrgb(colour.green), linearFromSrgb(colour.blue)};
+}
 
 std::string meshName(const std::string& name) {
     std::string word = safeFileName(name);

@@ -39,6 +39,9 @@ struct MeshMaterials {
     std::string imageFile;                      // a name without spaces, with the suffix of its type
 };
 
+/// A colour in linear light, as glTF and USD have it.
+Vec3 linearColour(const Colour& colour);
+
 /// Returns `name` as a valid name of files, objects and materials in every mesh format: spaces, control characters and
 /// characters with a special meaning become '_'. Never empty.
 std::string meshName(const std::string& name);

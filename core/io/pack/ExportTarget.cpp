@@ -25,8 +25,8 @@ engine adds a margin around shapes, set it below that.
 )";
 
 std::string_view titleOf(ExportTarget target) {
-    constexpr std::array<std::string_view, 6> kTitles{"any engine", "Unity",   "Unreal Engine",
-                                                      "Godot",      "Blender", "the web"};
+    constexpr std::array<std::string_view, 7> kTitles{"any engine", "Unity", "Unreal Engine", "Godot", "Blender",
+                                                      "the web",    "USD"};
     return kTitles[static_cast<std::size_t>(target)];
 }
 
@@ -77,6 +77,13 @@ std::string_view stepsFor(ExportTarget target) {
                    "the\n"
                    "   example `rapier_example.mjs` that is installed with Rubble has 80 lines.\n"
                    "\nTested in three.js, Babylon.js, Rapier, Jolt, PhysX, Havok, MuJoCo and cannon-es.\n";
+        case ExportTarget::Usd:
+            return "1. Reference `<asset>/<asset>.usda`, the fragments, or `<asset>/<asset>-intact.usda`, the whole, "
+                   "which\n"
+                   "   have rigid bodies, masses and colliders of UsdPhysics.\n"
+                   "2. Bonded assets have fixed joints with break forces between their fragments: the impulse that\n"
+                   "   breaks a bond over a step of 1/60 s.\n"
+                   "\nMeshes are tested in three.js; physics is not tested in Omniverse or Houdini.\n";
     }
     return {};
 }
@@ -90,6 +97,8 @@ PackOptions optionsFor(ExportTarget target) {
     const bool isNative = target == ExportTarget::Unity || target == ExportTarget::Unreal;
     options.files = isNative ? PackFiles::Both : PackFiles::Json;
     options.topology = PackTopology::Loops;
+    options.meshes.glb = target != ExportTarget::Usd;
+    options.meshes.usd = target == ExportTarget::Usd;
     options.meshes.glbPhysics = target == ExportTarget::Godot || target == ExportTarget::Web;
     return options;
 }

@@ -9,9 +9,9 @@
 namespace rubble {
 
 /// The program that an export is for.
-enum class ExportTarget { Neutral, Unity, Unreal, Godot, Blender, Web };
-inline constexpr std::array<std::string_view, 6> kExportTargets{"neutral", "unity",   "unreal",
-                                                                "godot",   "blender", "web"};
+enum class ExportTarget { Neutral, Unity, Unreal, Godot, Blender, Web, Usd };
+inline constexpr std::array<std::string_view, 7> kExportTargets{"neutral", "unity", "unreal", "godot",
+                                                                "blender", "web",   "usd"};
 
 /// The file in an output folder that says how to use the export.
 inline constexpr const char* kReadmeName = "README.md";

@@ -216,6 +216,9 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Pac
     const MeshOptions& meshes = options.meshes;
     hasher.add(std::uint64_t{meshes.obj});
     hasher.add(std::uint64_t{meshes.glb});
+    hasher.add(std::uint64_t{meshes.usd});
+    hasher.add(std::uint64_t{meshes.mjcf});
+    hasher.add(std::uint64_t{meshes.glb && meshes.glbPhysics});
     for (const std::uint64_t option :
          {static_cast<std::uint64_t>(meshes.split), static_cast<std::uint64_t>(meshes.place),
           static_cast<std::uint64_t>(meshes.faces), static_cast<std::uint64_t>(meshes.objFrame.up),
@@ -226,7 +229,6 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Pac
     hasher.add(options.inset);
     for (const std::string& name : {names.name, names.base, names.folder}) addSourceText(hasher, name);
     hasher.add(projectText(single));
-    if (meshes.glb && meshes.glbPhysics) hasher.add("glbPhysics");  // without it hashes are as they were
     return hasher.digest();
 }
 

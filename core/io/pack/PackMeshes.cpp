@@ -3,7 +3,9 @@
 #include "core/asset/mesh/FragmentMesh.h"
 #include "core/asset/mesh/RoughCuts.h"
 #include "core/io/exchange/GlbWriter.h"
+#include "core/io/exchange/MjcfFile.h"
 #include "core/io/exchange/ObjFile.h"
+#include "core/io/exchange/UsdFile.h"
 #include "core/io/system/FileName.h"
 
 #include <algorithm>
@@ -77,7 +79,7 @@ public:
 
     PackMeshes meshes() && {
         if (m_options.obj) m_meshes.files.push_back({m_materialFile, mtlFile(m_materials)});
-        if (m_options.obj && m_materials.image)
+        if ((m_options.obj || m_options.usd) && m_materials.image)
             m_meshes.files.push_back({m_materials.imageFile, m_materials.image->bytes()});
         return std::move(m_meshes);
     }
@@ -111,18 +113,13 @@ private:
     PackMeshes m_meshes;
 };
 
-}  // namespace
-
-Result<PackMeshes> packMeshes(const PackBuilder& builder, const MeshOptions& options, const TaskContext& task) {
-    if (!options.obj && !options.glb) return PackMeshes();
-    const PackInput& input = builder.input();
+/// Writes the OBJ and GLB files, the whole first.
+Status addMeshFiles(const PackInput& input, const MeshOptions& options, const FragmentMesher& mesher,
+                    const RoughCuts& cuts, MeshFileWriter& files, const TaskContext& task) {
     const Bake& bake = input.bake;
-    MeshFileWriter files(builder, options);
-    const FragmentMesher mesher(input.asset);
     const Status whole = files.add({input.names.folder + "-intact", PackMeshBodies::Whole, {}, {}},
                                    {{wholeBodyName(input.names), mesher.wholeMesh(bake), bake.whole.centre}});
     if (!whole) return whole.error();
-    const RoughCuts cuts(bake, input.asset);
     std::size_t done = 0;
     for (const PartFile& file : options.split == FileSplit::Single ? singleFiles(input) : fragmentFiles(input)) {
         std::vector<MeshPart> parts;
@@ -139,7 +136,62 @@ Result<PackMeshes> packMeshes(const PackBuilder& builder, const MeshOptions& opt
         }
         if (const Status added = files.add(file, std::move(parts)); !added) return added.error();
     }
-    return std::move(files).meshes();
+    return success();
+}
+
+/// The fragments that do not break.
+std::vector<std::uint32_t> unbrokenFragments(const Bake& bake) {
+    std::vector<std::uint32_t> fragments;
+    for (std::uint32_t index = 0; index < bake.fragmentCount(); ++index) {
+        if (!isBroken(bake.fragment(index))) fragments.push_back(index);
+    }
+    return fragments;
+}
+
+/// Writes the files of USD and MuJoCo that the options ask for.
+Status addPhysicsFiles(const PackBuilder& pack, const MeshOptions& options, const FragmentMesher& mesher,
+                       const RoughCuts& cuts, std::vector<ExportFile>& files, const TaskContext& task) {
+    const PackInput& input = pack.input();
+    const Bake& bake = input.bake;
+    const std::vector<std::uint32_t> fragments = unbrokenFragments(bake);
+    const std::string& folder = input.names.folder;
+    if (options.mjcf) {
+        Result<std::string> model = mjcfFile(pack, fragments, task);
+        if (!model) return model.error();
+        files.push_back({fittingFileName("", folder, ".mjcf.xml"), std::move(*model)});
+    }
+    if (!options.usd) return success();
+    const auto meshOf = [&](std::uint32_t index) {
+        return index == kNone ? mesher.wholeMesh(bake)
+                              : mesher.fragmentMesh(bake.fragment(index), cuts.cornersOf(index));
+    };
+    const MeshMaterials materials = meshMaterials(input.asset, input.material);
+    const std::vector<std::uint32_t> whole{kNone};
+    for (const auto& [name, bodies] : {std::pair(folder, fragments), std::pair(folder + "-intact", whole)}) {
+        Result<std::string> layer = usdFile(pack, bodies, materials, meshOf, task);
+        if (!layer) return layer.error();
+        files.push_back({fittingFileName("", name, ".usda"), std::move(*layer)});
+    }
+    return success();
+}
+
+}  // namespace
+
+Result<PackMeshes> packMeshes(const PackBuilder& builder, const MeshOptions& options, const TaskContext& task) {
+    const PackInput& input = builder.input();
+    const bool hasMeshes = options.obj || options.glb;
+    if (!hasMeshes && !options.usd && !options.mjcf) return PackMeshes();
+    const FragmentMesher mesher(input.asset);
+    const RoughCuts cuts(input.bake, input.asset);
+    MeshFileWriter files(builder, options);
+    if (hasMeshes) {
+        const Status added = addMeshFiles(input, options, mesher, cuts, files, task);
+        if (!added) return added.error();
+    }
+    PackMeshes meshes = std::move(files).meshes();
+    const Status added = addPhysicsFiles(builder, options, mesher, cuts, meshes.files, task);
+    if (!added) return added.error();
+    return meshes;
 }
 
 }  // namespace rubble

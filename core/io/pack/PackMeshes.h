@@ -22,6 +22,8 @@ enum class FaceShape { Polygons, Triangles };
 struct MeshOptions {
     bool obj = true;
     bool glb = true;
+    bool usd = false;   // the whole, and the fragments that do not break
+    bool mjcf = false;  // these fragments
     FileSplit split = FileSplit::Single;
     PartPlacement place = PartPlacement::Assembled;
     FaceShape faces = FaceShape::Polygons;
@@ -33,10 +35,11 @@ struct MeshOptions {
 /// The mesh files of a pack.
 struct PackMeshes {
     std::vector<PackMeshFile> list;  // for pack.json
-    std::vector<ExportFile> files;   // the MTL file and the texture's image included
+    std::vector<ExportFile> files;   // MTL, the texture's image, USD and MJCF included
 };
 
-/// Returns the meshes of an asset, the whole first. The files are described in docs/formats/obj-glb.md.
+/// Returns the meshes of an asset, the whole first. The files are described in docs/formats/obj-glb.md, those of USD
+/// and MuJoCo, which are not in the list, in docs/formats/usd-mjcf.md.
 ///
 /// Errors: those of glbFile(); Cancelled.
 Result<PackMeshes> packMeshes(const PackBuilder& builder, const MeshOptions& options, const TaskContext& task = {});

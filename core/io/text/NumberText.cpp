@@ -28,6 +28,13 @@ void appendNumber(std::string& text, std::uint32_t value) {
     text.append(number, writeInteger(number, value));
 }
 
+void appendFloat(std::string& text, double value) {
+    const auto rounded = static_cast<float>(value);
+    RUBBLE_ASSERT(std::isfinite(rounded));
+    char number[kMaxNumberLength];
+    text.append(number, std::to_chars(number, number + kMaxNumberLength, rounded + 0.0f).ptr);
+}
+
 std::string numberText(double value) {
     std::string text;
     appendNumber(text, value);

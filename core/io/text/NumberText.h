@@ -27,5 +27,8 @@ std::string numberText(double value);
 /// Appends the same text to a string.
 void appendNumber(std::string& text, double value);
 void appendNumber(std::string& text, std::uint32_t value);
+/// Appends the shortest text that reads back as the float nearest to `value`, which is in the range of floats; never
+/// "-0".
+void appendFloat(std::string& text, double value);
 
 }  // namespace rubble

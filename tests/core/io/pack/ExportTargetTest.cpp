@@ -24,7 +24,7 @@ private slots:
     void everyTargetHasMeshesAndBodies() {
         for (std::size_t k = 0; k < kExportTargets.size(); ++k) {
             const PackOptions options = optionsFor(static_cast<ExportTarget>(k));
-            QVERIFY(options.meshes.glb);
+            QVERIFY(options.meshes.glb || options.meshes.usd);
             QVERIFY(options.files != PackFiles::Binary);
             QCOMPARE(options.inset, kDefaultInset);
         }

@@ -184,9 +184,9 @@ private slots:
         QVERIFY(!differs([](Project&, Asset& a) { a.bonding.radius = 2.0; }));
         QVERIFY(differs([](Project&, Asset& a) { a.breakAs = BreakAs::Bonded; }));
         for (const MeshOptions& options :
-             {MeshOptions{.obj = false}, MeshOptions{.glb = false}, MeshOptions{.split = FileSplit::PerFragment},
-              MeshOptions{.place = PartPlacement::Centred}, MeshOptions{.faces = FaceShape::Triangles},
-              MeshOptions{.glbPhysics = true}}) {
+             {MeshOptions{.obj = false}, MeshOptions{.glb = false}, MeshOptions{.usd = true}, MeshOptions{.mjcf = true},
+              MeshOptions{.split = FileSplit::PerFragment}, MeshOptions{.place = PartPlacement::Centred},
+              MeshOptions{.faces = FaceShape::Triangles}, MeshOptions{.glbPhysics = true}}) {
             QVERIFY(sourceOf(project, {.meshes = options}) != source);
         }
         const MeshOptions obj{.glb = false}, objWithPhysics{.glb = false, .glbPhysics = true};

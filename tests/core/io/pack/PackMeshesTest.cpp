@@ -83,6 +83,18 @@ private slots:
     void glbAloneHasNoMaterialFile() {
         QCOMPARE(namesOf(filesOf(wallAsset(), {.obj = false})), (Names{"wall-intact.glb", "wall-fragments.glb"}));
     }
+    void usdAndMjcfAreFilesBesideTheMeshes() {
+        const MeshOptions options{.obj = false, .glb = false, .usd = true, .mjcf = true};
+        const PackMeshes meshes = meshesOf(wallAsset(), options).value();
+        QVERIFY(meshes.list.empty());
+        QCOMPARE(namesOf(meshes.files), (Names{"wall.mjcf.xml", "wall.usda", "wall-intact.usda"}));
+        Asset textured = wallAsset();
+        const auto image = std::make_shared<const EncodedImage>(imageOf(checkerPng()));
+        textured.texture = Texture{.name = "wall.png", .image = image, .materials = {0}};
+        const std::vector<ExportFile> files = filesOf(textured, {.obj = false, .glb = false, .usd = true});
+        QCOMPARE(bytesNamed(files, "wall.png"), image->bytes());
+        QVERIFY(bytesNamed(files, "wall.usda").find("inputs:file = @./wall.png@\n") != std::string::npos);
+    }
     void textureIsAFileOfObjAndAPartOfGlb() {
         Asset asset = wallAsset();
         const auto image = std::make_shared<const EncodedImage>(imageOf(checkerPng() + "odd"));

@@ -23,6 +23,26 @@ private slots:
         QCOMPARE(numberText(1e22), "1e+22");
     }
     void negativeZeroIsWrittenAsZero() { QCOMPARE(numberText(-0.0), "0"); }
+    void floatsAreTheShortestThatReadBack() {
+        const auto textOf = [](double value) {
+            std::string text;
+            appendFloat(text, value);
+            return text;
+        };
+        QCOMPARE(textOf(0.1), "0.1");
+        QCOMPARE(textOf(1.0 / 3.0), "0.33333334");
+        QCOMPARE(textOf(-0.0), "0");
+        QCOMPARE(textOf(-1e-60), "0");
+        QCOMPARE(textOf(std::numeric_limits<float>::max()), "3.4028235e+38");
+        Random random(7);
+        for (int k = 0; k < 1000; ++k) {
+            const auto value = static_cast<float>(random.between(-50.0, 50.0));
+            const std::string text = textOf(double{value});
+            float read = 0.0f;
+            std::from_chars(text.data(), text.data() + text.size(), read);
+            QCOMPARE(read, value);
+        }
+    }
     void longestNumbersFit() {
         QCOMPARE(numberText(-std::numeric_limits<double>::min()), "-2.2250738585072014e-308");
         QCOMPARE(numberText(-std::numeric_limits<double>::min()).size(), kMaxNumberLength);

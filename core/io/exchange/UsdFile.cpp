@@ -1,0 +1,271 @@
+#include "core/io/exchange/UsdFile.h"
+
+#include "core/base/Assert.h"
+#include "core/io/exchange/UsdWriter.h"
+#include "core/io/text/NumberText.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace rubble {
+namespace {
+
+/// Masses and moments that are 0 in single precision would mean that they are not given.
+constexpr double kLeastUsdFloat = double{std::numeric_limits<float>::min()};
+
+std::string usdInput(std::string_view type, std::string_view name) {
+    return std::string(type).append(" inputs:").append(name);
+}
+
+/// Writes the prims of a layer, one after the other.
+class UsdLayer {
+public:
+    UsdLayer(const PackBuilder& pack, const MeshMaterials& materials)
+        : m_pack(pack.header({})),
+          m_materials(materials),
+          m_root(m_rootNames.unique(m_pack.names.folder)),
+          m_lines(m_root, m_pack.generator) {
+        m_lines.begin("Xform", m_root);
+        m_lines.setText("custom string rubble:asset", m_pack.names.name);
+        m_lines.setText("custom string rubble:physicsHash", m_pack.physicsHash);
+        addMaterials();
+    }
+
+    void addBody(std::uint32_t index, const PackBody& body, const Mesh& mesh) {
+        const std::string path =
+            m_lines.begin("Xform", m_names.unique(body.name), {"PhysicsRigidBodyAPI", "PhysicsMassAPI"});
+        m_bodies[index] = {path, body.offset};
+        m_lines.setText("custom string rubble:id", body.id);
+        m_lines.setText("custom string rubble:name", body.name);
+        if (body.threshold) m_lines.setDouble("custom double rubble:threshold", *body.threshold);
+        addMass(body);
+        m_lines.setDoubles("double3 xformOp:translate", body.offset);
+        m_lines.setTexts("uniform token[] xformOpOrder", {"xformOp:translate"});
+        addMesh(mesh);
+        for (std::size_t k = 0; k < body.hulls.size(); ++k) addHull(k, body.hulls[k].polytope);
+        m_lines.end();
+    }
+
+    void addJoints(const PackBonding& bonding) {
+        m_lines.begin("Scope", "Joints");
+        m_lines.setText("custom string rubble:breakForce",
+                        "rubble:capacity / (1/60 s); without it, a bond never breaks");
+        for (const PackFracture& fracture : bonding.fractures) {
+            for (const PackBond& bond : fracture.bonds) addBond(bond);
+        }
+        for (const std::uint32_t index : bonding.anchored) addAnchor(index);
+        m_lines.end();
+    }
+
+    std::string text() && {
+        m_lines.end();
+        m_lines.begin("PhysicsScene",
+                      m_rootNames.unique("PhysicsScene"));  // beside the default prim: not in references
+        m_lines.setFloats("vector3f physics:gravityDirection", {0.0, -1.0, 0.0});
+        m_lines.setFloat("float physics:gravityMagnitude", 9.81);
+        m_lines.end();
+        return std::move(m_lines).text();
+    }
+
+private:
+    struct Placed {
+        std::string path;
+        Vec3 offset;
+    };
+
+    void addMaterials() {
+        m_lines.begin("Scope", m_names.unique("Materials"));
+        m_names.unique("Joints");
+        UsdNames names;
+        const Material& own = m_pack.own();
+        m_physicsMaterial = m_lines.begin("Material", names.unique(own.name + "_physics"), {"PhysicsMaterialAPI"});
+        m_lines.setFloat("float physics:density", own.density);
+        m_lines.setFloat("float physics:dynamicFriction", own.friction);
+        m_lines.setFloat("float physics:restitution", own.restitution);
+        m_lines.setFloat("float physics:staticFriction", own.friction);
+        m_lines.end();
+        for (const MeshMaterial& material : m_materials.outside) m_surfaces.push_back(addSurface(material, names));
+        m_surfaces.push_back(addSurface(m_materials.inside, names));
+        m_lines.end();
+    }
+
+    /// Returns its path.
+    std::string addSurface(const MeshMaterial& material, UsdNames& names) {
+        const std::string path = m_lines.begin("Material", names.unique(material.name));
+        m_lines.setTarget("token outputs:surface.connect", path + "/Surface.outputs:surface");
+        m_lines.begin("Shader", "Surface");
+        m_lines.setText("uniform token info:id", "UsdPreviewSurface");
+        if (material.isTextured)
+            m_lines.setTarget("color3f inputs:diffuseColor.connect", path + "/Image.outputs:rgb");
+        else
+            m_lines.setFloats(usdInput("color3f", "diffuseColor"), linearColour(material.colour));
+        if (material.opacity < 1.0) m_lines.setFloat(usdInput("float", "opacity"), material.opacity);
+        m_lines.setFloat(usdInput("float", "roughness"), material.roughness());
+        m_lines.addOutput("token outputs:surface");
+        m_lines.end();
+        if (material.isTextured) addImage(path, material);
+        m_lines.end();
+        return path;
+    }
+
+    void addImage(const std::string& path, const MeshMaterial& material) {
+        m_lines.begin("Shader", "Image");
+        m_lines.setText("uniform token info:id", "UsdUVTexture");
+        m_lines.setAsset(usdInput("asset", "file"), m_materials.imageFile);
+        m_lines.setWord(usdInput("float4", "scale"), scaleText(material.colour));
+        m_lines.setTarget("float2 inputs:st.connect", path + "/Coordinates.outputs:result");
+        m_lines.setText(usdInput("token", "wrapS"), "repeat");
+        m_lines.setText(usdInput("token", "wrapT"), "repeat");
+        m_lines.addOutput("float3 outputs:rgb");
+        m_lines.end();
+        m_lines.begin("Shader", "Coordinates");
+        m_lines.setText("uniform token info:id", "UsdPrimvarReader_float2");
+        m_lines.setText(usdInput("string", "varname"), "st");
+        m_lines.addOutput("float2 outputs:result");
+        m_lines.end();
+    }
+
+    static std::string scaleText(const Colour& colour) {
+        std::string text = "(";
+        const Vec3 linear = linearColour(colour);
+        for (int part = 0; part < 3; ++part) {
+            appendFloat(text, linear[part]);
+            text += ", ";
+        }
+        return text + "1)";
+    }
+
+    void addMass(const PackBody& body) {
+        RUBBLE_ASSERT(body.principal.has_value());
+        m_lines.setFloats("point3f physics:centerOfMass", body.centreOfMass);
+        m_lines.setFloats("float3 physics:diagonalInertia", glm::max(body.principal->moments, Vec3(kLeastUsdFloat)));
+        m_lines.setFloat("float physics:mass", std::max(body.mass, kLeastUsdFloat));
+        m_lines.setRotation("quatf physics:principalAxes", body.principal->rotation);
+    }
+
+    void addShape(std::span<const std::uint32_t> counts, std::span<const std::uint32_t> indices,
+                  std::span<const Vec3> points) {
+        RUBBLE_ASSERT(!points.empty());
+        Vec3 extent[2] = {points[0], points[0]};
+        for (const Vec3& point : points) {
+            extent[0] = glm::min(extent[0], point);
+            extent[1] = glm::max(extent[1], point);
+        }
+        m_lines.setPoints("float3[] extent", extent);
+        m_lines.setIndices("int[] faceVertexCounts", counts);
+        m_lines.setIndices("int[] faceVertexIndices", indices);
+        m_lines.setText("uniform token orientation", "rightHanded");
+        m_lines.setPoints("point3f[] points", points);
+        m_lines.setText("uniform token subdivisionScheme", "none");
+    }
+
+    void addMesh(const Mesh& mesh) {
+        std::vector<std::uint32_t> counts, indices, normals, uvs;
+        std::map<std::size_t, std::vector<std::uint32_t>> faces;  // by surface
+        for (std::uint32_t k = 0; k < mesh.faces.size(); ++k) {
+            const MeshFace& face = mesh.faces[k];
+            counts.push_back(face.cornerCount);
+            faces[face.side == FaceSide::Inside ? m_surfaces.size() - 1 : face.material].push_back(k);
+            for (const MeshCorner& corner : mesh.cornersOf(face)) {
+                indices.push_back(corner.position);
+                normals.push_back(face.normal);
+                uvs.push_back(corner.uv);
+            }
+        }
+        m_lines.begin("Mesh", "surface", {"MaterialBindingAPI"});
+        addShape(counts, indices, mesh.positions);
+        m_lines.setPoints("normal3f[] primvars:normals", mesh.normals, UsdInterpolation::FaceVarying);
+        m_lines.setIndices("int[] primvars:normals:indices", normals);
+        m_lines.setPoints("texCoord2f[] primvars:st", mesh.uvs, UsdInterpolation::FaceVarying);
+        m_lines.setIndices("int[] primvars:st:indices", uvs);
+        m_lines.setTarget("rel material:binding", m_surfaces[faces.begin()->first]);
+        if (faces.size() > 1) addSubsets(faces);
+        m_lines.end();
+    }
+
+    void addSubsets(const std::map<std::size_t, std::vector<std::uint32_t>>& faces) {
+        m_lines.setText("uniform token subsetFamily:materialBind:familyType", "partition");
+        UsdNames names;
+        for (const auto& [surface, indices] : faces) {
+            const std::string& path = m_surfaces[surface];
+            m_lines.begin("GeomSubset", names.unique(path.substr(path.rfind('/') + 1)), {"MaterialBindingAPI"});
+            m_lines.setText("uniform token elementType", "face");
+            m_lines.setText("uniform token familyName", "materialBind");
+            m_lines.setIndices("int[] indices", indices);
+            m_lines.setTarget("rel material:binding", path);
+            m_lines.end();
+        }
+    }
+
+    void addHull(std::size_t number, const Polytope& hull) {
+        std::vector<std::uint32_t> counts, indices;
+        for (const std::vector<std::uint32_t>& face : hull.faces) {
+            counts.push_back(static_cast<std::uint32_t>(face.size()));
+            indices.insert(indices.end(), face.begin(), face.end());
+        }
+        m_lines.begin("Mesh", "hull" + std::to_string(number),
+                      {"PhysicsCollisionAPI", "PhysicsMeshCollisionAPI", "MaterialBindingAPI"});
+        addShape(counts, indices, hull.vertices);
+        m_lines.setTarget("rel material:binding:physics", m_physicsMaterial);
+        m_lines.setText("uniform token physics:approximation", "convexHull");
+        m_lines.setText("uniform token purpose", "guide");
+        m_lines.end();
+    }
+
+    /// Bonds of fragments that are not in the layer are left out.
+    void addBond(const PackBond& bond) {
+        const auto first = m_bodies.find(bond.fragments[0]), second = m_bodies.find(bond.fragments[1]);
+        if (first == m_bodies.end() || second == m_bodies.end()) return;
+        m_lines.begin("PhysicsFixedJoint",
+                      "bond_" + std::to_string(bond.fragments[0]) + "_" + std::to_string(bond.fragments[1]));
+        m_lines.setTarget("rel physics:body0", first->second.path);
+        m_lines.setTarget("rel physics:body1", second->second.path);
+        m_lines.setFloats("point3f physics:localPos0", bond.centroid - first->second.offset);
+        m_lines.setFloats("point3f physics:localPos1", bond.centroid - second->second.offset);
+        if (bond.capacity) {
+            const double most = double{std::numeric_limits<float>::max()};
+            m_lines.setFloat("float physics:breakForce", std::min(*bond.capacity / kJointStep, most));
+            m_lines.setDouble("custom double rubble:capacity", *bond.capacity);
+        }
+        m_lines.end();
+    }
+
+    void addAnchor(std::uint32_t index) {
+        const auto body = m_bodies.find(index);
+        if (body == m_bodies.end()) return;
+        m_lines.begin("PhysicsFixedJoint", "anchor_" + std::to_string(index));
+        m_lines.setTarget("rel physics:body0", "/" + m_root);
+        m_lines.setTarget("rel physics:body1", body->second.path);
+        m_lines.setFloats("point3f physics:localPos0", body->second.offset);
+        m_lines.end();
+    }
+
+    Pack m_pack;  // without bodies
+    const MeshMaterials& m_materials;
+    UsdNames m_rootNames, m_names;
+    std::string m_root;
+    UsdWriter m_lines;
+    std::string m_physicsMaterial;
+    std::vector<std::string> m_surfaces;  // paths: outside by MeshFace::material, then that of the inside
+    std::map<std::uint32_t, Placed> m_bodies;
+};
+
+}  // namespace
+
+Result<std::string> usdFile(const PackBuilder& pack, std::span<const std::uint32_t> bodies,
+                            const MeshMaterials& materials, const std::function<Mesh(std::uint32_t)>& meshOf,
+                            const TaskContext& task) {
+    UsdLayer layer(pack, materials);
+    for (const std::uint32_t index : bodies) {
+        if (task.isCancelled()) return TaskContext::cancelled();
+        layer.addBody(index, index == kNone ? pack.whole() : pack.fragment(index), meshOf(index));
+    }
+    const bool isWhole = bodies.size() == 1 && bodies[0] == kNone;
+    const std::optional<PackBonding> bonding = isWhole ? std::nullopt : pack.bonding();
+    if (bonding) layer.addJoints(*bonding);
+    return std::move(layer).text();
+}
+
+}  // namespace rubble
