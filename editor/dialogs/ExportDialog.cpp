@@ -176,10 +176,11 @@ void ExportDialog::updateSummary() {
         }
         folders.append(nameText(names.at({id}).folder));
     }
-    const QString content = meshes.obj && meshes.glb ? tr("packs, OBJ and GLB meshes")
-                            : meshes.obj             ? tr("packs and OBJ meshes")
-                            : meshes.glb             ? tr("packs and GLB meshes")
-                                                     : tr("packs");
+    QString content = meshes.obj && meshes.glb ? tr("packs, OBJ and GLB meshes")
+                      : meshes.obj             ? tr("packs and OBJ meshes")
+                      : meshes.glb             ? tr("packs and GLB meshes")
+                                               : tr("packs");
+    if (optionsFor(options().target).meshes.usd) content += tr(" and USD");
     QString text = tr("Writes %n folder(s) with %1: %2", nullptr, static_cast<int>(assets.size()))
                        .arg(content, folders.join(", "));
     // Only if all packs are there: both name all of them.
