@@ -64,7 +64,8 @@ std::vector<Id> assetsToExport(const ExportOptions& options, const Project& proj
     return assets;
 }
 
-bool isEdited(const AssetExport& asset) { return !asset.status && asset.status.error().code == ErrorCode::Edited; }
+/// Whether nothing was written because a file was changed after the last export.
+bool isEdited(const Status& status) { return !status && status.error().code == ErrorCode::Edited; }
 
 /// What an export did: with the packs, and with the scene and the index beside them.
 struct ExportRun {
@@ -87,10 +88,9 @@ Result<ExportRun> runExport(const OutputRequest& request, const Project& project
 bool confirmReplacing(const ExportRun& run, const QString& folder, QWidget* parent) {
     QStringList folders;
     for (const AssetExport& asset : run.packs) {
-        if (isEdited(asset)) folders.append('"' + fileNameText(fromPath(asset.folder)) + '"');
+        if (isEdited(asset.status)) folders.append('"' + fileNameText(fromPath(asset.folder)) + '"');
     }
-    if (!run.finished && run.finished.error().code == ErrorCode::Edited)
-        folders.append('"' + fileNameText(folder) + '"');
+    if (isEdited(run.finished)) folders.append('"' + fileNameText(folder) + '"');
     if (folders.isEmpty()) return false;
     const QString changed = ExportTexts::tr("Files in the %n folder(s) %1 were changed after the last export.", nullptr,
                                             static_cast<int>(folders.size()))
@@ -103,19 +103,25 @@ bool confirmReplacing(const ExportRun& run, const QString& folder, QWidget* pare
 QString summary(const ExportRun& run, const QString& folder, Messages& messages, QWidget* parent) {
     QStringList errors;
     int written = 0, unchanged = 0, kept = 0;
+    const auto keep = [&](const Error& edited, Id asset) {
+        ++kept;
+        messages.add({.severity = Severity::Warning, .text = QString::fromStdString(edited.message), .asset = asset});
+    };
     for (const AssetExport& asset : run.packs) {
         if (asset.status) {
             ++(asset.isUnchanged ? unchanged : written);
             continue;
         }
-        if (isEdited(asset)) {
-            ++kept;
+        if (isEdited(asset.status)) {
+            keep(asset.status.error(), asset.asset);
             continue;
         }
         errors.append(QString::fromStdString(asset.status.error().message));
         messages.add({.severity = Severity::Error, .text = errors.last(), .asset = asset.asset});
     }
-    if (!run.finished && run.finished.error().code != ErrorCode::Edited) {
+    if (isEdited(run.finished)) {
+        keep(run.finished.error(), {});
+    } else if (!run.finished) {
         const QString sentence = QString::fromStdString(run.finished.error().message);
         messages.add({.severity = Severity::Error, .text = sentence});
         showError(parent, sentence);

@@ -6,6 +6,7 @@
 #include "editor/commands/InstanceEdits.h"
 #include "editor/document/FilePath.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Dialogs.h"
 #include "tests/support/editor/TestSettings.h"
 #include "tests/support/files/FileBytes.h"
 
@@ -14,6 +15,7 @@
 #include <QDir>
 #include <QLabel>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -145,6 +147,20 @@ private slots:
         addInstance();
         exportBy([](QListWidget& assets) { uncheck(assets, "gable"); });
         QCOMPARE(bytesOfFile(m_folder->filePath("packs/scene.json")), scene);
+    }
+    void keptFilesAreCountedAndNamed() {
+        exportBy([](QListWidget&) {});
+        const QString path = m_folder->filePath("packs/scene.json");
+        QFile scene(path);
+        QVERIFY(scene.open(QIODevice::WriteOnly) && scene.write("mine") == 4);
+        scene.close();
+        test::onNextDialog<QMessageBox>([](QMessageBox& question) { QTest::keyClick(&question, Qt::Key_Escape); });
+        exportAgain();
+        QCOMPARE(bytesOfFile(path), QByteArray("mine"));
+        const auto& messages = m_messages.list();
+        QVERIFY2(messages.back().text.endsWith("; 2 unchanged; 1 kept as changed."), qPrintable(messages.back().text));
+        QVERIFY(messages[messages.size() - 2].severity == Severity::Warning);
+        QVERIFY(messages[messages.size() - 2].text.contains("scene.json"));
     }
     void everyFileNameIsExported() {
         for (const std::string& name : {std::string("h\xff"), std::string(248, 'x')}) {
