@@ -71,18 +71,21 @@ void PlayHud::paintFrame(QPainter& painter, QSize size) const {
 
 /// Dashes with a dark outline, visible on any background, and a ring at the hit.
 void PlayHud::paintTrajectory(QPainter& painter) const {
-    if (m_content.trajectory.size() < 2) return;
-    QPainterPath path(m_content.trajectory.front());
-    for (const QPointF& point : m_content.trajectory) path.lineTo(point);
+    if (m_content.trajectory.empty()) return;
+    QPainterPath path;
+    for (const QLineF& line : m_content.trajectory) {
+        if (path.currentPosition() != line.p1()) path.moveTo(line.p1());
+        path.lineTo(line.p2());
+    }
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(QColor(0, 0, 0, 110), 4, Qt::SolidLine, Qt::RoundCap));
     painter.drawPath(path);
     painter.setPen(QPen(kRunning, 2, Qt::DashLine, Qt::FlatCap));
     painter.drawPath(path);
-    if (!m_content.hasHit) return;
+    if (!m_content.hit) return;
     for (const auto& [colour, width] : {std::pair(QColor(0, 0, 0, 110), 4), std::pair(kRunning, 2)}) {
         painter.setPen(QPen(colour, width));
-        painter.drawEllipse(m_content.trajectory.back(), 7, 7);
+        painter.drawEllipse(*m_content.hit, 7, 7);
     }
 }
 

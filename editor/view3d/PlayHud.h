@@ -29,8 +29,8 @@ public:
         bool hasHeat = false;     // shows the legend of the heat colours
         bool hasBonds = false;    // likewise, for the damage of bonds
         bool isForecast = false;  // heat is the forecast of the aimed throw
-        std::vector<QPointF> trajectory;
-        bool hasHit = false;           // the trajectory ends at a hit
+        std::vector<QLineF> trajectory;
+        std::optional<QPointF> hit;    // at which the trajectory ends
         std::optional<QLineF> spring;  // from a grabbed body to the pointer
         QString grabText;              // "120 kg", why it cannot be lifted
         bool isTooHeavy = false;

@@ -160,10 +160,11 @@ PlayHud::Content PlayView::content() const {
     if (content.charge && frame->aimed) content.chargeText = fixedQuantity(frame->aimed->speed, 1, Units::speeds());
     if (frame->grabbed) setGrab(content, *frame->grabbed);
     if (!frame->trajectory) return content;
-    for (const Vec3& position : frame->trajectory->points) {
-        if (const std::optional<QPointF> point = m_viewport.pointOf(position)) content.trajectory.push_back(*point);
+    const std::vector<Vec3>& points = frame->trajectory->points;
+    for (std::size_t k = 1; k < points.size(); ++k) {
+        if (const auto line = m_viewport.lineOf(points[k - 1], points[k])) content.trajectory.push_back(*line);
     }
-    content.hasHit = frame->trajectory->hit.has_value();
+    if (frame->trajectory->hit) content.hit = m_viewport.pointOf(points.back());
     return content;
 }
 

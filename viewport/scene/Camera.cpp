@@ -1,11 +1,11 @@
 #include "viewport/scene/Camera.h"
 
 #include "core/base/math/Trigonometry.h"
+#include "core/geometry/line/SegmentClip.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -18,6 +18,9 @@ constexpr double kFarthest = 1e6;      // m
 constexpr double kMargin = 1.08;       // the framed box takes 1 / kMargin of the image
 constexpr double kMostCovered = 0.75;  // of the height of an image, by strips
 constexpr double kLeastNear = 2e-4;    // near plane ÷ far plane at least: limits the error of the depth buffer
+// Before the eye, in distances of the camera, at least. A point at the eye would be infinitely far beside the image.
+constexpr double kLeastDepth = 1e-6;
+constexpr double kLeastLineDepth = 1e-3;
 
 double halfTangent(const Camera& camera) { return sine(camera.fieldOfView / 2.0) / cosine(camera.fieldOfView / 2.0); }
 
@@ -87,11 +90,27 @@ std::optional<Vec2> pixelOf(const Camera& camera, Vec3 point, ImageSize size) {
     double scale = 1.0 / metresPerPixel(camera, size);
     if (camera.projection == Projection::Perspective) {
         const double depth = camera.distance - glm::dot(arm, axes.back);
-        if (depth <= 0.0) return std::nullopt;
+        if (depth <= kLeastDepth * camera.distance) return std::nullopt;
         scale *= camera.distance / depth;
     }
     return Vec2(0.5 * size.width + scale * glm::dot(arm, axes.right),
                 0.5 * size.height - scale * glm::dot(arm, axes.up));
+}
+
+std::optional<std::array<Vec2, 2>> pixelsOf(const Camera& camera, Vec3 from, Vec3 to, ImageSize size) {
+    if (camera.projection == Projection::Perspective) {
+        const Vec3 back = axesOf(camera).back;
+        const double least = kLeastLineDepth * camera.distance;
+        const double first = camera.distance - glm::dot(from - camera.target, back);
+        const double last = camera.distance - glm::dot(to - camera.target, back);
+        if (first < least && last < least) return std::nullopt;
+        if (first < least) from = glm::mix(from, to, (least - first) / (last - first));
+        if (last < least) to = glm::mix(to, from, (least - last) / (first - last));
+    }
+    const std::optional<Vec2> start = pixelOf(camera, from, size), end = pixelOf(camera, to, size);
+    if (!start || !end) return std::nullopt;
+    const Vec2 corner(size.width, size.height);
+    return clippedTo({-corner, 2.0 * corner}, *start, *end);
 }
 
 double metresPerPixel(const Camera& camera, ImageSize size) {

@@ -6,6 +6,7 @@
 
 #include <glm/mat4x4.hpp>
 
+#include <array>
 #include <optional>
 
 namespace rubble {
@@ -45,8 +46,12 @@ Vec3 eyeOf(const Camera& camera);
 /// The ray through a point of the image (pixels from its top left corner). It starts at the eye in perspective, and in
 /// the plane through the eye in parallel projection.
 Ray rayThrough(const Camera& camera, Vec2 pixel, ImageSize size);
-/// Projects a point of the world, pixels from the top left corner; nothing if it lies behind the eye.
+/// Projects a point of the world, pixels from the top left corner; nothing if it lies behind the eye, or within a
+/// millionth of the camera's distance before it.
 std::optional<Vec2> pixelOf(const Camera& camera, Vec3 point, ImageSize size);
+/// Projects the part of a segment that is before the eye and in the image, or within the image's size beside it;
+/// nothing if there is none. Its ends may be anywhere, so draw lines with this.
+std::optional<std::array<Vec2, 2>> pixelsOf(const Camera& camera, Vec3 from, Vec3 to, ImageSize size);
 
 /// The size of a pixel at the target's distance, m.
 double metresPerPixel(const Camera& camera, ImageSize size);

@@ -136,6 +136,13 @@ std::optional<QPointF> ViewportWidget::pointOf(Vec3 position) const {
     return QPointF(pixel->x, pixel->y) / devicePixelRatioF();
 }
 
+std::optional<QLineF> ViewportWidget::lineOf(Vec3 from, Vec3 to) const {
+    const auto pixels = pixelsOf(m_camera, from, to, imageSize());
+    if (!pixels) return std::nullopt;
+    const auto& [start, end] = *pixels;
+    return QLineF(QPointF(start.x, start.y) / devicePixelRatioF(), QPointF(end.x, end.y) / devicePixelRatioF());
+}
+
 void ViewportWidget::setSettings(const RenderSettings& settings) {
     m_settings = settings;
     showFrom(m_camera);

@@ -50,6 +50,8 @@ public:
     std::optional<PickId> pickAt(QPointF point) const;
     /// Projects a point of the world to the widget; nothing if it lies behind the eye.
     std::optional<QPointF> pointOf(Vec3 position) const;
+    /// What can be seen of a line in the world, with some that is beside the widget; nothing if there is none.
+    std::optional<QLineF> lineOf(Vec3 from, Vec3 to) const;
 
     /// Sets the tools in the order in which they receive input. They must outlive the view's event handling.
     void setTools(std::vector<ViewportTool*> tools) { m_tools = std::move(tools); }

@@ -62,8 +62,6 @@ void reverse(Ring& ring) {
 
 }  // namespace
 
-double Box2::diagonal() const { return min.x > max.x ? 0.0 : glm::length(size()); }
-
 double signedArea(std::span<const Vec2> ring) { return ring.size() < 3 ? 0.0 : momentsOf(ring, ring[0]).area; }
 
 double area(const Polygon& polygon) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/predicates/Vec.h"
+#include "core/geometry/line/Box2.h"
 
 #include <array>
 #include <span>
@@ -16,18 +16,6 @@ struct Polygon {
     Ring outer;
     std::vector<Ring> holes;
     bool operator==(const Polygon&) const = default;
-};
-
-/// An axis-aligned box; empty (min > max) until a point is included.
-struct Box2 {
-    Vec2 min{1e308, 1e308};
-    Vec2 max{-1e308, -1e308};
-    void include(Vec2 point) {
-        min = glm::min(min, point);
-        max = glm::max(max, point);
-    }
-    Vec2 size() const { return max - min; }
-    double diagonal() const;
 };
 
 /// The signed area of a ring: positive if counter-clockwise. Computed relative to its first corner, which keeps small

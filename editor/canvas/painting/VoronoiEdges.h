@@ -19,7 +19,4 @@ struct Circle {
 /// The circumcircle of a triangle; none for a ghost triangle or one that is too flat.
 std::optional<Circle> circumcircle(const Delaunay& delaunay, std::uint32_t triangle);
 
-/// A segment clipped to a box; none if it misses the box.
-std::optional<std::array<Vec2, 2>> clippedTo(const Box2& box, Vec2 from, Vec2 to);
-
 }  // namespace rubble

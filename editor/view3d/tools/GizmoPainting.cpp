@@ -61,8 +61,7 @@ void paintEdges(QPainter& painter, const std::vector<std::array<Vec3, 2>>& edges
     for (const double width : {3.5, 1.5}) {
         painter.setPen(QPen(width > 2.0 ? kGizmoUnderline : kHighlight, width, Qt::SolidLine, Qt::RoundCap));
         for (const auto& [from, to] : edges) {
-            const std::optional<QPointF> a = viewport.pointOf(from), b = viewport.pointOf(to);
-            if (a && b) painter.drawLine(*a, *b);
+            if (const std::optional<QLineF> line = viewport.lineOf(from, to)) painter.drawLine(*line);
         }
     }
 }

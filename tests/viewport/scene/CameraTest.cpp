@@ -143,6 +143,42 @@ private slots:
             QVERIFY(std::abs(glm::length(ray.direction) - 1.0) < 1e-12);
         }
     }
+    void linesAreCutOffBehindTheEyeAndBesideTheImage() {
+        constexpr unsigned kSeed = 11;
+        std::mt19937 random(kSeed);
+        std::normal_distribution<double> offset;
+        const std::array reaches{0.0, 1e-16, 1e-9, 1.0, 1e6};  // of the camera's distance: also from the eye itself
+        std::size_t seen = 0;
+        for (int round = 0; round < 20'000; ++round) {
+            const Camera camera = randomCamera(random);
+            const auto pointAround = [&](Vec3 centre) {
+                const double reach = reaches[random() % reaches.size()] * camera.distance;
+                return centre + reach * Vec3(offset(random), offset(random), offset(random));
+            };
+            const Vec3 from = pointAround(random() % 2 == 0 ? eyeOf(camera) : camera.target);
+            const Vec3 to = pointAround(camera.target);
+            const auto line = pixelsOf(camera, from, to, kSize);
+            for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {  // what is in the image is on the line
+                const std::optional<Vec2> pixel = pixelOf(camera, glm::mix(from, to, part), kSize);
+                const double depth =
+                    camera.distance - glm::dot(glm::mix(from, to, part) - camera.target, axesOf(camera).back);
+                const bool isInside = pixel && pixel->x >= 0.0 && pixel->y >= 0.0 && pixel->x <= kSize.width &&
+                                      pixel->y <= kSize.height && depth > 0.01 * camera.distance;
+                if (!isInside) continue;
+                ++seen;
+                QVERIFY2(line, qPrintable(QString("seed %1, round %2").arg(kSeed).arg(round)));
+                const Vec2 along = (*line)[1] - (*line)[0], arm = *pixel - (*line)[0];
+                const double length = glm::dot(along, along);
+                const double nearest = length > 0.0 ? std::clamp(glm::dot(arm, along) / length, 0.0, 1.0) : 0.0;
+                QVERIFY(glm::distance(arm, nearest * along) < 0.01);
+            }
+            if (!line) continue;
+            for (const Vec2 end : *line) {
+                QVERIFY(end.x >= -401.0 && end.x <= 801.0 && end.y >= -301.0 && end.y <= 601.0);
+            }
+        }
+        QVERIFY(seen > 10'000);
+    }
     void pointsBehindTheEyeDoNotProject() {
         const Camera seeing, parallel{.projection = Projection::Orthographic};
         const Vec3 behind = eyeOf(seeing) + axesOf(seeing).back;

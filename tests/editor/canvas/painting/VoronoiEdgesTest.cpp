@@ -48,13 +48,6 @@ private slots:
         }
         QCOMPARE(circles, 1);
     }
-    void segmentsAreClippedToTheBox() {
-        const auto cut = clippedTo(kBox, {-5.0, 0.0}, {5.0, 0.0});
-        QVERIFY(cut && isWithinDistance((*cut)[0], {-1.0, 0.0}, 1e-12) &&
-                isWithinDistance((*cut)[1], {2.0, 0.0}, 1e-12));
-        QVERIFY(!clippedTo(kBox, {-5.0, 3.0}, {5.0, 3.0}));
-        QVERIFY(!clippedTo(kBox, {-5.0, 0.0}, {-2.0, 0.0}));
-    }
 };
 
 RUBBLE_TEST(VoronoiEdgesTest)
