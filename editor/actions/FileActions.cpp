@@ -148,6 +148,7 @@ bool FileActions::saveAs() {
     if (dialog.exec() != QDialog::Accepted) return false;
     if (!saveTo(dialog.selectedFiles().first())) return false;
     m_recentFiles.add(file.path());
+    m_views.showProject();  // of a start page
     return true;
 }
 

@@ -232,10 +232,10 @@ void MainWindow::connectWorkspace() {
 bool MainWindow::isPristine() const { return !m_views->isProjectShown(); }
 
 bool MainWindow::isUntouched() {
-    if (isPristine()) return true;
     Document& document = m_workspace.document();
     const bool isEdited = document.isModified() || document.undoStack().canRedo();
-    return !isEdited && m_workspace.file().path().isEmpty() && document.project().assets.empty();
+    if (isEdited || !m_workspace.file().path().isEmpty()) return false;
+    return isPristine() || document.project().assets.empty();
 }
 
 bool MainWindow::confirmStop() { return m_videoActions->confirmClose(); }

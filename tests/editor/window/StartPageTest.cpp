@@ -2,12 +2,14 @@
 #include "editor/document/Bakes.h"
 #include "editor/widgets/Theme.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/Dialogs.h"
 #include "tests/support/editor/EditorStory.h"
 #include "tests/support/editor/TextFit.h"
 
 #include <QCommandLinkButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTemporaryDir>
 #include <QToolButton>
 
 using namespace rubble;
@@ -51,6 +53,25 @@ private slots:
         card->setFocus();
         QTest::keyClick(card, Qt::Key_Return);
         QTRY_VERIFY(!window().isPristine());
+    }
+    /// What is opened from a start page takes its place, but not that of a project which was saved there.
+    void savedProjectIsNotReplaced() {
+        openStartPage();
+        QTemporaryDir folder;
+        const QString path = folder.filePath("saved.rubble");
+        test::onNextDialog<QFileDialog>([path](QFileDialog& dialog) { test::acceptFile(dialog, path); });
+        window().findChild<QAction*>("file-save-as")->trigger();
+        QCOMPARE(window().workspace().file().path(), path);
+        QVERIFY(!window().isPristine() && !window().isUntouched());
+        const std::string saved = text();
+        emit window().openCopyRequested(RUBBLE_SOURCE_DIR "/projects/house.rubble");
+        QCOMPARE(text(), saved);
+        QCOMPARE(window().workspace().file().path(), path);
+        const QWidgetList widgets = QApplication::topLevelWidgets();
+        const auto isOther = [&](QWidget* one) { return qobject_cast<MainWindow*>(one) && one != &window(); };
+        const auto opened = std::ranges::find_if(widgets, isOther);
+        QVERIFY(opened != widgets.end());
+        delete *opened;
     }
     void clickSelectsInOtherSimulations() {
         openStartPage();
