@@ -321,7 +321,7 @@ void PlayEngine::forecastCollapse() {
     const bool isRecent =
         step >= m_collapseStep && step < m_collapseStep + stepOf(kForecastInterval, session().stepLength());
     if (m_collapse && m_collapsePart == *part && isRecent) return;
-    const Result<Collapse> collapse = wouldFall(session(), {&*part, 1});
+    const Result<Collapse> collapse = wouldFall(session(), {&*part, 1}, QueryEffort::Quick);
     RUBBLE_ASSERT(collapse.hasValue());
     m_collapsePart = *part;
     m_collapseStep = step;

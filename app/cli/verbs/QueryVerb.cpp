@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kQueryFooter =
     R"(Simulates a project for --steps, then asks:
-  would-fall      which bodies at rest come free where those of --body are removed, since their support is gone;
+  would-fall      which bodies at rest come free where those of --body are removed, or are brought down by these;
                   of a bonded body, also a fragment can be removed, by its name: "wall/3.5"
   changed-boxes   where something moved, broke or came to rest since the step of --since, for navigation meshes
 

@@ -2,6 +2,7 @@
 
 #include "core/base/DisjointSets.h"
 #include "core/base/MessageText.h"
+#include "core/play/breaking/Damage.h"
 #include "core/play/queries/ContactGraph.h"
 #include "core/play/queries/PartsRemoved.h"
 
@@ -14,15 +15,22 @@
 namespace rubble {
 namespace {
 
-// A body without support falls 11 cm in the trial and is then 1.5 m/s fast. Steps of this length keep stacks at rest.
-constexpr double kTrialStep = 0.05;  // s
-constexpr int kTrialSteps = 3;
-constexpr double kMovedDistance = 0.01;  // m: more than contacts give way to a changed load
-constexpr double kMovedSpeed = 0.15;     // m/s
+constexpr double kHorizon = 3.0;         // s
+constexpr double kMovedDistance = 0.05;  // m
+constexpr double kMovedPart = 0.05;      // of its size, if that is less
 constexpr double kRestSpeed = 0.1;       // m/s: what is faster falls or flies already
+constexpr double kLeastDrop = 0.01;      // m
+constexpr double kOnItsWay = 0.15;       // m/s, of what is not yet so far
 
-/// As many bodies as can be simulated as they are in a few milliseconds.
+constexpr std::size_t kMostBodySteps = 6000;  // of a quick query: a few milliseconds
+/// As many bodies as a quick query can simulate as they are, long enough.
 constexpr std::size_t kMostConnected = 160;
+
+// What more bodies than that are connected with: a body without support falls 11 cm and is then 1.5 m/s fast. Steps of
+// this length keep stacks at rest.
+constexpr double kCoarseStep = 0.05;  // s
+constexpr double kCoarseHorizon = 0.15;
+constexpr double kCoarseDistance = 0.01;  // m: more than contacts give way to a changed load
 
 /// What is removed: whole bodies, and parts of others.
 struct Removal {
@@ -86,15 +94,17 @@ struct TrialBody {
 struct Trial {
     World world;
     std::vector<TrialBody> bodies;
+    double dt = 0.0;             // s, of its steps
+    double horizon = 0.0;        // s: how long it is simulated
+    double movedDistance = 0.0;  // m: what moves farther falls
 };
 
 /// The whole world, with the impulses that hold its bodies.
-Trial copiedWorld(const Moment& moment, std::span<const std::uint32_t> removed,
-                  std::span<const std::uint32_t> connected) {
-    Trial trial{World({.gravity = moment.world.gravity()}), {}};
+Trial copiedWorld(const Moment& moment, std::span<const std::uint32_t> removed) {
+    Trial trial{World({.gravity = moment.world.gravity()})};
     trial.world.restore(*moment.world.snapshot());
     for (const std::uint32_t place : removed) trial.world.removeBody(moment.bodies[place].body);
-    for (const std::uint32_t place : connected) {
+    for (std::uint32_t place = 0; place < moment.bodies.size(); ++place) {
         const BodyId body = moment.bodies[place].body;
         if (trial.world.contains(body)) trial.bodies.push_back({place, body});
     }
@@ -110,7 +120,7 @@ Trial nearbyWorld(const Moment& moment, const ContactGraph& graph, std::span<con
     graph.addTouching(all);
     std::ranges::sort(nearby);
     std::ranges::sort(all);
-    Trial trial{World({.gravity = moment.world.gravity()}), {}};
+    Trial trial{World({.gravity = moment.world.gravity()})};
     for (const std::uint32_t place : all) {
         if (std::ranges::find(removed, place) != removed.end()) continue;
         const BodyId body = moment.bodies[place].body;
@@ -128,22 +138,87 @@ Trial nearbyWorld(const Moment& moment, const ContactGraph& graph, std::span<con
     return trial;
 }
 
-/// The bodies of a trial, by index in the moment, that were at rest and are not after it.
-std::vector<std::uint32_t> movedIn(Trial& trial, const Moment& moment) {
-    for (int step = 0; step < kTrialSteps; ++step) trial.world.step(kTrialStep);
-    std::vector<std::uint32_t> moved;
-    for (const TrialBody& body : trial.bodies) {
-        if (trial.world.kind(body.body) != BodyKind::Dynamic) continue;
-        const BodyState before = moment.world.state(moment.bodies[body.place].body);
-        const BodyState after = trial.world.state(body.body);
-        if (glm::length(before.velocity) > kRestSpeed) continue;
-        if (glm::distance(before.centre, after.centre) > kMovedDistance || glm::length(after.velocity) > kMovedSpeed) {
-            moved.push_back(body.place);
+/// A trial being simulated, and what it finds out.
+class TrialRun {
+public:
+    TrialRun(const Session& session, const Moment& moment, Trial& trial)
+        : m_session(session), m_moment(moment), m_trial(trial) {
+        m_isDecided.assign(trial.bodies.size(), false);
+        for (std::uint32_t k = 0; k < trial.bodies.size(); ++k) {
+            const TrialBody& body = trial.bodies[k];
+            if (moment.bodies[body.place].fracture() != nullptr) m_breakable[body.body] = k;
+        }
+        for (const auto& [body, k] : m_breakable) m_asked.push_back(body);
+    }
+
+    /// Until all bodies sleep, to the horizon, or until so many steps of single bodies were done.
+    void simulate(std::size_t mostBodySteps) {
+        const auto steps = static_cast<int>(std::lround(m_trial.horizon / m_trial.dt));
+        std::size_t bodySteps = 0;
+        m_isStopped = false;
+        for (int step = 0; step < steps && !m_isStopped; ++step) {
+            m_trial.world.collide(m_trial.dt);
+            if (m_session.hasDestruction()) markBroken();
+            m_trial.world.solve(m_trial.dt);
+            removeEscaped();
+            const int awake = m_trial.world.counts().awake;
+            if (awake == 0) return;
+            bodySteps += static_cast<std::size_t>(awake);
+            m_isStopped = bodySteps >= mostBodySteps;
         }
     }
-    std::ranges::sort(moved);
-    return moved;
-}
+
+    /// The indices in the moment of the bodies that were at rest and fall, ascending.
+    std::vector<std::uint32_t> fallen() const {
+        std::vector<std::uint32_t> places;
+        for (std::uint32_t k = 0; k < m_trial.bodies.size(); ++k) {
+            if (m_isDecided[k] || hasMoved(m_trial.bodies[k])) places.push_back(m_trial.bodies[k].place);
+        }
+        std::ranges::sort(places);
+        return places;
+    }
+
+private:
+    void markBroken() {
+        const std::vector<Impact> impacts = m_trial.world.impacts(m_asked);
+        for (const DamageDone& damage : damageOf(impacts, m_trial.world, m_session.scene().project.damage.rule)) {
+            const auto found = m_breakable.find(damage.body);
+            if (found == m_breakable.end()) continue;
+            const PlayBody& body = m_moment.bodies[m_trial.bodies[found->second].place];
+            if (damage.amount >= m_session.thresholdOf(body)) m_isDecided[found->second] = true;
+        }
+    }
+
+    /// What flies out of the world falls, too.
+    void removeEscaped() {
+        for (std::uint32_t k = 0; k < m_trial.bodies.size(); ++k) {
+            const BodyId body = m_trial.bodies[k].body;
+            if (!m_trial.world.contains(body) || m_trial.world.isWithinBounds(body)) continue;
+            m_trial.world.removeBody(body);
+            if (m_breakable.erase(body) > 0) std::erase(m_asked, body);
+            m_isDecided[k] = true;
+        }
+    }
+
+    bool hasMoved(const TrialBody& body) const {
+        if (m_trial.world.kind(body.body) != BodyKind::Dynamic) return false;
+        const BodyId original = m_moment.bodies[body.place].body;
+        const BodyState before = m_moment.world.state(original), after = m_trial.world.state(body.body);
+        if (glm::length(before.velocity) > kRestSpeed) return false;
+        const double size = 2.0 * m_moment.world.shape(original).boundingRadius;
+        const double distance = glm::distance(before.centre, after.centre);
+        if (distance > std::min(m_trial.movedDistance, kMovedPart * size)) return true;
+        return m_isStopped && glm::length(after.velocity) > kOnItsWay;
+    }
+
+    const Session& m_session;
+    const Moment& m_moment;
+    Trial& m_trial;
+    std::map<BodyId, std::uint32_t> m_breakable;  // index in the trial's bodies
+    std::vector<BodyId> m_asked;
+    std::vector<bool> m_isDecided;  // to fall: by index in the trial's bodies
+    bool m_isStopped = false;       // before the horizon
+};
 
 /// How far a body falls along `down`, of length 1, until it meets what stays; infinite if nothing does.
 double dropOf(const Moment& moment, std::uint32_t place, Vec3 down, const std::vector<BodyId>& gone) {
@@ -180,12 +255,15 @@ void addTimes(const Moment& moment, std::span<const std::uint32_t> removed, std:
     for (const std::uint32_t place : removed) gone.push_back(moment.bodies[place].body);
     for (const std::uint32_t place : fallen) gone.push_back(moment.bodies[place].body);
     std::ranges::sort(gone);
-    collapse.first = std::numeric_limits<double>::infinity();
+    std::optional<double> first;
     for (const std::uint32_t place : fallen) {
-        const double time = std::sqrt(2.0 * dropOf(moment, place, down, gone) / gravity);
-        collapse.first = std::min(collapse.first, time);
+        const double drop = dropOf(moment, place, down, gone);
+        if (drop < kLeastDrop) continue;  // it is pushed away or broken where it is
+        const double time = std::sqrt(2.0 * drop / gravity);
+        first = std::min(first.value_or(time), time);
         collapse.last = std::max(collapse.last, time);
     }
+    collapse.first = first.value_or(0.0);
 }
 
 /// The bodies that fall, in islands; their bodies are indices in the moment.
@@ -240,21 +318,28 @@ std::vector<std::uint32_t> affectedBodies(const Session& session, const Removal&
 }
 
 /// The bodies of a moment that fall. `cameOff` do anyway; the others if the simulation says so.
-std::vector<std::uint32_t> fallenOf(const Moment& moment, const ContactGraph& graph, const Removal& removal,
+std::vector<std::uint32_t> fallenOf(const Session& session, QueryEffort effort, const Moment& moment,
+                                    const ContactGraph& graph, const Removal& removal,
                                     std::span<const std::uint32_t> affected, std::span<const std::uint32_t> cameOff) {
     std::vector<std::uint32_t> fallen(cameOff.begin(), cameOff.end());
     std::vector<std::uint32_t> connected(affected.begin(), affected.end());
-    const bool areFew = graph.addConnected(connected, kMostConnected);
+    const bool isWhole =
+        graph.addConnected(connected, effort == QueryEffort::Quick ? kMostConnected : moment.bodies.size());
     const bool isKnown = std::ranges::all_of(connected, [&](std::uint32_t place) {
         return !graph.isDynamic(place) || std::ranges::binary_search(cameOff, place) ||
                std::ranges::binary_search(removal.places, place);
     });
-    if (areFew && isKnown) return fallen;
+    if (isWhole && isKnown) return fallen;
     std::vector<std::uint32_t> nearby(removal.places);
     if (!removal.parts.empty()) nearby.assign(affected.begin(), affected.end());
-    Trial trial = areFew ? copiedWorld(moment, removal.places, connected)
-                         : nearbyWorld(moment, graph, removal.places, std::move(nearby));
-    std::ranges::copy(movedIn(trial, moment), std::back_inserter(fallen));
+    Trial trial =
+        isWhole ? copiedWorld(moment, removal.places) : nearbyWorld(moment, graph, removal.places, std::move(nearby));
+    trial.dt = isWhole ? session.stepLength() : kCoarseStep;
+    trial.horizon = isWhole ? kHorizon : kCoarseHorizon;
+    trial.movedDistance = isWhole ? kMovedDistance : kCoarseDistance;
+    TrialRun run(session, moment, trial);
+    run.simulate(effort == QueryEffort::Quick ? kMostBodySteps : std::numeric_limits<std::size_t>::max());
+    std::ranges::copy(run.fallen(), std::back_inserter(fallen));
     makeSet(fallen);
     return fallen;
 }
@@ -284,7 +369,7 @@ FallingIsland islandIn(const Session& session, const PartsRemoved& after, const 
 
 }  // namespace
 
-Result<Collapse> wouldFall(const Session& session, std::span<const BodyPart> removed) {
+Result<Collapse> wouldFall(const Session& session, std::span<const BodyPart> removed, QueryEffort effort) {
     const Result<Removal> removal = removalOf(session, removed);
     if (!removal) return removal.error();
     if (removed.empty() || session.world().gravity() == Vec3(0.0)) return Collapse{};
@@ -296,8 +381,8 @@ Result<Collapse> wouldFall(const Session& session, std::span<const BodyPart> rem
     const Moment moment = after ? Moment{after->bodies, after->world} : Moment{session.bodies(), session.world()};
     const ContactGraph graph(moment.bodies, moment.world);
     const std::vector<std::uint32_t> affected = affectedBodies(session, *removal, moment.bodies.size());
-    const std::vector<std::uint32_t> fallen =
-        fallenOf(moment, graph, *removal, affected, after ? after->cameOff : std::vector<std::uint32_t>());
+    const std::vector<std::uint32_t> fallen = fallenOf(session, effort, moment, graph, *removal, affected,
+                                                       after ? after->cameOff : std::vector<std::uint32_t>());
     Collapse collapse = collapseOf(moment, graph, fallen);
     if (!fallen.empty()) addTimes(moment, removal->places, fallen, collapse);
     for (FallingIsland& island : collapse.islands) {
@@ -310,10 +395,10 @@ Result<Collapse> wouldFall(const Session& session, std::span<const BodyPart> rem
     return collapse;
 }
 
-Result<Collapse> wouldFall(const Session& session, std::span<const std::uint32_t> removed) {
+Result<Collapse> wouldFall(const Session& session, std::span<const std::uint32_t> removed, QueryEffort effort) {
     std::vector<BodyPart> parts;
     for (const std::uint32_t number : removed) parts.push_back({.body = number});
-    return wouldFall(session, parts);
+    return wouldFall(session, parts, effort);
 }
 
 }  // namespace rubble

@@ -19,29 +19,42 @@ struct Collapse {
     std::vector<FallingIsland> islands;  // ascending first body
     double mass = 0.0;                   // kg, of all of them
     /// s, after the removal: when the first and the last of these bodies meets what stays below it, if it falls freely
-    /// and straight along gravity; 0 where nothing falls. `last` is infinite where there is nothing below.
+    /// and straight along gravity; 0 where nothing drops by a centimetre. `last` is infinite where there is nothing
+    /// below.
     double first = 0.0;
     double last = 0.0;
 };
 
-/// The bodies at rest that come free if bodies (by number) are removed, since their support is gone. The session is
-/// not touched. A copy of its world is simulated for 0.15 s, in coarse steps: what its contacts do not hold moves by
-/// then. What falling bodies hit later, or what rocks for longer before it falls, is not told. Where more than 160
-/// bodies are connected by contacts, those that rest on the removed ones and what touches these is simulated, the rest
-/// is held in place: bodies that only leaned on them may be missing.
+/// How long a query may take.
+enum class QueryEffort {
+    Quick,     // a few milliseconds at 1,000 bodies
+    Thorough,  // as long as to play three seconds
+};
+
+/// The bodies at rest that come free if bodies (by number) are removed, since their support is gone, or that are
+/// brought down by these. The session is not touched. A copy of its world is simulated by the steps of the session for
+/// three seconds; what moves by more than 5 cm, or 5 % of its size if that is less, falls, and so does what breaks
+/// whole. Fragments of what breaks do not come apart.
+///
+/// A quick query ends after 6,000 steps of a body that moves. What then is on its way falls, what would rock for longer
+/// is not told. Where it would end within the first tenth of a second, it simulates those that rest on the removed ones
+/// and what touches these, in coarse steps, and holds the rest in place: bodies that only leaned on them may be
+/// missing.
 ///
 /// A bonded body that anchors hold stays, as in play: it is anchored to places, also where a body was that is removed.
 /// Mortar to what is removed breaks, and with it the hold of what reaches no other anchor.
 ///
 /// O(n) for n bodies and their contacts, and the steps of those that are simulated.
 /// Errors: BadInput for a number without a body, or the ground.
-Result<Collapse> wouldFall(const Session& session, std::span<const std::uint32_t> removed);
+Result<Collapse> wouldFall(const Session& session, std::span<const std::uint32_t> removed,
+                           QueryEffort effort = QueryEffort::Thorough);
 
 /// The same where also fragments of bonded bodies may be removed, with all of their bonds. Of a held body come free, as
 /// in play, the islands without an anchor and what is beyond the span, after its collapse delay; that it may find a
 /// hold where it was does not count. Of a body that is not held, the islands are simulated like bodies.
 ///
 /// Errors: BadInput also for a fragment that is not bonded in its body.
-Result<Collapse> wouldFall(const Session& session, std::span<const BodyPart> removed);
+Result<Collapse> wouldFall(const Session& session, std::span<const BodyPart> removed,
+                           QueryEffort effort = QueryEffort::Thorough);
 
 }  // namespace rubble
