@@ -37,6 +37,11 @@ std::uint32_t partOfCell(const Partition& partition, std::uint32_t piece) {
     return before + after > 0 ? before : kNone;
 }
 
+bool areSamePieces(const Partition& a, const Partition& b) {
+    return a.points == b.points && a.ringsOfPiece == b.ringsOfPiece && a.cornersOfRing == b.cornersOfRing &&
+           a.corners == b.corners;
+}
+
 Polygon pieceOutline(const Partition& partition, std::uint32_t piece, Vec2 centre) {
     if (partition.isEmpty(piece)) return {};
     const std::uint32_t outer = partition.outerRing(piece), end = outer + partition.ringCount(piece);

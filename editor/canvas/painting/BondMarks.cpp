@@ -30,7 +30,7 @@ BondMarker::BondMarker(std::shared_ptr<const Bake> bake, std::uint32_t fracture)
 
 std::unique_ptr<BondMarker> BondMarker::of(const std::shared_ptr<const Bake>& bake, const DrawablePattern& pattern) {
     const Fragments* fragments = bake ? fragmentsWithin(*bake, pattern.baked().parent) : nullptr;
-    if (!fragments || fragments->partition.points != pattern.partition().points) return nullptr;
+    if (!fragments || !areSamePieces(fragments->partition, pattern.partition())) return nullptr;
     const auto found = std::ranges::find(bake->fractures, fragments,
                                          [](const BakedFracture& fracture) { return &fracture.fragments; });
     return std::make_unique<BondMarker>(bake, static_cast<std::uint32_t>(found - bake->fractures.begin()));

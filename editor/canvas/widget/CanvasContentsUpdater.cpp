@@ -148,7 +148,7 @@ void CanvasContentsUpdater::refreshShapes() {
     const auto baked = m_state.bakes.find(m_state.selection.asset());
     const FragmentPath& entered = m_state.selection.enteredFragment();
     const Fragments* fragments = baked && baked->bake ? fragmentsWithin(*baked->bake, entered) : nullptr;
-    if (fragments && m_contents.pattern && fragments->partition.points == m_contents.pattern->partition().points) {
+    if (fragments && m_contents.pattern && areSamePieces(fragments->partition, m_contents.pattern->partition())) {
         m_contents.shrunk = fragments->shrunk;
         if (m_contents.overlays.hasDeeperLevels) m_contents.deeperEdges = deeperEdges(*baked->bake, entered);
     }

@@ -52,6 +52,19 @@ private slots:
         QCOMPARE(marks.neverBreaks, (std::vector<bool>{false, false}));
         QVERIFY(marks.edges.empty());
     }
+    /// Merged pieces have the same points.
+    void fragmentsOfOtherPiecesHaveNoMarks() {
+        Halves halves;
+        const std::shared_ptr<const Bake> before = halves.bakes.find(2)->bake;
+        QVERIFY(BondMarker::of(before, *halves.canvas.displayedPattern()));
+        Asset merged = halves.asset();
+        const std::string layer = std::to_string(merged.pattern.layers[0].id);
+        merged.edits = {FragmentMerge{layer + ".0", {layer + ".1"}}};
+        halves.document.push(modify("Merge", std::move(merged)));
+        halves.settle();
+        QCOMPARE(halves.canvas.displayedPattern()->partition().pieceCount(), 1u);
+        QVERIFY(!BondMarker::of(before, *halves.canvas.displayedPattern()));
+    }
     void strengthIsThatAtTheBond() {
         Halves halves;
         const BondStroke stroke{.brush = BondBrush::Strength, .strength = 3.0, .points = {{0.5, 0.5}}};
