@@ -22,7 +22,9 @@ std::vector<std::string> fieldsOf(const std::string& line) {
 }
 
 void addState(Journal& journal, double time, const std::vector<std::string>& fields) {
-    std::vector<DocumentState>& states = journal.documents[std::stoi(fields[2])].states;
+    JournaledDocument& document = journal.documents[std::stoi(fields[2])];
+    document.isReplaced = false;
+    std::vector<DocumentState>& states = document.states;
     if (!states.empty() && states.back().hash != fields[3]) ++journal.changes;
     states.push_back({.time = time, .hash = fields[3], .isModified = fields[4] == "1", .path = fields[5]});
 }
@@ -31,6 +33,7 @@ void addLine(Journal& journal, const std::vector<std::string>& fields) {
     const double time = std::stod(fields[0]);
     const std::string& kind = fields[1];
     if (kind == "state") addState(journal, time, fields);
+    if (kind == "file") journal.documents[std::stoi(fields[2])].isReplaced = true;
     if (kind == "close") journal.documents[std::stoi(fields[2])].isClosed = true;
     if (kind == "beat" || kind == "busy") journal.beats.push_back(time);
     if (kind == "beat") journal.idleBeats.push_back(time);

@@ -40,6 +40,7 @@ struct JournaledDocument {
     std::vector<DocumentState> states;
     std::size_t restored = 0;  // number of states before the monkey began
     bool isClosed = false;
+    bool isReplaced = false;  // it was saved, or its content is being replaced by that of a file, as the user wanted
 };
 
 struct JournaledInterval {
@@ -49,7 +50,7 @@ struct JournaledInterval {
 
 /// What a journal says. The kinds of lines are the names of the fields.
 struct Journal {
-    std::map<int, JournaledDocument> documents;  // state, close
+    std::map<int, JournaledDocument> documents;  // state, file, close
     std::vector<double> beats;                   // beat, busy: times at which the event loop fired a timer
     std::vector<double> idleBeats;               // beat: with no backup being written
     std::vector<JournaledInterval> intervals;    // from a change to its backup

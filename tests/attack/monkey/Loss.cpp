@@ -31,7 +31,7 @@ bool isBackupDue(const Journal& journal, double change) {
 
 std::optional<Loss> lossOf(const Journal& journal, const JournaledDocument& document,
                            const std::set<std::string>& recovered) {
-    if (document.isClosed) return std::nullopt;
+    if (document.isClosed || document.isReplaced) return std::nullopt;
     const std::vector<DocumentState>& states = document.states;
     const auto isKept = [&](const DocumentState& state) {
         return recovered.contains(state.hash) || (!state.isModified && state.path.empty());

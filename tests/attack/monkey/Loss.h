@@ -17,7 +17,7 @@ struct Loss {
 };
 
 /// What was lost of a document; `recovered` holds the hashes of what is on the disk or was restored. Nothing if the
-/// last state is among these, if it was an unchanged project without a file, or if the document was closed.
+/// last state is among these, if it was an unchanged project without a file, or if the document was closed or replaced.
 ///
 /// No allowance is made for a busy machine: a backup is due when the event loop has run twice after the interval
 /// without one being written, once to start writing it and once to note that it is. The thread that writes may have

@@ -64,7 +64,11 @@ void Recorder::attach(MainWindow& window) {
             [this, &window](const Changes& changes) { noteChange(window, changes); });
     connect(&document, &Document::modifiedChanged, this, [this, &window] { note(window); });
     connect(&document.undoStack(), &QUndoStack::indexChanged, this, [this, &window] { noteIndex(window); });
-    connect(&window.workspace().file(), &DocumentFile::pathChanged, this, [this, &window] { note(window); });
+    // Before a project is read from a file, also when it is reverted, and after it was saved to one.
+    connect(&window.workspace().file(), &DocumentFile::pathChanged, this, [this, &window] {
+        note(window);
+        m_journal.note("file", {std::to_string(m_documents[&window].number)});
+    });
     m_documents[&window].hashes = {note(window)};
 }
 
