@@ -29,4 +29,19 @@ struct alignas(64) BodyPose {
 };
 static_assert(sizeof(BodyPose) == 64);
 
+/// The velocities of a body before the solver changes them: the first half of its BodyMotion.
+struct alignas(32) StartMotion {
+    Vec3f velocity{0.0f, 0.0f, 0.0f};  // m/s
+    float inverseMass = 0.0f;
+    Vec3f angularVelocity{0.0f, 0.0f, 0.0f};  // rad/s
+    float linearDamping = 0.0f;
+};
+static_assert(sizeof(StartMotion) == 32);
+
+/// The mechanical energy that a body lost in a step.
+struct BodyLoss {
+    float energy = 0.0f;     // J
+    bool mayBeFree = false;  // its motion is near that of a body that touches nothing
+};
+
 }  // namespace rubble

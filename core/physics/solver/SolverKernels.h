@@ -48,6 +48,10 @@ struct SolverKernels {
     void (*restitute)(std::span<ContactBlock> blocks, const SolverStep& step);
     void (*integrateVelocities)(std::span<const std::uint32_t> bodies, const SolverStep& step);
     void (*integratePositions)(std::span<const std::uint32_t> bodies, const SolverStep& step);
+    /// The energies that bodies lost in the sub-steps, while the poses are still those before them; 0 of what is not
+    /// dynamic. `starts` and `losses` are by body.
+    void (*findLosses)(std::span<const std::uint32_t> bodies, const SolverStep& step, const StartMotion* starts,
+                       BodyLoss* losses);
 };
 
 /// The kernels of a SIMD width that this machine supports.

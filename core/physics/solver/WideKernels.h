@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/physics/solver/EnergyKernels.h"
 #include "core/physics/solver/IntegrationKernels.h"
 #include "core/physics/solver/PrepareKernels.h"
 #include "core/physics/solver/RestitutionKernels.h"
@@ -19,6 +20,7 @@ inline constexpr SolverKernels kWideKernels{
     &RestitutionKernels<W>::restitute,
     &IntegrationKernels<W>::integrateVelocities,
     &IntegrationKernels<W>::integratePositions,
+    &EnergyKernels<W>::findLosses,
 };
 
 }  // namespace rubble

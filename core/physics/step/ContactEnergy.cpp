@@ -21,31 +21,9 @@ StartMotion freeFlight(StartMotion motion, const BodyMotion& body, const SolverS
     return motion;
 }
 
-/// Whether a velocity without damping is so far from that of free flight that it needs no exact comparison.
-bool isFarFromFree(const StartMotion& start, const BodyMotion& now, const SolverStep& step) {
-    constexpr float kFar = 1e-3f;  // of the speed, or m/s below 1 m/s: more than rounding
-    const Vec3f difference = now.velocity - start.velocity - step.gravity * step.dt;
-    return now.linearDamping == 0.0f && lengthSquared(difference) > kFar * kFar * (1.0f + lengthSquared(now.velocity));
-}
-
 bool fliesFreely(const StartMotion& start, const BodyMotion& now, const SolverStep& step) {
-    if (isFarFromFree(start, now, step)) return false;
     const StartMotion flown = freeFlight(start, now, step);
     return flown.velocity == now.velocity && flown.angularVelocity == now.angularVelocity;
-}
-
-/// The energy that a body lost in the sub-steps, J.
-double lossOf(const WorldState& state, std::uint32_t number, const SolverStep& step, const StartMotion& start) {
-    const Body& body = state.bodies[number];
-    const BodyMotion& motion = state.motions[number];
-    if (!body.isDynamic() || fliesFreely(start, motion, step)) return 0.0;
-    const Mat3f matrix = state.poses[number].rotation.matrix();
-    const Vec3f change = motion.velocity - start.velocity, velocities = motion.velocity + start.velocity;
-    const Vec3f rotationChange = matrix.transposedTimes(motion.angularVelocity - start.angularVelocity);
-    const Vec3f rotations = matrix.transposedTimes(motion.angularVelocity + start.angularVelocity);
-    const float kinetic = 0.5f * (dot(change, velocities) * static_cast<float>(body.mass) +
-                                  dot(rotationChange, body.inertia * rotations));
-    return body.mass * dot(step.gravity, motion.deltaPosition) - kinetic;
 }
 
 /// The work of gravity on a body in the step, less that at its mean velocity, J.
@@ -79,20 +57,25 @@ void saveStartMotions(const WorldState& state, ThreadPool& threads, const Region
     scratch.losses.resize(state.bodies.size());
     regions.forEach(threads, [&](std::size_t region) {
         for (const std::uint32_t body : regions.bodies(region)) {
-            scratch.starts[body] = {state.motions[body].velocity, state.motions[body].angularVelocity};
+            const BodyMotion& motion = state.motions[body];
+            scratch.starts[body] = {motion.velocity, motion.inverseMass, motion.angularVelocity, motion.linearDamping};
         }
     });
 }
 
-double contactLoss(const WorldState& state, ThreadPool& threads, const Regions& regions, const SolverStep& step,
-                   ContactEnergyScratch& scratch) {
+double contactLoss(const WorldState& state, ThreadPool& threads, const Regions& regions, const SolverKernels& kernels,
+                   const SolverStep& step, ContactEnergyScratch& scratch) {
     regions.forEach(threads, [&](std::size_t region) {
-        for (const std::uint32_t body : regions.bodies(region)) {
-            scratch.losses[body] = lossOf(state, body, step, scratch.starts[body]);
+        const std::span<const std::uint32_t> bodies = regions.bodies(region);
+        kernels.findLosses(bodies, step, scratch.starts.data(), scratch.losses.data());
+        for (const std::uint32_t body : bodies) {
+            if (scratch.losses[body].mayBeFree && fliesFreely(scratch.starts[body], state.motions[body], step)) {
+                scratch.losses[body].energy = 0.0f;
+            }
         }
     });
     double sum = 0.0;  // in the order of the bodies, on any number of threads
-    for (const std::uint32_t body : state.awake) sum += scratch.losses[body];
+    for (const std::uint32_t body : state.awake) sum += static_cast<double>(scratch.losses[body].energy);
     return sum;
 }
 

@@ -8,16 +8,10 @@
 
 namespace rubble {
 
-/// The velocities of a body before the solver changes them.
-struct StartMotion {
-    Vec3f velocity{0.0f, 0.0f, 0.0f};         // m/s
-    Vec3f angularVelocity{0.0f, 0.0f, 0.0f};  // rad/s
-};
-
 /// Memory of the functions below, reused from step to step.
 struct ContactEnergyScratch {
     std::vector<StartMotion> starts;  // by body; of the awake ones
-    std::vector<double> losses;       // J, by body; of the awake ones
+    std::vector<BodyLoss> losses;     // by body; of the awake ones
 };
 
 /// Keeps the velocities of the awake bodies; call before solveSubSteps().
@@ -27,8 +21,8 @@ void saveStartMotions(const WorldState& state, ThreadPool& threads, const Region
 /// The mechanical energy that bodies lost by their contacts in the sub-steps just solved, J: of all that moved in
 /// another way than in free flight, kinetic and potential energy before less that after. Damping counts as contact, the
 /// work of World::grab() does not. Poses must be those before the step.
-double contactLoss(const WorldState& state, ThreadPool& threads, const Regions& regions, const SolverStep& step,
-                   ContactEnergyScratch& scratch);
+double contactLoss(const WorldState& state, ThreadPool& threads, const Regions& regions, const SolverKernels& kernels,
+                   const SolverStep& step, ContactEnergyScratch& scratch);
 
 /// The mechanical energy that the bodies of a contact lost by its impulses in the sub-steps just solved, J.
 ///

@@ -19,25 +19,26 @@ constexpr float kRoundingSpeed = 0.01f;  // m/s, tolerance
 constexpr float kImpactDepth = 0.005f;  // m
 constexpr float kHitSpeed = 0.25f;      // m/s
 
-/// Calls visit(block, lane) for each contact of a region.
+/// Calls visit(block) for each block of contacts of a region.
 template <class Visit>
-void visitContacts(const WorldState& state, const Regions& regions, std::size_t region, const Visit& visit) {
+void visitBlocks(const WorldState& state, const Regions& regions, std::size_t region, const Visit& visit) {
     const std::span<const ContactColours::List> lists = state.colours.lists();
     for (std::size_t list = 0; list < lists.size(); ++list) {
         const std::span blocks = regions.part(list, std::span(lists[list].blocks), region);
         regions.forEachBlockRange(blocks.size(), region, [&](IndexRange range) {
-            for (const ContactBlock& block : blocks.subspan(range.begin, range.size())) {
-                for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
-                    if (block.pointCount[lane] > 0) visit(block, lane);
-                }
-            }
+            for (const ContactBlock& block : blocks.subspan(range.begin, range.size())) visit(block);
         });
     }
 }
 
+/// Calls visit(block, lane) for each contact.
 template <class Visit>
 void visitContacts(const WorldState& state, const Visit& visit) {
-    visitContacts(state, Regions(), 0, visit);
+    visitBlocks(state, Regions(), 0, [&](const ContactBlock& block) {
+        for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+            if (block.pointCount[lane] > 0) visit(block, lane);
+        }
+    });
 }
 
 /// By bodies, then by point, since bodies of several hulls may touch at several points: independent of the order of
@@ -90,6 +91,18 @@ Vec3f velocityAt(const WorldState& state, std::uint32_t body, Vec3f arm) {
 /// The acceleration of a body by gravity.
 Vec3f gravityOn(const WorldState& state, std::uint32_t body, Vec3f gravity) {
     return state.bodies[body].isDynamic() ? gravity : Vec3f(0.0f);
+}
+
+/// Whether a contact of a block may be a hit, which few are.
+bool mayHit(const ContactBlock& block) {
+    int hits = 0;  // in all lanes at once
+    for (const PointRows& point : block.points) {
+        for (int lane = 0; lane < kBlockLanes; ++lane) {
+            hits |=
+                static_cast<int>(point.approach[lane] < -kHitSpeed) & static_cast<int>(point.stepImpulse[lane] > 0.0f);
+        }
+    }
+    return hits != 0;
 }
 
 std::optional<HitEvent> hitOf(const WorldState& state, const ContactBlock& block, std::size_t lane,
@@ -246,8 +259,11 @@ void findHits(const WorldState& state, ThreadPool& threads, const Regions& regio
               std::vector<HitEvent>& hits) {
     clearLists(byRegion, regions.count());
     regions.forEach(threads, [&](std::size_t region) {
-        visitContacts(state, regions, region, [&](const ContactBlock& block, std::size_t lane) {
-            if (const std::optional<HitEvent> hit = hitOf(state, block, lane, starts)) byRegion[region].push_back(*hit);
+        visitBlocks(state, regions, region, [&](const ContactBlock& block) {
+            if (!mayHit(block)) return;
+            for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+                if (const auto hit = hitOf(state, block, lane, starts)) byRegion[region].push_back(*hit);
+            }
         });
     });
     for (const std::vector<HitEvent>& some : byRegion) hits.insert(hits.end(), some.begin(), some.end());
