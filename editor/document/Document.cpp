@@ -3,6 +3,7 @@
 #include "editor/document/EditFault.h"
 
 #include <QScopeGuard>
+#include <QScopedValueRollback>
 #include <QUndoCommand>
 
 #include <memory>
@@ -53,7 +54,7 @@ private:
 Document::Document(Project project, QObject* parent) : QObject(parent), m_project(std::move(project)) {
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, [this] { emit modifiedChanged(isModified()); });
     m_repeat.setSingleShot(true);
-    connect(&m_repeat, &QTimer::timeout, this, [this] { emit changed({{}, true}); });
+    connect(&m_repeat, &QTimer::timeout, this, [this] { tell({{}, true}); });
 }
 
 /// The undo stack clears itself when it is destroyed, which must not be reported: what belongs to the document, such as
@@ -61,6 +62,7 @@ Document::Document(Project project, QObject* parent) : QObject(parent), m_projec
 Document::~Document() { m_undoStack.disconnect(this); }
 
 bool Document::push(Edit edit) {
+    if (m_isTelling) return false;
     if (edit.isEmpty() || isNoChange(m_project, edit)) return true;
     if (const std::optional<std::string> fault = editFault(m_project, edit)) {
         emit refused(QString::fromStdString(*fault));
@@ -124,7 +126,7 @@ void Document::replaceUnsaved(Project project) {
 void Document::clear(Project project) {
     m_project = std::move(project);
     m_undoStack.clear();
-    emit changed({{}, true});
+    tell({{}, true});
     emit modifiedChanged(isModified());
 }
 
@@ -139,11 +141,16 @@ void Document::setUnsaved() {
     emit modifiedChanged(isModified());
 }
 
+void Document::tell(const Changes& changes) {
+    const QScopedValueRollback telling(m_isTelling, true);
+    emit changed(changes);
+}
+
 void Document::apply(Edit& edit, bool isUndoOrRedo) {
     Changes changes = applyEdit(m_project, edit);
     changes.isUndoOrRedo = isUndoOrRedo;
     try {
-        emit changed(changes);
+        tell(changes);
     } catch (const std::bad_alloc&) {  // receivers after the one without memory have missed it
         m_repeat.start(0);
         emit memoryRanOut();

@@ -24,7 +24,8 @@ public:
 
     /// Applies an edit as one undo step, or merges it into the last step if both have the same merge key. An edit that
     /// changes nothing adds no step, and merged edits that cancel out leave none. An edit with an editFault() is not
-    /// applied: `refused` is emitted, and the result is false.
+    /// applied: `refused` is emitted, and the result is false. Nothing is applied either while `changed` is received: a
+    /// field that loses the focus, because a change hides it, must not add a step to the one that is being made.
     ///
     /// Errors: throws std::bad_alloc if out of memory; the edit is then done whole, with its undo step, or not at all.
     bool push(Edit edit);
@@ -59,6 +60,7 @@ private:
     bool isLastStep(const Command* command) const;
     void takeBackPushed();
     void clear(Project project);
+    void tell(const Changes& changes);
 
     Project m_project;
     QUndoStack m_undoStack;
@@ -66,6 +68,7 @@ private:
     QTimer m_repeat;              // tells again what receivers had no memory for
     quint64 m_lastMergeKey = 0;
     bool m_isUnsaved = false;
+    bool m_isTelling = false;  // of a change
 };
 
 }  // namespace rubble

@@ -227,6 +227,7 @@ QString EventModel::toolTip(const PlayEvent& event) const {
 }
 
 QVariant EventModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     const PlayEvent& shown = *event(index.row());
     if (role == Qt::DisplayRole) return text(shown, index.column());
     if (role == Qt::DecorationRole && index.column() == kKind) return iconNamed(iconNameOf(shown.record.kind));

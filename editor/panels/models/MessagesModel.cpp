@@ -47,6 +47,7 @@ int MessagesModel::rowCount(const QModelIndex& parent) const { return parent.isV
 int MessagesModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
 
 QVariant MessagesModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     const Message& shown = message(index.row());
     if (role == kSeverityRole) return static_cast<int>(shown.severity);
     if (role == Qt::DecorationRole && index.column() == kText) return iconOf(shown.severity);

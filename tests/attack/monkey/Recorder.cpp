@@ -86,6 +86,8 @@ void Recorder::noteIndex(MainWindow& window) {
     const Step step = std::exchange(recorded.step, Step::None);
     const auto index = static_cast<std::size_t>(window.workspace().document().undoStack().index());
     const std::string hash = contentHash(projectText(window.workspace().project())).hex();
+    m_journal.note("index", {std::to_string(recorded.number), std::to_string(index), hash,
+                             window.workspace().document().undoStack().undoText().toStdString()});
     if (step == Step::UndoOrRedo && index < recorded.hashes.size() && recorded.hashes[index] != hash) {
         m_journal.fail("Undo or redo did not restore the project as it was at step " + std::to_string(index) + ".");
     }

@@ -76,6 +76,26 @@ private slots:
         QCOMPARE(document.undoStack().count(), 0);
         QVERIFY(!document.isModified());
     }
+    /// As by a field that loses the focus, with a value typed into it, because an undo hides it.
+    void nothingIsPushedWhileAChangeIsTold() {
+        Document document(starterProject());
+        document.push(thresholdEdit(document, 7.0));
+        document.push(thresholdEdit(document, 8.0));
+        bool isPushed = true;
+        connect(&document, &Document::changed, this, [&] { isPushed = document.push(thresholdEdit(document, 9.0)); });
+        document.undoStack().undo();
+        QVERIFY(!isPushed);
+        QCOMPARE(threshold(document), 7.0);
+        QCOMPARE(document.undoStack().count(), 2);
+        document.undoStack().redo();
+        QCOMPARE(threshold(document), 8.0);
+        document.push(thresholdEdit(document, 10.0));
+        QCOMPARE(threshold(document), 10.0);
+        document.undoStack().undo();
+        QCOMPARE(threshold(document), 8.0);
+        document.replace(starterProject());
+        QCOMPARE(document.undoStack().count(), 0);
+    }
     void sceneSettingsAreSetAndUndone() {
         Document document(starterProject());
         const Project before = document.project();

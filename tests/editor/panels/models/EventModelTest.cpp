@@ -44,6 +44,10 @@ constexpr double kStep = 1.0 / 60.0;
 class EventModelTest : public QObject {
     Q_OBJECT
 private slots:
+    void noDataIsThatOfNoRow() {  // for which an empty table asks when its current row is copied
+        EventModel model;
+        QVERIFY(!model.data(QModelIndex(), Qt::DisplayRole).isValid());
+    }
     void rowsShowWhatIsKnown() {
         EventModel model;
         const QAbstractItemModelTester tester(&model);

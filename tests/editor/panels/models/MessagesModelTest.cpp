@@ -12,6 +12,11 @@ class MessagesModelTest : public QObject {
 private slots:
     void cleanup() { QLocale::setDefault(QLocale::c()); }
 
+    void noDataIsThatOfNoRow() {  // for which an empty list asks when its current row is copied
+        Messages messages;
+        Document document{Project()};
+        QVERIFY(!MessagesModel(messages, document).data(QModelIndex(), Qt::DisplayRole).isValid());
+    }
     void timesAreInTheLocale_data() {
         QTest::addColumn<QString>("locale");
         QTest::addColumn<QString>("text");
