@@ -231,8 +231,10 @@ void PlayActions::addReplays() {
 void PlayActions::addStates() {
     const auto add = actionAdder(*m_menu, this);
     m_saveState =
-        add({"play-save-state", tr("Save Stat&e…"), tr("Save the displayed moment")}, &PlayActions::saveState);
-    add({"play-load-state", tr("&Load State…"), tr("Go on from a saved moment of a simulation")},
+        add({"play-save-state", tr("Save Stat&e…"), tr("Save the displayed moment"), QKeySequence(Qt::Key_F6)},
+            &PlayActions::saveState);
+    add({"play-load-state", tr("&Load State…"), tr("Go on from a saved moment of a simulation"),
+         QKeySequence(Qt::Key_F9)},
         &PlayActions::openState);
 }
 
