@@ -39,7 +39,8 @@ export function solidOfTriangles(triangles) {
 }
 
 /// Compares objects {name, triangles in the asset's frame} with the bodies of a file; returns the number of faults.
-export function checkObjects(title, objects, bodies) {
+/// `errors`: parts of a volume, and m, by which they may be off.
+export function checkObjects(title, objects, bodies, errors = {volume: 5e-6, centre: 1e-6}) {
   let volumeError = 0;
   let centreError = 0;
   const missing = bodies.filter(({name}) => !objects.some((object) => object.name === name)).map(({name}) => name);
@@ -55,8 +56,8 @@ export function checkObjects(title, objects, bodies) {
   const faults = [];
   if (missing.length > 0) faults.push(`${missing.join(", ")} missing`);
   if (objects.length !== bodies.length) faults.push(`${bodies.length} bodies expected`);
-  if (!(volumeError < 5e-6)) faults.push("volumes differ");
-  if (!(centreError < 1e-6)) faults.push("centres differ");
+  if (!(volumeError < errors.volume)) faults.push("volumes differ");
+  if (!(centreError < errors.centre)) faults.push("centres differ");
   for (const fault of faults) console.log(`  FAULT: ${fault}`);
   return faults.length;
 }

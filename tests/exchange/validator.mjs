@@ -1,10 +1,10 @@
-// gltf-validator finds no error and no warning in the GLB files of packs: node validator.mjs PACKS PLACE [physics].
-// With physics, it says that it does not know the extensions.
+// gltf-validator finds no error and no warning in the GLB files of packs: node validator.mjs PACKS PLACE
+// [physics|compact]. It says which extensions it does not know: those of physics, and that of compression.
 import {readFileSync} from "node:fs";
 import {meshesOf} from "./meshes.mjs";
 import {installed, loaderFrom} from "./packages.mjs";
 
-const [packs, place, physics] = process.argv.slice(2);
+const [packs, place, kind] = process.argv.slice(2);
 const {version} = installed(place, "gltf-validator");
 const {default: validator} = await loaderFrom(place)("gltf-validator");
 let faults = 0;
@@ -17,7 +17,7 @@ for (const {path, name} of meshesOf(packs)) {
   }
   faults += numErrors + numWarnings;
   const unknown = issues.messages.filter(({code}) => code === "UNSUPPORTED_EXTENSION").length;
-  if (unknown !== (physics ? 4 : 0)) {
+  if (unknown !== ({physics: 4, compact: 1}[kind] ?? 0)) {
     console.log(`  FAULT: ${unknown} extensions that it does not know`);
     ++faults;
   }

@@ -144,6 +144,12 @@ Status exportAssets(ExportArguments arguments, VerbReport& report, const CliCont
         arguments.pack.meshes.obj = arguments.formats == Formats::Obj || arguments.formats == Formats::Both;
         arguments.pack.meshes.glb = arguments.formats == Formats::Glb || arguments.formats == Formats::Both;
     }
+    MeshOptions& meshes = arguments.pack.meshes;
+    if (meshes.glbCompact && meshes.glbPhysics && !arguments.target) {
+        return Error{ErrorCode::BadInput,
+                     "Compact GLB files have no physics; choose either --glb-compact or --glb-physics."};
+    }
+    if (meshes.glbCompact) meshes.glbPhysics = false;  // which --for may have set
     const Result<Project> project = openProject(arguments.project, context);
     if (!project) return project.error();
     const Result<std::vector<Id>> selected = selectedAssets(*project, arguments.assets);
@@ -203,6 +209,7 @@ Verb addExport(CLI::App& program) {
                            {{"m", ObjUnit::Metre}, {"cm", ObjUnit::Centimetre}, {"mm", ObjUnit::Millimetre}},
                            meshes.objFrame.unit);
     command.flag("--glb-physics", meshes.glbPhysics, "Write rigid bodies and their colliders into GLB files");
+    command.flag("--glb-compact", meshes.glbCompact, "Write small GLB files that are drawn at once, without physics");
     command.option("--inset", arguments->pack.inset, "The inset of collision hulls in m (default: 0.0001)")
         .inRange(ProjectNumber::HullInset)
         .valueName("LENGTH");

@@ -40,6 +40,11 @@ public:
     std::uint32_t hullIndexCount() const { return static_cast<std::uint32_t>(m_hullIndices.size()); }
     std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(m_positions.size()); }
     std::uint32_t indexCount() const { return static_cast<std::uint32_t>(m_indices.size()); }
+    /// The arrays of meshes; indices are relative to the primitive's first vertex.
+    std::span<const std::array<float, 3>> positions() const { return m_positions; }
+    std::span<const std::array<float, 3>> normals() const { return m_normals; }
+    std::span<const std::array<float, 2>> uvs() const { return m_uvs; }
+    std::span<const std::uint32_t> indices() const { return m_indices; }
     /// The size of all arrays in bytes.
     std::size_t size() const;
     /// Appends the arrays: positions, normals, texture coordinates (v down, as in glTF), indices; positions and indices

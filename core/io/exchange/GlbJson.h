@@ -3,6 +3,7 @@
 #include "core/io/exchange/GlbBuffer.h"
 #include "core/io/exchange/GlbPhysics.h"
 #include "core/io/exchange/MeshPart.h"
+#include "core/io/json/JsonWriter.h"
 
 #include <span>
 #include <string>
@@ -15,5 +16,11 @@ namespace rubble {
 std::string glbJson(std::span<const MeshPart> parts, std::span<const std::vector<GlbPrimitive>> primitives,
                     const GlbBuffer& buffer, const MeshMaterials& materials, PartPlacement place,
                     const GlbPhysics* physics = nullptr);
+
+/// Writes the members "asset" and "materials": the outside ones, then the inside.
+void writeGlbAsset(JsonWriter& json);
+void writeGlbMaterials(JsonWriter& json, const MeshMaterials& materials);
+/// Writes the image, whose view is given, and the texture that repeats it.
+void writeGlbTexture(JsonWriter& json, const MeshMaterials& materials, std::uint64_t view);
 
 }  // namespace rubble

@@ -1,6 +1,7 @@
 #include "core/io/exchange/GlbWriter.h"
 
 #include "core/base/Assert.h"
+#include "core/io/exchange/GlbContainer.h"
 #include "core/io/exchange/GlbJson.h"
 
 #include <limits>
@@ -8,11 +9,7 @@
 namespace rubble {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x46546c67;  // "glTF"
-constexpr std::uint32_t kGlbVersion = 2;
-constexpr std::uint32_t kJsonChunk = 0x4e4f534a;    // "JSON"
-constexpr std::uint32_t kBinaryChunk = 0x004e4942;  // "BIN"
-constexpr std::size_t kVertexSize = 32;             // bytes: position, normal, texture coordinates
+constexpr std::size_t kVertexSize = 32;  // bytes: position, normal, texture coordinates
 constexpr std::size_t kIndexSize = 4;
 constexpr std::size_t kJsonSize = 1000;  // bytes: an upper bound for a node or the accessors of a primitive
 
@@ -44,10 +41,6 @@ std::size_t maxFileSize(std::span<const MeshPart> parts, const MeshMaterials& ma
     return size;
 }
 
-void appendWord(std::string& bytes, std::size_t number) {
-    for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(number >> shift & 255);
-}
-
 }  // namespace
 
 Result<std::string> glbFile(std::span<const MeshPart> parts, const MeshMaterials& materials, PartPlacement place,
@@ -67,24 +60,11 @@ Result<std::string> glbFile(std::span<const MeshPart> parts, const MeshMaterials
         }
     }
     std::string json = glbJson(parts, primitives, buffer, materials, place, physics);
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-
-    const std::string_view image = materials.image ? std::string_view(materials.image->bytes()) : std::string_view();
-    const std::size_t binarySize = (buffer.size() + image.size() + 3) / 4 * 4;
-    std::string bytes;
-    bytes.reserve(28 + json.size() + binarySize);
-    appendWord(bytes, kMagic);
-    appendWord(bytes, kGlbVersion);
-    appendWord(bytes, 28 + json.size() + binarySize);
-    appendWord(bytes, json.size());
-    appendWord(bytes, kJsonChunk);
-    bytes += json;
-    appendWord(bytes, binarySize);
-    appendWord(bytes, kBinaryChunk);
-    buffer.appendTo(bytes);
-    bytes += image;
-    bytes.resize((bytes.size() + 3) / 4 * 4, '\0');
-    return bytes;
+    std::string binary;
+    binary.reserve(buffer.size() + (materials.image ? materials.image->bytes().size() : 0) + 3);
+    buffer.appendTo(binary);
+    if (materials.image) binary += materials.image->bytes();
+    return glbContainer(std::move(json), std::move(binary));
 }
 
 }  // namespace rubble

@@ -2,6 +2,7 @@
 
 #include "core/asset/mesh/FragmentMesh.h"
 #include "core/asset/mesh/RoughCuts.h"
+#include "core/io/exchange/CompactGlb.h"
 #include "core/io/exchange/GlbWriter.h"
 #include "core/io/exchange/MjcfFile.h"
 #include "core/io/exchange/ObjFile.h"
@@ -70,8 +71,7 @@ public:
         if (m_options.obj)
             addFile(file, ".obj", objFile(parts, m_materials, m_options.place, m_materialFile, m_options.objFrame));
         if (!m_options.glb) return success();
-        const std::optional<GlbPhysics> physics = physicsOf(file);
-        Result<std::string> glb = glbFile(parts, m_materials, m_options.place, physics ? &*physics : nullptr);
+        Result<std::string> glb = glbOf(file, parts);
         if (!glb) return glb.error();
         addFile(file, ".glb", std::move(*glb));
         return success();
@@ -85,6 +85,11 @@ public:
     }
 
 private:
+    Result<std::string> glbOf(const PartFile& file, std::span<const MeshPart> parts) const {
+        if (m_options.glbCompact) return compactGlbFile(parts, m_materials, m_options.place, file.name);
+        const std::optional<GlbPhysics> physics = physicsOf(file);
+        return glbFile(parts, m_materials, m_options.place, physics ? &*physics : nullptr);
+    }
     /// The bodies in a file, in the order of its parts; nothing if GLB files have none.
     std::optional<GlbPhysics> physicsOf(const PartFile& file) const {
         if (!m_options.glbPhysics) return std::nullopt;

@@ -29,6 +29,7 @@ struct MeshOptions {
     FaceShape faces = FaceShape::Polygons;
     ObjFrame objFrame;
     bool glbPhysics = false;  // GLB files have rigid bodies with the hulls of the pack as colliders
+    bool glbCompact = false;  // GLB files are small and drawn at once, see compactGlbFile(); without physics
     bool operator==(const MeshOptions&) const = default;
 };
 
