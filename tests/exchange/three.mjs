@@ -52,7 +52,7 @@ for (const {path, name, pack, bodies} of meshesOf(packs)) {
   scene.updateMatrixWorld(true);
   if (kind === "compact") {
     // Each coordinate is off by 1 / 65,534 of the largest one at most: 20 um for the whole pane, which is 5 mm thick.
-    faults += checkObjects(`three.js ${version}: ${name}`, bodiesOfBones(scene), bodies, {volume: 5e-3, centre: 1e-4});
+    faults += checkObjects(`three.js ${version}: ${name}`, bodiesOfBones(scene), bodies, {volume: 5e-3, centre: 1e-4, rounding: 1e-4});
     continue;
   }
   // Names lose their periods; the original is in userData.

@@ -29,12 +29,16 @@ function trianglesOf(object) {
   return triangles;
 }
 
-/// The objects of a file that are bodies: of the pack's names, which are of ASCII here.
+/// The name of a prim, in which each character that is no letter or digit of ASCII is '_'.
+const primOf = (name) => name.replace(/[^A-Za-z0-9]/gu, "_");
+
+/// The objects of a file that are bodies, by the pack's names.
 function objectsOf(scene, bodies) {
   scene.updateMatrixWorld(true);
   const objects = [];
   scene.traverse((object) => {
-    if (bodies.some(({name}) => name === object.name)) objects.push({name: object.name, triangles: trianglesOf(object)});
+    const body = bodies.find(({name}) => primOf(name) === object.name);
+    if (body) objects.push({name: body.name, triangles: trianglesOf(object)});
   });
   return objects;
 }

@@ -11,6 +11,8 @@ namespace rubble {
 namespace {
 
 // 240 Hz; cones and impratio: with MuJoCo's defaults, stacks creep.
+constexpr double kMjcfLeastMoment = 1e-14;  // kg·m²: MuJoCo refuses a model with a moment of 1e-15 or less
+
 constexpr const char* kMjcfOption =
     R"(  <option timestep="0.004166666666666667" gravity="0 -9.81 0" cone="elliptic" impratio="100"/>)";
 
@@ -61,7 +63,7 @@ void addMjcfBody(std::string& text, const PackBody& body, const Material& materi
     const auto& [moments, rotation] = *body.principal;
     addMjcfAttribute(text, "pos", mjcfNumbers(body.centreOfMass));
     addMjcfAttribute(text, "mass", numberText(body.mass));
-    addMjcfAttribute(text, "diaginertia", mjcfNumbers(moments));
+    addMjcfAttribute(text, "diaginertia", mjcfNumbers(glm::max(moments, Vec3(kMjcfLeastMoment))));
     addMjcfAttribute(text, "quat", mjcfNumbers({rotation.w, rotation.x, rotation.y, rotation.z}));
     text += "/>\n";
     const Colour& colour = material.outside;

@@ -84,6 +84,20 @@ private slots:
         QCOMPARE(elements["option"][0]["impratio"], std::string("100"));
         QCOMPARE(numberText(1.0 / 240.0), elements["option"][0]["timestep"]);
     }
+    /// MuJoCo refuses moments of 1e-15 kg·m² or less.
+    void momentsOfSliversAreRaised() {
+        Asset speck = twoLevelRing();
+        for (Vec2& corner : speck.prism.outline.outer) corner *= 1e-4;
+        for (Ring& hole : speck.prism.outline.holes)
+            for (Vec2& corner : hole) corner *= 1e-4;
+        speck.prism.depth *= 1e-4;
+        std::vector<std::uint32_t> leaves;
+        Pack pack;
+        const std::string text = mjcfOf(speck, leaves, pack);
+        QVERIFY(std::ranges::all_of(pack.fragments,
+                                    [](const PackBody& body) { return body.principal->moments.x < 1e-15; }));
+        QVERIFY(text.find("diaginertia=\"1e-14 1e-14 1e-14\"") != std::string::npos);
+    }
     void namesAreEscaped() {
         std::vector<std::uint32_t> leaves;
         Pack pack;
