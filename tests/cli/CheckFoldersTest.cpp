@@ -9,8 +9,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 
 using namespace rubble;
@@ -52,6 +54,7 @@ class CheckFoldersTest : public QObject {
         m_status = (*exported)[0].status;
     }
     Status m_status = success();
+    CheckRun m_check;
 
 private slots:
     void init() {
@@ -118,6 +121,35 @@ private slots:
         QVERIFY(!fs::is_symlink(link));
         QCOMPARE(bytesOfFile(QString::fromStdString(target)), secret);
         QCOMPARE(check(m_packs).exit, 0);
+    }
+    /// A prism of a disc has two corners for each of the outline's.
+    void hullsOfManyCornersAreTold() {
+        const auto checkDisc = [&](int corners, const QStringList& options) {
+            Project project = boxProject(UniformScatter{.count = 1});
+            Ring& outline = project.assets[0].prism.outline.outer;
+            outline.clear();
+            for (int k = 0; k < corners; ++k) {
+                const double angle = 2.0 * std::numbers::pi * k / corners;
+                outline.emplace_back(std::cos(angle), std::sin(angle));
+            }
+            fs::remove_all(m_packs);
+            QVERIFY(exportPacks(project, std::vector{project.assets[0].id}, m_packs, {}).hasValue());
+            std::ostringstream out, err;
+            std::vector<std::string> arguments{"check", m_packs.string()};
+            for (const QString& option : options) arguments.push_back(option.toStdString());
+            const int exit = runCli(arguments, {.in = 0, .out = out, .err = err});
+            m_check = {exit, QString::fromStdString(out.str()), QString::fromStdString(err.str())};
+        };
+        checkDisc(32, {});
+        QCOMPARE(m_check.err, QString());
+        checkDisc(40, {"--strict"});
+        QCOMPARE(m_check.exit, 0);  // a note
+        QVERIFY2(m_check.err.contains("has 80 corners: PhysX simulates"), qPrintable(m_check.err));
+        checkDisc(200, {});
+        QCOMPARE(m_check.exit, 0);
+        QVERIFY2(m_check.err.contains("has 400 corners: PhysX, and with it Unity"), qPrintable(m_check.err));
+        checkDisc(200, {"--strict"});
+        QCOMPARE(m_check.exit, 3);
     }
     void danglingLinksAreTold() {
         exportAsset("wall");

@@ -196,6 +196,37 @@ std::optional<std::string> binaryFault(const fs::path& folder, const Pack& pack)
     return "pack.bin is not of this pack; export it again.";
 }
 
+/// A limit of engines on the corners of a hull.
+struct CornerLimit {
+    std::size_t corners;
+    Severity severity;
+    const char* consequence;
+};
+
+/// What engines do with hulls of many corners, one finding for a pack: of the limit that its largest hull is above.
+std::vector<Finding> hullWarnings(const Pack& pack, const FindingPlace& place) {
+    constexpr CornerLimit kLimits[] = {
+        {255, Severity::Warning, "PhysX, and with it Unity and Unreal, takes no more than 255"},
+        {64, Severity::Note, "PhysX simulates those above 64 on the processor only"},
+    };
+    const auto largest = [](const PackBody& body) {
+        std::size_t corners = 0;
+        for (const PackHull& hull : body.hulls) corners = std::max(corners, hull.polytope.vertices.size());
+        return corners;
+    };
+    const PackBody* worst = &pack.whole;
+    for (const PackBody& body : pack.fragments) {
+        if (largest(body) > largest(*worst)) worst = &body;
+    }
+    for (const CornerLimit& limit : kLimits) {
+        if (largest(*worst) <= limit.corners) continue;
+        return {{limit.severity, "ManyHullCorners", place,
+                 "A hull of " + quotedName(worst->name) + " has " + std::to_string(largest(*worst)) +
+                     " corners: " + limit.consequence + "."}};
+    }
+    return {};
+}
+
 /// Verifies a folder with pack.bin only, as far as its numbers allow.
 CheckResult checkBinaryPack(const fs::path& folder) {
     const fs::path path = folder / kPackBinaryName;
@@ -233,15 +264,20 @@ CheckResult checkPack(const fs::path& folder) {
         return invalid("The mesh " + quotedName(mesh.name) + " is not in the folder.");
     }
     if (const auto found = verifyExportFolder(folder)) return faulty("InvalidExport", place, *found);
-    return {.item = CheckedItem{"pack", folder.string(), pack->names.name, pack->fragments.size(), pack->whole.volume}};
+    return {.warnings = hullWarnings(*pack, place),
+            .item = CheckedItem{"pack", folder.string(), pack->names.name, pack->fragments.size(), pack->whole.volume}};
 }
 
 void checkPath(const std::string& given, const CheckArguments& arguments, VerbReport& report, const CliContext& context,
                std::vector<CheckResult>& all) {
     std::error_code ignored;  // reading the path will report the error
     const fs::path path = given;
+    const auto addResult = [&](CheckResult result) {
+        for (const Finding& warning : result.warnings) warn(warning, arguments.isStrict, report, context);
+        all.push_back(std::move(result));
+    };
     if (path.filename() == kPackName && !fs::is_directory(path, ignored))
-        return all.push_back(checkPack(path.has_parent_path() ? path.parent_path() : "."));
+        return addResult(checkPack(path.has_parent_path() ? path.parent_path() : "."));
     if (!fs::is_directory(path, ignored)) return checkProject(given, arguments, report, context, all);
     const Result<std::vector<fs::path>> packs = packsOf(path);
     if (!packs) return all.push_back(cannotCheck(packs.error(), given));
@@ -250,7 +286,7 @@ void checkPath(const std::string& given, const CheckArguments& arguments, VerbRe
         const bool isCancelled = context.cancel.isCancelled();
         results[index] = isCancelled ? cannotCheck(TaskContext::cancelled(), given) : checkPack((*packs)[index]);
     });
-    std::ranges::move(results, std::back_inserter(all));
+    for (CheckResult& result : results) addResult(std::move(result));
 }
 
 Status check(const CheckArguments& arguments, VerbReport& report, const CliContext& context) {
