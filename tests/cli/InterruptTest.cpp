@@ -1,4 +1,4 @@
-// Tests app/cli/console/Terminal.cpp: cancelling with Ctrl+C.
+// Tests app/cli/console/Terminal.cpp, app/cli/console/FileWatch.cpp: cancelling with Ctrl+C.
 #include "core/io/project/ProjectFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Fragments.h"
@@ -48,6 +48,38 @@ bool catchesInterrupts(qint64 process) {
 class InterruptTest : public QObject {
     Q_OBJECT
 private slots:
+    /// Each saved change is exported, and what is no project is told and waited out; Control+C ends it without an error.
+    void watchExportsAgainUntilControlC() {
+        QTemporaryDir place;
+        const QString file = place.filePath("wall.rubble"), pack = place.filePath("packs/wall/pack.json");
+        Project project = largeProject();
+        project.assets[0].pattern = scatterOf(10, 3);
+        QVERIFY(saveProject(file.toStdString(), project));
+        QProcess program;
+        QByteArray out, err;
+        program.start(RUBBLE_CLI, {"export", file, "--out", place.filePath("packs"), "--watch"});
+        const auto hasTold = [&](const QByteArray& text) {
+            out += program.readAllStandardOutput();
+            err += program.readAllStandardError();
+            return (out + err).contains(text);
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(hasTold("10 fragments"), kPatience);
+        QVERIFY(QFileInfo::exists(pack));
+        project.assets[0].pattern = scatterOf(11, 3);
+        QVERIFY(saveProject(file.toStdString(), project));
+        QTRY_VERIFY_WITH_TIMEOUT(hasTold("11 fragments"), kPatience);
+        QFile broken(file);
+        QVERIFY(broken.open(QIODevice::WriteOnly) && broken.write("{") == 1);
+        broken.close();
+        QTRY_VERIFY_WITH_TIMEOUT(hasTold("is not JSON"), kPatience);
+        project.assets[0].pattern = scatterOf(12, 3);
+        QVERIFY(saveProject(file.toStdString(), project));
+        QTRY_VERIFY_WITH_TIMEOUT(hasTold("12 fragments"), kPatience);
+        kill(static_cast<pid_t>(program.processId()), SIGINT);
+        QVERIFY(program.waitForFinished(kPatience));
+        QCOMPARE(program.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(program.exitCode(), 0);
+    }
     void controlCLeavesNoFiles() {
         QTemporaryDir place;
         const QString project = place.filePath("large.rubble");

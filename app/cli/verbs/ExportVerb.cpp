@@ -1,3 +1,4 @@
+#include "app/cli/console/FileWatch.h"
 #include "app/cli/console/InputOutput.h"
 #include "app/cli/console/ProgressLine.h"
 #include "app/cli/options/AssetOptions.h"
@@ -36,6 +37,7 @@ are many warnings, only the first three are printed; rubble-cli check prints all
 Examples:
   rubble-cli export house.rubble --out packs
   rubble-cli export house.rubble --out packs --prune --depfile packs.d --quiet
+  rubble-cli export house.rubble --out packs --watch
   rubble-cli export house.rubble --out packs --asset wall --format obj --pieces files --place centred)";
 
 enum class Formats { Default, Obj, Glb, Both, None };
@@ -50,6 +52,7 @@ struct ExportArguments {
     bool isOverwriting = false;
     bool isDryRun = false;
     bool isPruning = false;
+    bool isWatching = false;
     std::string depfile;  // empty: none
     int threads = 1;
 };
@@ -169,6 +172,28 @@ Status exportAssets(ExportArguments arguments, VerbReport& report, const CliCont
     return Error{ErrorCode::BadInput, printed.error().message + "\n" + listed.error().message};
 }
 
+/// Exports once, and again whenever the project has changed, until the program is interrupted: with an error or findings
+/// of one export it goes on to the next.
+Status watch(const ExportArguments& arguments, const VerbReport& report, const CliContext& context) {
+    if (report.isJson || arguments.isDryRun) {
+        return Error{ErrorCode::BadInput, "--watch goes with neither --json nor --dry-run."};
+    }
+    if (std::error_code missing; !fs::exists(arguments.project, missing)) {
+        const Result<Project> project = openProject(arguments.project, context);
+        if (!project) return project.error();
+    }
+    FileWatch file(arguments.project);
+    while (file.waitForChange(context)) {
+        VerbReport once{.isQuiet = report.isQuiet};
+        const Status exported = exportAssets(arguments, once, context);
+        const bool isInterrupted = !exported && exported.error().code == ErrorCode::Cancelled;
+        if (!exported && !isInterrupted) context.err << exported.error().message << '\n';
+        if (!once.conclusion.empty()) context.err << once.conclusion << '\n';
+        context.out.flush();
+    }
+    return success();
+}
+
 }  // namespace
 
 Verb addExport(CLI::App& program) {
@@ -221,13 +246,15 @@ Verb addExport(CLI::App& program) {
         {{"full", PackTopology::Full}, {"loops", PackTopology::Loops}}, arguments->pack.topology);
     command.flag("--overwrite", arguments->isOverwriting, "Replace files that were changed after an export");
     command.flag("--prune", arguments->isPruning, "Remove the exports of assets that were deleted or renamed");
+    command.flag("--watch", arguments->isWatching, "Export again whenever the project changes, until interrupted");
     command.flag("--dry-run", arguments->isDryRun, "Say what would be done, and write nothing");
     command.option("--depfile", arguments->depfile, "Write the dependencies of the packs for Make and Ninja")
         .valueName("FILE");
     command.addReportFlag();
     addThreadsOption(command, arguments->threads);
     return {command, [arguments](VerbReport& report, const CliContext& context) {
-                return exportAssets(*arguments, report, context);
+                return arguments->isWatching ? watch(*arguments, report, context)
+                                             : exportAssets(*arguments, report, context);
             }};
 }
 
