@@ -172,8 +172,8 @@ Status exportAssets(ExportArguments arguments, VerbReport& report, const CliCont
     return Error{ErrorCode::BadInput, printed.error().message + "\n" + listed.error().message};
 }
 
-/// Exports once, and again whenever the project has changed, until the program is interrupted: with an error or findings
-/// of one export it goes on to the next.
+/// Exports once, and again whenever the project has changed, until the program is interrupted. Neither errors nor
+/// findings end it.
 Status watch(const ExportArguments& arguments, const VerbReport& report, const CliContext& context) {
     if (report.isJson || arguments.isDryRun) {
         return Error{ErrorCode::BadInput, "--watch goes with neither --json nor --dry-run."};
@@ -192,6 +192,14 @@ Status watch(const ExportArguments& arguments, const VerbReport& report, const C
         context.out.flush();
     }
     return success();
+}
+
+/// Adds the options for files beside OBJ and plain GLB.
+void addMeshKinds(Command& command, MeshOptions& meshes) {
+    command.flag("--usd", meshes.usd, "Write the whole and the fragments as USD with physics, too");
+    command.flag("--mjcf", meshes.mjcf, "Write the fragments as a model of MuJoCo, too");
+    command.flag("--glb-physics", meshes.glbPhysics, "Write rigid bodies and their colliders into GLB files");
+    command.flag("--glb-compact", meshes.glbCompact, "Write small GLB files that are drawn at once, without physics");
 }
 
 }  // namespace
@@ -219,8 +227,7 @@ Verb addExport(CLI::App& program) {
         command, "--format", "The mesh files to write (default: both)",
         {{"obj", Formats::Obj}, {"glb", Formats::Glb}, {"both", Formats::Both}, {"none", Formats::None}},
         arguments->formats);
-    command.flag("--usd", meshes.usd, "Write the whole and the fragments as USD with physics, too");
-    command.flag("--mjcf", meshes.mjcf, "Write the fragments as a model of MuJoCo, too");
+    addMeshKinds(command, meshes);
     addEnumOption<FileSplit>(command, "--pieces", "All fragments in a single file (default) or one file each",
                              {{"single", FileSplit::Single}, {"files", FileSplit::PerFragment}}, meshes.split);
     addEnumOption<PartPlacement>(
@@ -233,8 +240,6 @@ Verb addExport(CLI::App& program) {
     addEnumOption<ObjUnit>(command, "--unit", "The unit of OBJ files (default: m)",
                            {{"m", ObjUnit::Metre}, {"cm", ObjUnit::Centimetre}, {"mm", ObjUnit::Millimetre}},
                            meshes.objFrame.unit);
-    command.flag("--glb-physics", meshes.glbPhysics, "Write rigid bodies and their colliders into GLB files");
-    command.flag("--glb-compact", meshes.glbCompact, "Write small GLB files that are drawn at once, without physics");
     command.option("--inset", arguments->pack.inset, "The inset of collision hulls in m (default: 0.0001)")
         .inRange(ProjectNumber::HullInset)
         .valueName("LENGTH");

@@ -67,7 +67,8 @@ struct Partition {
     }
 };
 
-/// Whether two partitions have the same pieces, with the same numbers and corners. Merges and splits may keep all points.
+/// Whether two partitions have the same pieces, with the same numbers and corners. Merges and splits may keep all
+/// points.
 bool areSamePieces(const Partition& a, const Partition& b);
 
 /// Calls visit(from, to, neighbour) for every edge of a piece, ring by ring: two points and the piece behind the edge.

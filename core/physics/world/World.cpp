@@ -286,7 +286,8 @@ void World::findContactEvents(const SolverStep& step) {
     findHits(*m_state, context.threads, context.regions, context.energy.starts, context.hits, events.hits);
     addGravity(*m_state, step, context.energy.starts, events.hits);
     events.contactLoss =
-        contactLoss(*m_state, context.threads, context.regions, context.kernels, step, context.energy) + m_state->grabWork;
+        contactLoss(*m_state, context.threads, context.regions, context.kernels, step, context.energy) +
+        m_state->grabWork;
 }
 
 void World::step(double dt) {

@@ -4,26 +4,11 @@
 #
 #   play-outside.sh RUBBLE HOUSE      (run by ctest under xvfb-run, with a window manager)
 set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/desktop.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/play.sh"
 cp "$2" "$folder/house.rubble"
 
-actions=0
-act() {
-  actions=$((actions + 1))
-  "$@"
-}
-# part: prints the pixels of the middle of the window, where the house stands during the simulation.
-part() {
-  local side=$((HEIGHT * 35 / 100))
-  import -window "$window" -crop "${side}x${side}+$((WIDTH * 30 / 100))+$((HEIGHT * 20 / 100))" rgb:-
-}
-# bar: prints the pixels below it, where the charge of a throw is shown.
-bar() {
-  import -window "$window" -crop "$((WIDTH * 14 / 100))x$((HEIGHT * 4 / 100))+$((WIDTH * 40 / 100))+$((HEIGHT * 49 / 100))" rgb:-
-}
 # field: prints the pixels of the field of the threshold in the inspector.
 field() { import -window root -crop "120x24+$((X + WIDTH - 130))+$((Y + 158))" rgb:-; }
-is_other() { ! "$1" | cmp -s - "$2"; }
 # differs <before> <percentage>: whether more than this percentage of the middle of the window changed.
 differs() {
   part >"$folder/now.rgb"
@@ -32,15 +17,6 @@ differs() {
   all=$(stat -c %s "$1")
   [ $((100 * other)) -gt $(($2 * all)) ]
 }
-# throw: holds the key until the charge is full, as the bar shows.
-throw() {
-  bar >"$folder/uncharged.rgb"
-  xdotool keydown f
-  until_true is_other bar "$folder/uncharged.rgb" || fail 'no charge is shown'
-  until_still bar || fail 'the charge does not end'
-  xdotool keyup f
-}
-
 start_editor "$1"
 focus_window 'Rubble'
 # 1, 2: open a file by name.

@@ -5,25 +5,9 @@
 #
 #   state-outside.sh RUBBLE HOUSE      (run by ctest under xvfb-run, with a window manager)
 set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/desktop.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/play.sh"
 cp "$2" "$folder/house.rubble"
 
-actions=0
-act() {
-  actions=$((actions + 1))
-  "$@"
-}
-# part: prints the pixels of the middle of the window, where the house stands during the simulation.
-part() {
-  local side=$((HEIGHT * 35 / 100))
-  import -window "$window" -crop "${side}x${side}+$((WIDTH * 30 / 100))+$((HEIGHT * 20 / 100))" rgb:-
-}
-is_other() { ! part | cmp -s - "$1"; }
-throw() {
-  xdotool keydown f
-  sleep 1  # while it is charged
-  xdotool keyup f
-}
 start() {
   start_editor "$1" "$folder/house.rubble"
   focus_window '^house\.rubble'
@@ -39,13 +23,13 @@ confirm() {
 # 1: start the editor. 2: start the simulation. 3: point at the house. 4: throw.
 act start "$1"
 act xdotool key ctrl+p
-until_true is_other "$folder/edited.rgb" || fail 'Ctrl+P changed nothing'
+until_true is_other part "$folder/edited.rgb" || fail 'Ctrl+P changed nothing'
 until_still part || fail 'the house does not stand still'
 act xdotool mousemove $((X + WIDTH * 47 / 100)) $((Y + HEIGHT * 45 / 100))
 until_still part || fail 'the house does not stand still'
 part >"$folder/whole.rgb"
 act throw
-until_true is_other "$folder/whole.rgb" || fail 'the throw did not change the house'
+until_true is_other part "$folder/whole.rgb" || fail 'the throw did not change the house'
 until_still part || fail 'the fragments do not come to rest'
 # 5, 6: save the state under the name that is proposed. 7: close the editor.
 act xdotool key F6
@@ -62,12 +46,12 @@ act xdotool key F9
 until_true is_active '^Load State' || fail 'F9 opened no dialog'
 act confirm 'Load State' house.rubblestate
 until_true is_active '^house' || fail 'the dialog does not close'
-until_true is_other "$folder/edited.rgb" || fail 'the state is not shown'
+until_true is_other part "$folder/edited.rgb" || fail 'the state is not shown'
 until_still part || fail 'the loaded state does not stand still'
 part >"$folder/loaded.rgb"
 # 11: go on with another throw, and pause. 12: export the events.
 act throw
-until_true is_other "$folder/loaded.rgb" || fail 'the state does not go on'
+until_true is_other part "$folder/loaded.rgb" || fail 'the state does not go on'
 until_still part || fail 'the fragments do not come to rest'
 act xdotool mousemove $((X + 798)) $((Y + HEIGHT - 87)) click 1
 until_true is_active '^Export' || fail 'the button opened no dialog'
