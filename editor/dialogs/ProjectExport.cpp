@@ -52,7 +52,7 @@ PackOptions packOptions(const ExportOptions& options) {
     PackOptions pack = optionsFor(options.target);
     const MeshOptions needed = pack.meshes;
     pack.meshes = options.meshes;
-    pack.meshes.glbPhysics = needed.glbPhysics;
+    pack.meshes.glbKind = needed.glbKind;
     pack.meshes.usd = needed.usd;
     return pack;
 }

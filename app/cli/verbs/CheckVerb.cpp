@@ -236,7 +236,8 @@ CheckResult checkBinaryPack(const fs::path& folder) {
     if (!pack) return cannotCheck({pack.error().code, path.string() + ": " + pack.error().message}, path.string());
     const FindingPlace place{.file = path.string(), .asset = pack->names.name};
     if (const auto found = verifyExportFolder(folder)) return faulty("InvalidExport", place, *found);
-    return {.item = CheckedItem{"pack", folder.string(), pack->names.name, pack->fragments.size(), pack->whole.volume}};
+    return {.warnings = hullWarnings(*pack, place),
+            .item = CheckedItem{"pack", folder.string(), pack->names.name, pack->fragments.size(), pack->whole.volume}};
 }
 
 /// Verifies pack.json, and that no file was modified after the export.

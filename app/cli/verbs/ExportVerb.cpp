@@ -48,6 +48,8 @@ struct ExportArguments {
     std::vector<std::string> assets;
     std::optional<ExportTarget> target;
     Formats formats = Formats::Default;
+    bool hasGlbPhysics = false;
+    bool isGlbCompact = false;
     PackOptions pack;
     bool isOverwriting = false;
     bool isDryRun = false;
@@ -147,12 +149,8 @@ Status exportAssets(ExportArguments arguments, VerbReport& report, const CliCont
         arguments.pack.meshes.obj = arguments.formats == Formats::Obj || arguments.formats == Formats::Both;
         arguments.pack.meshes.glb = arguments.formats == Formats::Glb || arguments.formats == Formats::Both;
     }
-    MeshOptions& meshes = arguments.pack.meshes;
-    if (meshes.glbCompact && meshes.glbPhysics && !arguments.target) {
-        return Error{ErrorCode::BadInput,
-                     "Compact GLB files have no physics; choose either --glb-compact or --glb-physics."};
-    }
-    if (meshes.glbCompact) meshes.glbPhysics = false;  // which --for may have set
+    if (arguments.hasGlbPhysics) arguments.pack.meshes.glbKind = GlbKind::Physics;
+    if (arguments.isGlbCompact) arguments.pack.meshes.glbKind = GlbKind::Compact;
     const Result<Project> project = openProject(arguments.project, context);
     if (!project) return project.error();
     const Result<std::vector<Id>> selected = selectedAssets(*project, arguments.assets);
@@ -175,9 +173,7 @@ Status exportAssets(ExportArguments arguments, VerbReport& report, const CliCont
 /// Exports once, and again whenever the project has changed, until the program is interrupted. Neither errors nor
 /// findings end it.
 Status watch(const ExportArguments& arguments, const VerbReport& report, const CliContext& context) {
-    if (report.isJson || arguments.isDryRun) {
-        return Error{ErrorCode::BadInput, "--watch goes with neither --json nor --dry-run."};
-    }
+    if (report.isJson) return Error{ErrorCode::BadInput, "--watch prints no document; leave out --json."};
     if (std::error_code missing; !fs::exists(arguments.project, missing)) {
         const Result<Project> project = openProject(arguments.project, context);
         if (!project) return project.error();
@@ -195,11 +191,15 @@ Status watch(const ExportArguments& arguments, const VerbReport& report, const C
 }
 
 /// Adds the options for files beside OBJ and plain GLB.
-void addMeshKinds(Command& command, MeshOptions& meshes) {
+void addMeshKinds(Command& command, ExportArguments& arguments) {
+    MeshOptions& meshes = arguments.pack.meshes;
     command.flag("--usd", meshes.usd, "Write the whole and the fragments as USD with physics, too");
     command.flag("--mjcf", meshes.mjcf, "Write the fragments as a model of MuJoCo, too");
-    command.flag("--glb-physics", meshes.glbPhysics, "Write rigid bodies and their colliders into GLB files");
-    command.flag("--glb-compact", meshes.glbCompact, "Write small GLB files that are drawn at once, without physics");
+    const CommandOption physics =
+        command.flag("--glb-physics", arguments.hasGlbPhysics, "Write rigid bodies and their colliders into GLB files");
+    command
+        .flag("--glb-compact", arguments.isGlbCompact, "Write small GLB files that are drawn at once, without physics")
+        .excludes(physics);
 }
 
 }  // namespace
@@ -227,7 +227,7 @@ Verb addExport(CLI::App& program) {
         command, "--format", "The mesh files to write (default: both)",
         {{"obj", Formats::Obj}, {"glb", Formats::Glb}, {"both", Formats::Both}, {"none", Formats::None}},
         arguments->formats);
-    addMeshKinds(command, meshes);
+    addMeshKinds(command, *arguments);
     addEnumOption<FileSplit>(command, "--pieces", "All fragments in a single file (default) or one file each",
                              {{"single", FileSplit::Single}, {"files", FileSplit::PerFragment}}, meshes.split);
     addEnumOption<PartPlacement>(
@@ -251,8 +251,10 @@ Verb addExport(CLI::App& program) {
         {{"full", PackTopology::Full}, {"loops", PackTopology::Loops}}, arguments->pack.topology);
     command.flag("--overwrite", arguments->isOverwriting, "Replace files that were changed after an export");
     command.flag("--prune", arguments->isPruning, "Remove the exports of assets that were deleted or renamed");
-    command.flag("--watch", arguments->isWatching, "Export again whenever the project changes, until interrupted");
-    command.flag("--dry-run", arguments->isDryRun, "Say what would be done, and write nothing");
+    const CommandOption dryRun =
+        command.flag("--dry-run", arguments->isDryRun, "Say what would be done, and write nothing");
+    command.flag("--watch", arguments->isWatching, "Export again whenever the project changes, until interrupted")
+        .excludes(dryRun);
     command.option("--depfile", arguments->depfile, "Write the dependencies of the packs for Make and Ninja")
         .valueName("FILE");
     command.addReportFlag();

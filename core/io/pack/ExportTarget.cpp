@@ -99,7 +99,8 @@ PackOptions optionsFor(ExportTarget target) {
     options.topology = PackTopology::Loops;
     options.meshes.glb = target != ExportTarget::Usd;
     options.meshes.usd = target == ExportTarget::Usd;
-    options.meshes.glbPhysics = target == ExportTarget::Godot || target == ExportTarget::Web;
+    const bool readsPhysics = target == ExportTarget::Godot || target == ExportTarget::Web;
+    options.meshes.glbKind = readsPhysics ? GlbKind::Physics : GlbKind::Plain;
     return options;
 }
 

@@ -218,8 +218,7 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Pac
     hasher.add(std::uint64_t{meshes.glb});
     hasher.add(std::uint64_t{meshes.usd});
     hasher.add(std::uint64_t{meshes.mjcf});
-    hasher.add(std::uint64_t{meshes.glb && meshes.glbPhysics});
-    if (meshes.glb && meshes.glbCompact) addSourceText(hasher, "compact");  // later than the other options
+    hasher.add(meshes.glb ? static_cast<std::uint64_t>(meshes.glbKind) : 0);
     for (const std::uint64_t option :
          {static_cast<std::uint64_t>(meshes.split), static_cast<std::uint64_t>(meshes.place),
           static_cast<std::uint64_t>(meshes.faces), static_cast<std::uint64_t>(meshes.objFrame.up),

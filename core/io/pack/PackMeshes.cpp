@@ -86,13 +86,14 @@ public:
 
 private:
     Result<std::string> glbOf(const PartFile& file, std::span<const MeshPart> parts) const {
-        if (m_options.glbCompact) return compactGlbFile(parts, m_materials, m_options.place, file.name);
+        if (m_options.glbKind == GlbKind::Compact)
+            return compactGlbFile(parts, m_materials, m_options.place, file.name);
         const std::optional<GlbPhysics> physics = physicsOf(file);
         return glbFile(parts, m_materials, m_options.place, physics ? &*physics : nullptr);
     }
     /// The bodies in a file, in the order of its parts; nothing if GLB files have none.
     std::optional<GlbPhysics> physicsOf(const PartFile& file) const {
-        if (!m_options.glbPhysics) return std::nullopt;
+        if (m_options.glbKind != GlbKind::Physics) return std::nullopt;
         const auto& [bake, asset, material, names, settings] = m_builder.input();
         GlbPhysics physics{.bodies = {}, .material = material.own};
         if (file.bodies == PackMeshBodies::Whole) physics.bodies.push_back({m_builder.whole(), {}});

@@ -18,6 +18,12 @@ enum class FileSplit {
 /// The faces of an OBJ file. GLB files always have triangles.
 enum class FaceShape { Polygons, Triangles };
 
+enum class GlbKind {
+    Plain,
+    Physics,  // with rigid bodies, and the hulls of the pack as colliders
+    Compact,  // small and drawn at once, see compactGlbFile()
+};
+
 /// The mesh files that an export writes.
 struct MeshOptions {
     bool obj = true;
@@ -28,8 +34,7 @@ struct MeshOptions {
     PartPlacement place = PartPlacement::Assembled;
     FaceShape faces = FaceShape::Polygons;
     ObjFrame objFrame;
-    bool glbPhysics = false;  // GLB files have rigid bodies with the hulls of the pack as colliders
-    bool glbCompact = false;  // GLB files are small and drawn at once, see compactGlbFile(); without physics
+    GlbKind glbKind = GlbKind::Plain;
     bool operator==(const MeshOptions&) const = default;
 };
 

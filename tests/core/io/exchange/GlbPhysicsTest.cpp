@@ -45,7 +45,7 @@ struct PhysicsExport {
 };
 
 const PhysicsExport& ring() {
-    static const PhysicsExport ring({.glbPhysics = true});
+    static const PhysicsExport ring({.glbKind = GlbKind::Physics});
     return ring;
 }
 
@@ -243,12 +243,12 @@ private slots:
         }
     }
     void centredBodiesHaveNoTranslation() {
-        const PhysicsExport centred({.place = PartPlacement::Centred, .glbPhysics = true});
+        const PhysicsExport centred({.place = PartPlacement::Centred, .glbKind = GlbKind::Physics});
         for (const Json& node : bodyNodes(centred.files.at("old_ring-fragments.glb")))
             QVERIFY(!node.contains("translation"));
     }
     void filesOfOneFragmentHaveItsBody() {
-        const PhysicsExport each({.split = FileSplit::PerFragment, .glbPhysics = true});
+        const PhysicsExport each({.split = FileSplit::PerFragment, .glbKind = GlbKind::Physics});
         QCOMPARE(each.files.size(), each.pack.fragments.size() + 1);
         const PackBody& last = each.pack.fragments.back();
         const std::vector<Json> nodes = bodyNodes(each.files.at(last.name + ".glb"));
@@ -259,7 +259,7 @@ private slots:
         Asset asset = ringAsset();
         const auto image = std::make_shared<const EncodedImage>(imageOf(checkerPng()));
         asset.texture = Texture{.name = "checker.png", .image = image, .materials = {0}};
-        const PhysicsExport textured({.glbPhysics = true}, asset);
+        const PhysicsExport textured({.glbKind = GlbKind::Physics}, asset);
         const Glb& glb = textured.files.at("old_ring-fragments.glb");
         const Json& view = glb.json["bufferViews"][glb.json["images"][0]["bufferView"].get<std::size_t>()];
         QVERIFY(glb.binary.substr(view["byteOffset"], view["byteLength"]) == image->bytes());

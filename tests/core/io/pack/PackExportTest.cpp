@@ -186,10 +186,11 @@ private slots:
         for (const MeshOptions& options :
              {MeshOptions{.obj = false}, MeshOptions{.glb = false}, MeshOptions{.usd = true}, MeshOptions{.mjcf = true},
               MeshOptions{.split = FileSplit::PerFragment}, MeshOptions{.place = PartPlacement::Centred},
-              MeshOptions{.faces = FaceShape::Triangles}, MeshOptions{.glbPhysics = true}}) {
+              MeshOptions{.faces = FaceShape::Triangles}, MeshOptions{.glbKind = GlbKind::Physics},
+              MeshOptions{.glbKind = GlbKind::Compact}}) {
             QVERIFY(sourceOf(project, {.meshes = options}) != source);
         }
-        const MeshOptions obj{.glb = false}, objWithPhysics{.glb = false, .glbPhysics = true};
+        const MeshOptions obj{.glb = false}, objWithPhysics{.glb = false, .glbKind = GlbKind::Physics};
         QVERIFY(sourceOf(project, {.meshes = obj}) == sourceOf(project, {.meshes = objWithPhysics}));
         QVERIFY(sourceOf(project, {.inset = 0.0}) != source);
         QVERIFY(sourceOf(project, {.topology = PackTopology::Loops}) != source);
