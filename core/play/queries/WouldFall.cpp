@@ -172,7 +172,9 @@ public:
     std::vector<std::uint32_t> fallen() const {
         std::vector<std::uint32_t> places;
         for (std::uint32_t k = 0; k < m_trial.bodies.size(); ++k) {
-            if (m_isDecided[k] || hasMoved(m_trial.bodies[k])) places.push_back(m_trial.bodies[k].place);
+            const TrialBody& body = m_trial.bodies[k];
+            const double speed = glm::length(m_moment.world.state(m_moment.bodies[body.place].body).velocity);
+            if (speed <= kRestSpeed && (m_isDecided[k] || hasMoved(body))) places.push_back(body.place);
         }
         std::ranges::sort(places);
         return places;
@@ -204,7 +206,6 @@ private:
         if (m_trial.world.kind(body.body) != BodyKind::Dynamic) return false;
         const BodyId original = m_moment.bodies[body.place].body;
         const BodyState before = m_moment.world.state(original), after = m_trial.world.state(body.body);
-        if (glm::length(before.velocity) > kRestSpeed) return false;
         const double size = 2.0 * m_moment.world.shape(original).boundingRadius;
         const double distance = glm::distance(before.centre, after.centre);
         if (distance > std::min(m_trial.movedDistance, kMovedPart * size)) return true;

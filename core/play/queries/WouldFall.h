@@ -36,10 +36,10 @@ enum class QueryEffort {
 /// three seconds; what moves by more than 5 cm, or 5 % of its size if that is less, falls, and so does what breaks
 /// whole. Fragments of what breaks do not come apart.
 ///
-/// A quick query ends after 6,000 steps of a body that moves. What then is on its way falls, what would rock for longer
-/// is not told. Where it would end within the first tenth of a second, it simulates those that rest on the removed ones
-/// and what touches these, in coarse steps, and holds the rest in place: bodies that only leaned on them may be
-/// missing.
+/// A quick query ends once 6,000 steps of single bodies were simulated: what is on its way then falls, what would rock
+/// for longer is not told. Where more than 160 bodies are connected by contacts, it simulates those that rest on the
+/// removed ones and what touches these, for 0.15 s in coarse steps, and holds the rest in place: bodies that only
+/// leaned on them, and what slides later, are missing.
 ///
 /// A bonded body that anchors hold stays, as in play: it is anchored to places, also where a body was that is removed.
 /// Mortar to what is removed breaks, and with it the hold of what reaches no other anchor.
