@@ -4,28 +4,17 @@
 #
 #   bonded-outside.sh RUBBLE WALL      (run by ctest under xvfb-run, with a window manager)
 set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/desktop.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/play.sh"
 program=$1
 cp "$2" "$folder/wall.rubble"
 max_actions=25
 
-actions=0
-act() {
-  actions=$((actions + 1))
-  "$@"
-}
-# view: prints the pixels of the middle of the window, where the wall stands during the simulation.
-view() {
-  local side=$((HEIGHT * 35 / 100))
-  import -window "$window" -crop "${side}x${side}+$((WIDTH * 30 / 100))+$((HEIGHT * 20 / 100))" rgb:-
-}
-is_other() { ! "$1" | cmp -s - "$folder/$1.rgb"; }
 # changes <part> <message> <command>...: an action after which the part must look otherwise.
 changes() {
   until_still "$1" || fail "before action $((actions + 1)): the window keeps changing"
   "$1" >"$folder/$1.rgb"
   act "${@:3}"
-  until_true is_other "$1" || fail "action $actions: $2"
+  until_true is_other "$1" "$folder/$1.rgb" || fail "action $actions: $2"
 }
 # drag <x> <y> <x> <y>: in the window.
 drag() {
@@ -36,7 +25,6 @@ drag() {
   done
   xdotool mouseup 1
 }
-throw() { xdotool keydown f sleep 1.5 keyup f; }
 # run <words>: finds an action by name and runs it.
 run() {
   changes picture 'the search for actions does not open' xdotool key ctrl+shift+p
@@ -64,30 +52,30 @@ until_still picture || fail 'the window keeps changing'
 
 # 4, 5: paint anchors along the foot of the wall.
 act xdotool key alt+shift+a
-changes view 'the stroke is not painted' drag $((WIDTH * 21 / 100)) $((HEIGHT * 505 / 1000)) \
+changes part 'the stroke is not painted' drag $((WIDTH * 21 / 100)) $((HEIGHT * 505 / 1000)) \
   $((WIDTH * 43 / 100)) $((HEIGHT * 505 / 1000))
 act xdotool key ctrl+s
 until_true has_title '^wall\.rubble ' || fail 'the project is not saved'
 
 # 7: start the simulation. 8, 9: throw at the wall. 10, 11: throw beside the hole.
-changes view 'the simulation does not start' xdotool key ctrl+p
+changes part 'the simulation does not start' xdotool key ctrl+p
 act xdotool mousemove $((X + WIDTH * 38 / 100)) $((Y + HEIGHT * 45 / 100))
-changes view 'the throw made no hole' throw
+changes part 'the throw made no hole' throw
 act xdotool mousemove $((X + WIDTH * 46 / 100)) $((Y + HEIGHT * 33 / 100))
-changes view 'the second throw changed nothing' throw
+changes part 'the second throw changed nothing' throw
 
 # 12 to 15: pause, and save the state. 16: stop. 17 to 19: load the state.
-until_still view || fail 'the fragments do not come to rest'
+until_still part || fail 'the fragments do not come to rest'
 act xdotool key p
 run 'save state'
 file "$folder/hole.rubblestate"
-until_still view || fail 'the window keeps changing'
-view >"$folder/saved.rgb"
-changes view 'the simulation does not stop' xdotool key Escape
+until_still part || fail 'the window keeps changing'
+part >"$folder/saved.rgb"
+changes part 'the simulation does not stop' xdotool key Escape
 run 'load state'
 file "$folder/hole.rubblestate"
 is_restored() {
-  view >"$folder/now.rgb"
+  part >"$folder/now.rgb"
   [ $((20 * $(cmp -l "$folder/saved.rgb" "$folder/now.rgb" | wc -l))) -lt "$(stat -c %s "$folder/saved.rgb")" ]
 }
 until_true is_restored || fail 'the loaded state looks otherwise than the saved one'

@@ -11,24 +11,17 @@ cp "$2" "$folder/house.rubble"
 start() {
   start_editor "$1" "$folder/house.rubble"
   focus_window '^house\.rubble'
-  part >"$folder/edited.rgb"
 }
 has_ended() { ! kill -0 $editor 2>/dev/null; }
-# confirm <title>: accepts the name that a file dialog proposes, or one that is typed.
+# confirm [name]: accepts the name that a file dialog proposes, or types one.
 confirm() {
-  [ -z "${2:-}" ] || xdotool type --delay 20 "$2"
+  [ $# -eq 0 ] || xdotool type --delay 20 "$1"
   xdotool key Return
 }
 
 # 1: start the editor. 2: start the simulation. 3: point at the house. 4: throw.
 act start "$1"
-act xdotool key ctrl+p
-until_true is_other part "$folder/edited.rgb" || fail 'Ctrl+P changed nothing'
-until_still part || fail 'the house does not stand still'
-act xdotool mousemove $((X + WIDTH * 47 / 100)) $((Y + HEIGHT * 45 / 100))
-until_still part || fail 'the house does not stand still'
-part >"$folder/whole.rgb"
-act throw
+play_and_throw
 until_true is_other part "$folder/whole.rgb" || fail 'the throw did not change the house'
 until_still part || fail 'the fragments do not come to rest'
 # 5, 6: save the state under the name that is proposed. 7: close the editor.
@@ -37,14 +30,13 @@ until_true is_active '^Save State' || fail 'F6 opened no dialog'
 act confirm
 until_true test -s "$folder/house.rubblestate" || fail 'no state was saved'
 until_true is_active '^house' || fail 'the dialog does not close'
-part >"$folder/broken.rgb"
 act xdotool key ctrl+q
 until_true has_ended || fail 'the editor does not close'
 # 8: start the editor. 9, 10: load the state.
 act start "$1"
 act xdotool key F9
 until_true is_active '^Load State' || fail 'F9 opened no dialog'
-act confirm 'Load State' house.rubblestate
+act confirm house.rubblestate
 until_true is_active '^house' || fail 'the dialog does not close'
 until_true is_other part "$folder/edited.rgb" || fail 'the state is not shown'
 until_still part || fail 'the loaded state does not stand still'
