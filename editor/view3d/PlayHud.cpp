@@ -180,8 +180,8 @@ void PlayHud::paintCharge(QPainter& painter, QSize size) const {
     if (!m_content.charge) return;
     const QFontMetrics lines(painter.font());
     const int height = kChargeHeight + lines.height() + 2 * kPlatePadding;
-    const QRect plate((size.width() - kChargeWidth) / 2 - kPlatePadding, static_cast<int>(0.72 * size.height()),
-                      kChargeWidth + 2 * kPlatePadding, height);
+    const int top = std::min(static_cast<int>(0.72 * size.height()), size.height() - kHudMargin - height);
+    const QRect plate((size.width() - kChargeWidth) / 2 - kPlatePadding, top, kChargeWidth + 2 * kPlatePadding, height);
     const QRect inside = paintPlate(painter, plate);
     QRect bar(inside.left(), inside.top() + 2, inside.width(), kChargeHeight);
     painter.setPen(Qt::NoPen);

@@ -5,6 +5,8 @@
 #include "viewport/widget/ScaleBarItem.h"
 
 #include <QApplication>
+#include <QImage>
+#include <QPainter>
 #include <QTest>
 
 using namespace rubble;
@@ -47,6 +49,20 @@ private slots:
                 }
             }
         }
+    }
+    void chargeStaysInALowView() {
+        const auto lowestRows = [](std::optional<double> charge) {
+            PlayHud hud;
+            hud.setVisible(true);
+            hud.setContent({.charge = charge, .chargeText = "95.0 m/s"});
+            QImage image(340, 110, QImage::Format_RGB32);
+            image.fill(Qt::gray);
+            QPainter painter(&image);
+            hud.paint(painter, image.size());
+            painter.end();
+            return image.copy(0, 105, 340, 5);
+        };
+        QVERIFY(lowestRows(0.5) == lowestRows(std::nullopt));
     }
     void hintIsLeftOutWhereItWouldCoverTheTexts() {
         PlayHud hud;
