@@ -88,6 +88,13 @@ std::string_view stepsFor(ExportTarget target) {
     return {};
 }
 
+constexpr const char* kCompact =
+    "\nThe GLB files are compact: each has one skinned mesh, whose joints are the fragments, and no physics. They need "
+    "a\n"
+    "reader of `EXT_meshopt_compression`: in three.js, call `setMeshoptDecoder(MeshoptDecoder)` of the loader. "
+    "Programs\n"
+    "without one refuse the files; for these, export without `--glb-compact`.\n";
+
 }  // namespace
 
 PackOptions optionsFor(ExportTarget target) {
@@ -104,11 +111,12 @@ PackOptions optionsFor(ExportTarget target) {
     return options;
 }
 
-std::string readmeFor(ExportTarget target) {
+std::string readmeFor(ExportTarget target, GlbKind glbKind) {
     std::string text = "# Destructible assets for ";
     text += titleOf(target);
     text += "\n\nExported by Rubble.\n\n";
     text += stepsFor(target);
+    if (glbKind == GlbKind::Compact) text += kCompact;
     text += kFiles;
     return text;
 }

@@ -19,7 +19,7 @@ inline constexpr const char* kReadmeName = "README.md";
 /// What is exported for a program.
 PackOptions optionsFor(ExportTarget target);
 
-/// Returns README.md of an export: what its files are, and how to use them in the program.
-std::string readmeFor(ExportTarget target);
+/// Returns README.md of an export with GLB files of a kind: what its files are, and how to use them in the program.
+std::string readmeFor(ExportTarget target, GlbKind glbKind);
 
 }  // namespace rubble

@@ -29,7 +29,7 @@ bool isThere(const fs::path& path) {
 std::vector<ExportFile> outputFiles(const OutputRequest& request, const Project& project) {
     std::vector<ExportFile> files;
     if (hasScene(project)) files.push_back({kSceneName, sceneFileJson(project, request.options)});
-    if (request.target) files.push_back({kReadmeName, readmeFor(*request.target)});
+    if (request.target) files.push_back({kReadmeName, readmeFor(*request.target, request.options.meshes.glbKind)});
     return files;
 }
 

@@ -14,12 +14,18 @@ private slots:
     void everyTargetHasAReadmeOfItsOwn() {
         std::set<std::string> texts;
         for (std::size_t k = 0; k < kExportTargets.size(); ++k) {
-            const std::string text = readmeFor(static_cast<ExportTarget>(k));
+            const std::string text = readmeFor(static_cast<ExportTarget>(k), GlbKind::Plain);
             QVERIFY(text.starts_with("# Destructible assets for "));
             QVERIFY(text.find("`scene.json`") != std::string::npos && text.ends_with(".\n"));
             texts.insert(text);
         }
         QCOMPARE(texts.size(), kExportTargets.size());
+    }
+    void compactFilesAreExplained() {
+        for (const GlbKind kind : {GlbKind::Plain, GlbKind::Physics, GlbKind::Compact}) {
+            const bool isTold = readmeFor(ExportTarget::Web, kind).find("setMeshoptDecoder") != std::string::npos;
+            QCOMPARE(isTold, kind == GlbKind::Compact);
+        }
     }
     void everyTargetHasMeshesAndBodies() {
         for (std::size_t k = 0; k < kExportTargets.size(); ++k) {
