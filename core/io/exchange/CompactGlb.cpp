@@ -3,7 +3,7 @@
 #include "core/base/Assert.h"
 #include "core/io/exchange/GlbConstants.h"
 #include "core/io/exchange/GlbContainer.h"
-#include "core/io/exchange/GlbJson.h"
+#include "core/io/exchange/GlbElements.h"
 #include "core/io/json/VectorJson.h"
 
 #include <meshoptimizer.h>
@@ -191,7 +191,7 @@ private:
         writeNodes(json, place, name);
         writeMeshes(json, name);
         hasColours() ? writeColouredMaterial(json) : writeGlbMaterials(json, m_materials);
-        if (m_materials.image) writeGlbTexture(json, m_materials, m_views.size());
+        writeGlbTextures(json, glbImages(m_materials), m_views.size());
         writeAccessors(json);
         writeViews(json);
         json.openArray("buffers");

@@ -17,10 +17,4 @@ std::string glbJson(std::span<const MeshPart> parts, std::span<const std::vector
                     const GlbBuffer& buffer, const MeshMaterials& materials, PartPlacement place,
                     const GlbPhysics* physics = nullptr);
 
-/// Writes the members "asset" and "materials": the outside ones, then the inside.
-void writeGlbAsset(JsonWriter& json);
-void writeGlbMaterials(JsonWriter& json, const MeshMaterials& materials);
-/// Writes the image, whose view is given, and the texture that repeats it.
-void writeGlbTexture(JsonWriter& json, const MeshMaterials& materials, std::uint64_t view);
-
 }  // namespace rubble

@@ -1,8 +1,7 @@
 #include "core/io/exchange/UsdFile.h"
 
 #include "core/base/Assert.h"
-#include "core/io/exchange/UsdWriter.h"
-#include "core/io/text/NumberText.h"
+#include "core/io/exchange/UsdSurface.h"
 
 #include <algorithm>
 #include <limits>
@@ -14,10 +13,6 @@ namespace {
 
 /// Masses and moments that are 0 in single precision would mean that they are not given.
 constexpr double kLeastUsdFloat = double{std::numeric_limits<float>::min()};
-
-std::string usdInput(std::string_view type, std::string_view name) {
-    return std::string(type).append(" inputs:").append(name);
-}
 
 /// Writes the prims of a layer, one after the other.
 class UsdLayer {
@@ -43,7 +38,7 @@ public:
         addMass(body);
         m_lines.setDoubles("double3 xformOp:translate", body.offset);
         m_lines.setTexts("uniform token[] xformOpOrder", {"xformOp:translate"});
-        addMesh(mesh);
+        writeUsdMesh(m_lines, "surface", mesh, m_surfaces);
         for (std::size_t k = 0; k < body.hulls.size(); ++k) addHull(k, body.hulls[k].polytope);
         m_lines.end();
     }
@@ -86,55 +81,12 @@ private:
         m_lines.setFloat("float physics:restitution", own.restitution);
         m_lines.setFloat("float physics:staticFriction", own.friction);
         m_lines.end();
-        for (const MeshMaterial& material : m_materials.outside) m_surfaces.push_back(addSurface(material, names));
-        m_surfaces.push_back(addSurface(m_materials.inside, names));
+        const auto addSurface = [&](const MeshMaterial& material) {
+            m_surfaces.push_back(writeUsdMaterial(m_lines, names, material, m_materials.imageFile));
+        };
+        std::ranges::for_each(m_materials.outside, addSurface);
+        addSurface(m_materials.inside);
         m_lines.end();
-    }
-
-    /// Returns its path.
-    std::string addSurface(const MeshMaterial& material, UsdNames& names) {
-        const std::string path = m_lines.begin("Material", names.unique(material.name));
-        m_lines.setTarget("token outputs:surface.connect", path + "/Surface.outputs:surface");
-        m_lines.begin("Shader", "Surface");
-        m_lines.setText("uniform token info:id", "UsdPreviewSurface");
-        if (material.isTextured)
-            m_lines.setTarget("color3f inputs:diffuseColor.connect", path + "/Image.outputs:rgb");
-        else
-            m_lines.setFloats(usdInput("color3f", "diffuseColor"), linearColour(material.colour));
-        if (material.opacity < 1.0) m_lines.setFloat(usdInput("float", "opacity"), material.opacity);
-        m_lines.setFloat(usdInput("float", "roughness"), material.roughness());
-        m_lines.addOutput("token outputs:surface");
-        m_lines.end();
-        if (material.isTextured) addImage(path, material);
-        m_lines.end();
-        return path;
-    }
-
-    void addImage(const std::string& path, const MeshMaterial& material) {
-        m_lines.begin("Shader", "Image");
-        m_lines.setText("uniform token info:id", "UsdUVTexture");
-        m_lines.setAsset(usdInput("asset", "file"), m_materials.imageFile);
-        m_lines.setWord(usdInput("float4", "scale"), scaleText(material.colour));
-        m_lines.setTarget("float2 inputs:st.connect", path + "/Coordinates.outputs:result");
-        m_lines.setText(usdInput("token", "wrapS"), "repeat");
-        m_lines.setText(usdInput("token", "wrapT"), "repeat");
-        m_lines.addOutput("float3 outputs:rgb");
-        m_lines.end();
-        m_lines.begin("Shader", "Coordinates");
-        m_lines.setText("uniform token info:id", "UsdPrimvarReader_float2");
-        m_lines.setText(usdInput("string", "varname"), "st");
-        m_lines.addOutput("float2 outputs:result");
-        m_lines.end();
-    }
-
-    static std::string scaleText(const Colour& colour) {
-        std::string text = "(";
-        const Vec3 linear = linearColour(colour);
-        for (int part = 0; part < 3; ++part) {
-            appendFloat(text, linear[part]);
-            text += ", ";
-        }
-        return text + "1)";
     }
 
     void addMass(const PackBody& body) {
@@ -145,60 +97,6 @@ private:
         m_lines.setRotation("quatf physics:principalAxes", body.principal->rotation);
     }
 
-    void addShape(std::span<const std::uint32_t> counts, std::span<const std::uint32_t> indices,
-                  std::span<const Vec3> points) {
-        RUBBLE_ASSERT(!points.empty());
-        Vec3 extent[2] = {points[0], points[0]};
-        for (const Vec3& point : points) {
-            extent[0] = glm::min(extent[0], point);
-            extent[1] = glm::max(extent[1], point);
-        }
-        m_lines.setPoints("float3[] extent", extent);
-        m_lines.setIndices("int[] faceVertexCounts", counts);
-        m_lines.setIndices("int[] faceVertexIndices", indices);
-        m_lines.setText("uniform token orientation", "rightHanded");
-        m_lines.setPoints("point3f[] points", points);
-        m_lines.setText("uniform token subdivisionScheme", "none");
-    }
-
-    void addMesh(const Mesh& mesh) {
-        std::vector<std::uint32_t> counts, indices, normals, uvs;
-        std::map<std::size_t, std::vector<std::uint32_t>> faces;  // by surface
-        for (std::uint32_t k = 0; k < mesh.faces.size(); ++k) {
-            const MeshFace& face = mesh.faces[k];
-            counts.push_back(face.cornerCount);
-            faces[face.side == FaceSide::Inside ? m_surfaces.size() - 1 : face.material].push_back(k);
-            for (const MeshCorner& corner : mesh.cornersOf(face)) {
-                indices.push_back(corner.position);
-                normals.push_back(face.normal);
-                uvs.push_back(corner.uv);
-            }
-        }
-        m_lines.begin("Mesh", "surface", {"MaterialBindingAPI"});
-        addShape(counts, indices, mesh.positions);
-        m_lines.setPoints("normal3f[] primvars:normals", mesh.normals, UsdInterpolation::FaceVarying);
-        m_lines.setIndices("int[] primvars:normals:indices", normals);
-        m_lines.setPoints("texCoord2f[] primvars:st", mesh.uvs, UsdInterpolation::FaceVarying);
-        m_lines.setIndices("int[] primvars:st:indices", uvs);
-        m_lines.setTarget("rel material:binding", m_surfaces[faces.begin()->first]);
-        if (faces.size() > 1) addSubsets(faces);
-        m_lines.end();
-    }
-
-    void addSubsets(const std::map<std::size_t, std::vector<std::uint32_t>>& faces) {
-        m_lines.setText("uniform token subsetFamily:materialBind:familyType", "partition");
-        UsdNames names;
-        for (const auto& [surface, indices] : faces) {
-            const std::string& path = m_surfaces[surface];
-            m_lines.begin("GeomSubset", names.unique(path.substr(path.rfind('/') + 1)), {"MaterialBindingAPI"});
-            m_lines.setText("uniform token elementType", "face");
-            m_lines.setText("uniform token familyName", "materialBind");
-            m_lines.setIndices("int[] indices", indices);
-            m_lines.setTarget("rel material:binding", path);
-            m_lines.end();
-        }
-    }
-
     void addHull(std::size_t number, const Polytope& hull) {
         std::vector<std::uint32_t> counts, indices;
         for (const std::vector<std::uint32_t>& face : hull.faces) {
@@ -207,7 +105,7 @@ private:
         }
         m_lines.begin("Mesh", "hull" + std::to_string(number),
                       {"PhysicsCollisionAPI", "PhysicsMeshCollisionAPI", "MaterialBindingAPI"});
-        addShape(counts, indices, hull.vertices);
+        writeUsdFaces(m_lines, counts, indices, hull.vertices);
         m_lines.setTarget("rel material:binding:physics", m_physicsMaterial);
         m_lines.setText("uniform token physics:approximation", "convexHull");
         m_lines.setText("uniform token purpose", "guide");

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/io/exchange/GlbBuffer.h"
+#include "core/io/exchange/MeshPart.h"
+#include "core/io/json/JsonWriter.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+/// Elements of the JSON chunk of a GLB file, which several kinds of files have.
+namespace rubble {
+
+/// Writes the member "asset".
+void writeGlbAsset(JsonWriter& json);
+
+/// Writes a material, with a texture if it is textured.
+void writeGlbMaterial(JsonWriter& json, const MeshMaterial& material, std::uint64_t texture = 0);
+/// Writes the member "materials": the outside ones, then the inside.
+void writeGlbMaterials(JsonWriter& json, const MeshMaterials& materials);
+
+/// An image of a GLB file.
+struct GlbImage {
+    std::string name;
+    std::shared_ptr<const EncodedImage> image;
+};
+/// The image of materials, if they have one.
+std::vector<GlbImage> glbImages(const MeshMaterials& materials);
+/// Writes the members "images", "samplers" and "textures": one that repeats each image. Their views follow each other
+/// from `firstView` on. Without images, writes nothing.
+void writeGlbTextures(JsonWriter& json, std::span<const GlbImage> images, std::uint64_t firstView);
+
+/// Writes a primitive, whose four accessors start at `accessor`.
+void writeGlbPrimitive(JsonWriter& json, std::uint64_t accessor, std::uint64_t material);
+/// Writes the four accessors of a primitive, in the order of the buffer's arrays.
+void writeGlbAccessors(JsonWriter& json, const GlbPrimitive& primitive);
+/// Writes the accessor of positions or indices of a primitive in a view.
+void writeGlbPositions(JsonWriter& json, std::uint64_t view, const GlbPrimitive& primitive);
+void writeGlbIndices(JsonWriter& json, std::uint64_t view, const GlbPrimitive& primitive);
+/// Begins an accessor; close() ends it.
+void openGlbAccessor(JsonWriter& json, std::uint64_t view, std::uint64_t offset, std::uint64_t component,
+                     std::uint64_t count, const char* type);
+
+/// Writes "bufferViews" and "buffers", of the one buffer that a file has: first the arrays of meshes.
+class GlbViews {
+public:
+    explicit GlbViews(JsonWriter& json);
+    /// The views of the arrays of `buffer`, in their order.
+    void addArrays(const GlbBuffer& buffer);
+    /// A view that no vertices or indices are in.
+    void addBytes(std::uint64_t count);
+    void end();
+
+private:
+    void addArray(std::uint64_t count, std::uint64_t stride, std::uint64_t target);
+
+    JsonWriter& m_json;
+    std::uint64_t m_offset = 0;
+};
+
+}  // namespace rubble
