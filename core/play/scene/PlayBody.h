@@ -83,6 +83,18 @@ std::vector<std::uint32_t> bondedFragments(const PlayBody& body);
 /// solid is the asset's.
 Vec3 frameOf(const PlayBody& body);
 
+/// Calls visit(fragment, offset) for each solid that a body looks like: itself, or, where it is some of the fragments of
+/// a solid or `isApart`, the fragments that are bonded in it. kNone: the whole. `offset`, m, is that of the solid's
+/// frame in the body's.
+template <class Visit>
+void forEachSolid(const PlayBody& body, bool isApart, const Visit& visit) {
+    const bool isWhole = !isApart && !isPartial(body);
+    const std::vector<std::uint32_t> fragments = isWhole ? std::vector<std::uint32_t>() : bondedFragments(body);
+    if (fragments.empty()) return visit(body.fragment, Vec3(0.0));
+    const Vec3 frame = frameOf(body);
+    for (const std::uint32_t fragment : fragments) visit(fragment, body.asset->fragments[fragment].offset - frame);
+}
+
 /// The asset and fragment that a body is; neither for the ground and plain projectiles.
 DiagnosticPlace placeOf(const PlayBody& body);
 

@@ -28,17 +28,6 @@ AssetModel projectileModel(const Polytope& hull, const SceneOptions& options) {
     return model;
 }
 
-/// Calls visit(fragment, offset) for each solid that a body is drawn as: itself or, if some are missing or `isApart`,
-/// the fragments that are bonded in it. kNone: the whole. `offset`, m, is that of the solid's frame in the body's.
-template <class Visit>
-void forEachSolid(const PlayBody& body, bool isApart, const Visit& visit) {
-    const bool isWhole = !isApart && !isPartial(body);
-    const std::vector<std::uint32_t> fragments = isWhole ? std::vector<std::uint32_t>() : bondedFragments(body);
-    if (fragments.empty()) return visit(body.fragment, Vec3(0.0));
-    const Vec3 frame = frameOf(body);
-    for (const std::uint32_t fragment : fragments) visit(fragment, body.asset->fragments[fragment].offset - frame);
-}
-
 /// The pose of a body, shrunk by `fade` in [0, 1].
 RenderPose poseOf(const BodyState& state, double fade, Vec3 origin) {
     if (fade <= 0.0) return renderPose(state.pose, origin);
