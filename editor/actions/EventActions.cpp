@@ -12,7 +12,6 @@
 #include "editor/workspace/Workspace.h"
 
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QMainWindow>
 
 #include <algorithm>
@@ -54,15 +53,9 @@ void EventActions::refresh() {
 QString EventActions::askForFile(const QString& title) {
     controller().pause();
     QFileDialog dialog(&m_views.window(), title);
-    dialog.setNameFilters({csvFilter(), linesFilter()});
     dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix("csv");
+    offerKinds(dialog, {{csvFilter(), "csv"}, {linesFilter(), "jsonl"}});
     suggestOutput(dialog, m_views.workspace().file(), ".csv");
-    connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
-        dialog.setDefaultSuffix(filter == linesFilter() ? "jsonl" : "csv");
-        const QString name = QFileInfo(dialog.selectedFiles().value(0)).completeBaseName();
-        if (!name.isEmpty()) dialog.selectFile(name + '.' + dialog.defaultSuffix());
-    });
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().first() : QString();
 }
 

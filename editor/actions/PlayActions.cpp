@@ -1,6 +1,7 @@
 #include "editor/actions/PlayActions.h"
 
 #include "core/base/Version.h"
+#include "core/io/animation/AnimationFile.h"
 #include "core/io/play/ReplayFile.h"
 #include "core/io/play/StateFile.h"
 #include "editor/actions/EventActions.h"
@@ -37,6 +38,8 @@ constexpr double kSpeeds[] = {0.1, 0.25, 0.5, 1.0, 2.0};
 constexpr int kStepRates[] = {30, 60, 120, 240};  // Hz
 
 QString stateFilter() { return PlayActions::tr("States (*.rubblestate)"); }
+QString glbFilter() { return PlayActions::tr("glTF (*.glb)"); }
+QString usdFilter() { return PlayActions::tr("USD (*.usda)"); }
 QString replayFilter() { return PlayActions::tr("Replays (*.replay)"); }
 
 }  // namespace
@@ -225,6 +228,9 @@ void PlayActions::addReplays() {
     add({"play-open-replay", tr("&Open Replay…"), tr("Play a saved replay")}, &PlayActions::openReplay);
     addStates();
     m_menu->addActions(m_events->actions());
+    m_exportAnimation = add({"play-export-animation", tr("E&xport Animation…"),
+                             tr("Save the motion of all fragments for other 3D programs, as GLB or USD")},
+                            &PlayActions::exportAnimation);
     m_menu->addAction(m_video.action());
 }
 
@@ -294,6 +300,32 @@ void PlayActions::writeReplay(const QString& path, const PlayScript& script) {
         return rubble::saveReplay(toPath(path), *replay);
     });
     if (saved) return m_views.showStatus(tr("Saved %1.").arg(fileNameText(path)));
+    if (saved.error().code != ErrorCode::Cancelled) showError(&m_views.window(), saved.error());
+}
+
+void PlayActions::exportAnimation() {
+    controller().pause();
+    QFileDialog dialog(&m_views.window(), tr("Export Animation"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    offerKinds(dialog, {{glbFilter(), "glb"}, {usdFilter(), "usda"}});
+    suggestOutput(dialog, m_workspace.file(), ".glb");
+    if (dialog.exec() != QDialog::Accepted) return;
+    const QString path = dialog.selectedFiles().first();
+    controller().requestScript([this, path](PlayScript script) { writeAnimation(path, std::move(script)); });
+}
+
+void PlayActions::writeAnimation(const QString& path, PlayScript script) {
+    const std::shared_ptr<const PlayScene> scene = controller().scene();
+    TaskDialog task(tr("Exporting the animation…"), &m_views.window());
+    const Status saved = task.run<Status>([&](const TaskContext& context) -> Status {
+        Result<Session> session = startOf(scene, script);
+        if (!session) return session.error();
+        const Result<SessionTracks> tracks =
+            recordTracks(std::move(*session), std::move(script.inputs), script.steps, context);
+        if (!tracks) return tracks.error();
+        return saveAnimation(toPath(path), scene->project, *tracks, context);
+    });
+    if (saved) return m_views.showStatus(tr("Exported the animation to %1.").arg(fileNameText(path)));
     if (saved.error().code != ErrorCode::Cancelled) showError(&m_views.window(), saved.error());
 }
 
@@ -368,6 +400,7 @@ void PlayActions::updateRecorded() {
     const auto& frame = controller().frame();
     const bool isRecorded = isShown && controller().hasSession() && frame && frame->length > 0;
     m_saveReplay->setEnabled(isRecorded && controller().isFromStart());
+    m_exportAnimation->setEnabled(isRecorded);
     m_saveState->setEnabled(isShown && controller().hasSession() && frame);
 }
 

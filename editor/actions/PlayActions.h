@@ -48,6 +48,8 @@ private:
     void saveReplay();
     void writeReplay(const QString& path, const PlayScript& script);
     void openReplay();
+    void exportAnimation();
+    void writeAnimation(const QString& path, PlayScript script);
     void addStates();
     void saveState();
     void openState();
@@ -73,6 +75,7 @@ private:
     QAction* m_saveShot = nullptr;
     QAction* m_saveReplay = nullptr;
     QAction* m_saveState = nullptr;
+    QAction* m_exportAnimation = nullptr;
     QMenu* m_shots = nullptr;
     QActionGroup* m_speeds = nullptr;
     QActionGroup* m_timeSteps = nullptr;

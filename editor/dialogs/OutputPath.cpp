@@ -59,6 +59,20 @@ QString unusedPathIn(const QVariant& setting, const QString& folder, const QStri
     return QDir::toNativeSeparators(unusedPath(exists ? stored : folder, name, suffix));
 }
 
+void offerKinds(QFileDialog& dialog, const QList<FileKind>& kinds) {
+    QStringList filters;
+    for (const FileKind& kind : kinds) filters.append(kind.filter);
+    dialog.setNameFilters(filters);
+    dialog.setDefaultSuffix(kinds.front().suffix);
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog, kinds](const QString& filter) {
+        for (const FileKind& kind : kinds) {
+            if (kind.filter == filter) dialog.setDefaultSuffix(kind.suffix);
+        }
+        const QString name = QFileInfo(dialog.selectedFiles().value(0)).completeBaseName();
+        if (!name.isEmpty()) dialog.selectFile(name + '.' + dialog.defaultSuffix());
+    });
+}
+
 QLabel* buddyLabel(const QString& text, QWidget* buddy) {
     auto* label = new QLabel(text);
     label->setBuddy(buddy);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QList>
 #include <QStandardPaths>
 #include <QString>
 
@@ -36,6 +37,14 @@ QString unusedPathIn(const QVariant& setting, const QString& folder, const QStri
 
 /// Lets a dialog that saves a file begin in the folder of the project, with an unused name after it.
 void suggestOutput(QFileDialog& dialog, const DocumentFile& file, const QString& suffix);
+
+/// A kind of file: the filter that a dialog shows for it, and its suffix without a period.
+struct FileKind {
+    QString filter;
+    QString suffix;
+};
+/// Lets a dialog that saves a file offer kinds, the first as default: the suffix of the name follows the filter.
+void offerKinds(QFileDialog& dialog, const QList<FileKind>& kinds);
 
 /// Returns a label whose mnemonic leads to a control.
 QLabel* buddyLabel(const QString& text, QWidget* buddy);

@@ -54,8 +54,8 @@ std::optional<GrabbedBody> grabbedBody(const World& world) {
                        .force = spring->force};
 }
 
-/// The session that a script starts with. The pending inputs of a state become inputs of the script, before its own of
-/// the same step.
+}  // namespace
+
 Result<Session> startOf(const std::shared_ptr<const PlayScene>& scene, PlayScript& script) {
     if (!script.state) return Session::start(scene, script.settings);
     SavedSession saved = *script.state;
@@ -64,8 +64,6 @@ Result<Session> startOf(const std::shared_ptr<const PlayScene>& scene, PlayScrip
     std::ranges::stable_sort(script.inputs, {}, &TimedInput::step);
     return resumedSession(scene, std::move(saved), script.settings);
 }
-
-}  // namespace
 
 PlayLoop loopAround(std::uint64_t step, double dt) {
     return {step - std::min(step, stepOf(kLoopBefore, dt)), step + stepOf(kLoopAfter, dt)};

@@ -21,6 +21,11 @@ struct PlayScript {
     std::shared_ptr<const SavedSession> state;  // that it starts from; null: from the start
 };
 PlayScript scriptOf(const Replay& replay);
+/// The session that a script starts with. The pending inputs of a state become inputs of the script, before its own of
+/// the same step.
+///
+/// Errors: those of Session::start() and resumedSession().
+Result<Session> startOf(const std::shared_ptr<const PlayScene>& scene, PlayScript& script);
 /// The shots of a play-test for its duration, displayed from step `begin` on. `state`: what it starts from.
 PlayScript scriptOf(const Project& project, const PlayTest& test, std::uint64_t begin,
                     std::shared_ptr<const SavedSession> state = nullptr);

@@ -107,6 +107,7 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
     const Listener listener = frontListener(*session);
     std::optional<EventsText> told;
     if (plan.events) told.emplace(*plan.events);
+    std::optional<TrackRecorder> tracks = recorderFor(plan.animation, *session);
     for (int step = 1; step <= plan.simulation.steps; ++step) {
         if (task.isCancelled()) return TaskContext::cancelled();
         const auto start = std::chrono::steady_clock::now();
@@ -119,6 +120,9 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
         }
         if (told) told->add(session->stepsDone(), session->events().told);
         if (plan.isHeard) heard.add(*session);
+        if (tracks) {
+            if (const Status fits = tracks->add(*session); !fits) return fits.error();
+        }
         for (const PlayBreak& broken : session->events().breaks) {
             run.outcome.breaks.push_back(toResult(broken, *session, plan.simulation.isTimed));
         }
@@ -134,6 +138,7 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
     run.trace = std::move(record).trace();
     if (recorder) run.replay = recorder->replay();
     if (told) run.events = std::move(*told).finished();
+    if (tracks) run.tracks = std::move(*tracks).tracks();
     if (const Status saved = saveResult(plan, *session, run); !saved) return saved.error();
     if (!plan.isHeard) return run;
     Result<StereoTrack> sound = heard.track(listener);

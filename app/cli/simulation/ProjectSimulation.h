@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/cli/options/AnimationOptions.h"
 #include "app/cli/options/PlayOptions.h"
 #include "app/cli/simulation/StepRecord.h"
 #include "core/io/play/EventsFile.h"
@@ -14,6 +15,7 @@ struct PlayPlan {
     bool isRecorded = false;             // as a replay
     std::optional<EventsFormat> events;  // they are kept
     bool isHeard = false;                // its sound is made
+    AnimationOptions animation;          // its tracks are recorded
     std::string state;                   // file to start from; empty: from the start
     std::string remapped;                // the project that the state was of: only its damage is taken; empty: none
     std::string savedState;              // file for the state after the last step; empty: none

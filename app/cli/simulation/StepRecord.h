@@ -3,6 +3,7 @@
 #include "core/io/play/SimulationJson.h"
 #include "core/physics/world/World.h"
 #include "core/play/session/Replay.h"
+#include "core/play/session/SessionTracks.h"
 #include "core/sound/mix/SoundTrack.h"
 
 #include <string>
@@ -25,6 +26,7 @@ struct SimulationRun {
     std::string events;  // the text of a file of them
     std::optional<Replay> replay;
     std::optional<StereoTrack> sound;
+    std::optional<SessionTracks> tracks;
     std::vector<std::string> notes;  // for the user, a sentence each
 };
 

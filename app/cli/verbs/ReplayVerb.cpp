@@ -1,5 +1,6 @@
 #include "app/cli/console/InputOutput.h"
 #include "app/cli/console/ProgressLine.h"
+#include "app/cli/options/AnimationOptions.h"
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/output/ProjectLoading.h"
 #include "app/cli/verbs/Verb.h"
@@ -22,13 +23,15 @@ Output:
 The body is the one that differs most in the first step that differs: "broke" and "didNotBreak" are bodies that broke
 on one side only, with the impact in N*s; "velocity" is in m/s; "unmeasured" is a recording of version 1.
 
-Example:
+Examples:
   rubble-cli simulate house.rubble --steps 600 --shot "box at the door" --record door.replay > after.json
-  rubble-cli replay door.replay house.rubble)";
+  rubble-cli replay door.replay house.rubble
+  rubble-cli replay door.replay house.rubble --animation door.usda)";
 
 struct ReplayOptions {
     std::string file;
     std::string project;
+    AnimationOptions animation;
     int threads = 1;
 };
 
@@ -70,7 +73,21 @@ std::vector<std::string> warnings(const Replay& replay, const Project& project) 
     return messages;
 }
 
+/// Plays all of a replay, and writes it as an animation where one is asked for.
+Status play(ReplayPlayer& player, const ReplayOptions& options, const TaskContext& task) {
+    const std::uint64_t steps = player.replay().steps.size();
+    std::optional<TrackRecorder> tracks = recorderFor(options.animation, player.session());
+    if (!tracks) return player.seek(steps, task);
+    for (std::uint64_t step = 1; step <= steps; ++step) {
+        if (const Status played = player.seek(step, {.cancel = task.cancel}); !played) return played;
+        if (const Status fits = tracks->add(player.session()); !fits) return fits;
+        task.report(static_cast<double>(step) / static_cast<double>(steps));
+    }
+    return saveAnimation(options.animation.file, player.session().scene().project, std::move(*tracks).tracks(), task);
+}
+
 Status verifyReplay(const ReplayOptions& options, VerbReport& report, const CliContext& context) {
+    if (const Status valid = checkAnimation(options.animation); !valid) return valid;
     Result<Replay> replay = loadReplay(options.file);
     if (!replay) return replay.error();
     const Result<Project> project = openProject(options.project, context);
@@ -86,7 +103,7 @@ Status verifyReplay(const ReplayOptions& options, VerbReport& report, const CliC
     Result<ReplayPlayer> player =
         ReplayPlayer::start(std::move(*scene), std::move(*replay), {.threads = options.threads});
     if (!player) return player.error();
-    const Status played = player->seek(player->replay().steps.size(), task);
+    const Status played = play(*player, options, task);
     line.clear();
     if (!played) return played.error();
     if (player->divergence()) conclude(report, player->divergence()->diagnostic().message);
@@ -100,6 +117,7 @@ Verb addReplay(CLI::App& program) {
     const auto options = std::make_shared<ReplayOptions>();
     command.argument("REPLAY", options->file, "The recording, written by simulate --record").required();
     command.argument("PROJECT", options->project, "The project that was recorded").required();
+    addAnimationOptions(command, options->animation);
     addThreadsOption(command, options->threads);
     return {command, [options](VerbReport& report, const CliContext& context) {
                 return verifyReplay(*options, report, context);

@@ -39,6 +39,7 @@ Examples:
   rubble-cli simulate house.json --steps 600 > after.json
   rubble-cli simulate house.json --steps 600 --trace steps.csv --timings
   rubble-cli simulate house.rubble --steps 600 --shot "box at the door"
+  rubble-cli simulate house.rubble --steps 300 --shot "box at the door" --animation hit.glb > after.json
   rubble-cli simulate house.rubble --steps 60 --save-state standing.rubblestate
   rubble-cli simulate house.rubble --steps 600 --state standing.rubblestate --shot "box at the door")";
 
@@ -51,6 +52,7 @@ struct SimulateOptions {
     std::string record;
     std::string events;
     std::string wav;
+    AnimationOptions animation;
     std::string state;
     std::string remapped;
     std::string savedState;
@@ -71,6 +73,7 @@ PlayPlan playPlan(const SimulateOptions& options) {
                   .play = options.play,
                   .isRecorded = !options.record.empty(),
                   .isHeard = !options.wav.empty(),
+                  .animation = options.animation,
                   .state = options.state,
                   .remapped = options.remapped,
                   .savedState = options.savedState,
@@ -101,6 +104,9 @@ Result<SimulationRun> simulateBodies(const BodyScene& scene, const SimulateOptio
     if (!options.wav.empty()) {
         return Error{ErrorCode::BadInput, "A scene of bodies has no materials that sound; use a project for --wav."};
     }
+    if (!options.animation.file.empty()) {
+        return Error{ErrorCode::BadInput, "A scene of bodies has no meshes; use a project for --animation."};
+    }
     if (!options.state.empty() || !options.savedState.empty()) {
         return Error{ErrorCode::BadInput, "A scene of bodies has no states; use a project."};
     }
@@ -123,7 +129,11 @@ Result<SimulationRun> simulateProject(const std::string& text, const SimulateOpt
         const Result<PreparedProject> play =
             prepareProject(*project, options.play, context, {.cancel = task.cancel, .threads = task.threads});
         if (!play) return play.error();
-        return runProject(*play, playPlan(options), task, diagnostics);
+        Result<SimulationRun> done = runProject(*play, playPlan(options), task, diagnostics);
+        if (!done || !done->tracks) return done;
+        const Status written = saveAnimation(options.animation.file, play->scene->project, *done->tracks, task);
+        if (!written) return written.error();
+        return done;
     });
     printMessages(diagnostics, context);
     if (run) {
@@ -133,6 +143,7 @@ Result<SimulationRun> simulateProject(const std::string& text, const SimulateOpt
 }
 
 Status simulate(const SimulateOptions& options, const CliContext& context) {
+    if (const Status valid = checkAnimation(options.animation); !valid) return valid;
     const Result<std::string> text = readInput(options.input, context);
     if (!text) return text.error();
     const Result<BodyScene> scene = readBodyScene(*text);
@@ -173,6 +184,7 @@ Verb addSimulate(CLI::App& program) {
                 "Write what hit, broke, came to rest and was removed: JSON lines, or FILE.csv")
         .valueName("FILE");
     command.option("--wav", options->wav, "Write the sound of impacts and breaks").valueName("FILE.wav");
+    addAnimationOptions(command, options->animation);
     const CommandOption state =
         command.option("--state", options->state, "Start from a saved state; times of shots count from there")
             .valueName("FILE");

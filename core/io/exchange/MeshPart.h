@@ -29,6 +29,7 @@ struct MeshMaterial {
     double opacity = 1.0;
     bool isTextured = false;  // its colour is multiplied by the image
     double roughness() const { return opacity < 1.0 ? 0.1 : 0.9; }
+    bool operator==(const MeshMaterial&) const = default;
 };
 
 /// The materials of an asset, with unique names.

@@ -46,14 +46,6 @@ PackBounds packBoundsOf(std::span<const Polytope> hulls) {
     return bounds;
 }
 
-/// Letters, digits and '_' of a name.
-std::string identifierOf(std::string name) {
-    for (char& letter : name) {
-        if (letter == '-' || letter == '.' || letter == ' ') letter = '_';
-    }
-    return name;
-}
-
 }  // namespace
 
 std::vector<PackSurface> packSurfaces(const Asset& asset, const AssetMaterials& material) {
@@ -73,6 +65,13 @@ std::vector<PackSurface> packSurfaces(const Asset& asset, const AssetMaterials& 
 }
 
 PackNames packNames(const Asset& asset) { return {asset.name, asset.name, 0, meshName(asset.name)}; }
+
+std::string identifierOf(std::string name) {
+    for (char& letter : name) {
+        if (letter == '-' || letter == '.' || letter == ' ') letter = '_';
+    }
+    return name;
+}
 
 std::string wholeBodyName(const PackNames& names) { return identifierOf(names.folder) + "_whole"; }
 

@@ -38,6 +38,9 @@ struct PackInput {
 /// The names of an asset that is exported alone.
 PackNames packNames(const Asset& asset);
 
+/// Returns a name of meshName() with '_' for '-' and '.' as well.
+std::string identifierOf(std::string name);
+
 /// Returns the name of a fragment in packs and meshes: the folder's name, "_f", and the fragment's path with '_' for
 /// '.', "__" for '/' and 'x' for '+': "wall_f3_2__4_1". The whole is "wall_whole". Letters, digits and '_' only, and
 /// without an ending that an importer acts upon; unique in the pack.

@@ -35,12 +35,22 @@ std::string UsdNames::unique(std::string_view name) {
     return result;
 }
 
-UsdWriter::UsdWriter(std::string_view defaultPrim, std::string_view documentation) {
+UsdWriter::UsdWriter(std::string_view defaultPrim, std::string_view documentation,
+                     const std::optional<UsdTimes>& times) {
     m_text = "#usda 1.0\n(\n    defaultPrim = ";
     addQuoted(defaultPrim);
     m_text += "\n    doc = ";
     addQuoted(documentation);
-    m_text += "\n    kilogramsPerUnit = 1\n    metersPerUnit = 1\n    upAxis = \"Y\"\n)\n";
+    if (times) {
+        m_text += "\n    endTimeCode = ";
+        appendNumber(m_text, times->last);
+    }
+    m_text += "\n    kilogramsPerUnit = 1\n    metersPerUnit = 1";
+    if (times) {
+        m_text += "\n    startTimeCode = 0\n    timeCodesPerSecond = ";
+        appendNumber(m_text, times->perSecond);
+    }
+    m_text += "\n    upAxis = \"Y\"\n)\n";
 }
 
 std::string UsdWriter::begin(std::string_view type, std::string_view name,
@@ -217,6 +227,40 @@ void UsdWriter::endArray(UsdInterpolation interpolation) {
     m_text += ']';
     if (interpolation == UsdInterpolation::FaceVarying) m_text += " (interpolation = \"faceVarying\")";
     m_text += '\n';
+}
+
+void UsdWriter::beginSamples(std::string_view declaration) {
+    declare(std::string(declaration) + ".timeSamples");
+    m_text += "{\n";
+}
+
+void UsdWriter::beginSample(std::uint32_t time) {
+    indent();
+    m_text += "    ";
+    appendNumber(m_text, time);
+    m_text += ": ";
+}
+
+void UsdWriter::addSample(std::uint32_t time, std::string_view value) {
+    beginSample(time);
+    m_text.append(value).append(",\n");
+}
+
+void UsdWriter::addSample(std::uint32_t time, Vec3 value) {
+    beginSample(time);
+    addTuple({value.x, value.y, value.z});
+    m_text += ",\n";
+}
+
+void UsdWriter::addSample(std::uint32_t time, const Quat& value) {
+    beginSample(time);
+    addTuple({value.w, value.x, value.y, value.z});
+    m_text += ",\n";
+}
+
+void UsdWriter::endSamples() {
+    indent();
+    m_text += "}\n";
 }
 
 std::string UsdWriter::text() && {

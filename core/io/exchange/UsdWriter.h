@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -25,11 +26,17 @@ private:
 /// What each value of an array belongs to, where its attribute does not say: a corner of a face.
 enum class UsdInterpolation { None, FaceVarying };
 
+/// The time codes of a layer whose attributes change.
+struct UsdTimes {
+    std::uint32_t last = 0;  // the first is 0
+    double perSecond = 1.0;
+};
+
 /// Writes the text of a USD layer (.usda): prims, their attributes and relationships, indented. `declaration` is the
 /// type and name of an attribute, "float physics:mass". Numbers of single precision are the shortest that read back.
 class UsdWriter {
 public:
-    UsdWriter(std::string_view defaultPrim, std::string_view documentation);
+    UsdWriter(std::string_view defaultPrim, std::string_view documentation, const std::optional<UsdTimes>& times = {});
 
     /// Begins a prim of a type, with applied API schemas; returns its path, "</wall/Materials>" without the brackets.
     std::string begin(std::string_view type, std::string_view name, std::initializer_list<std::string_view> apis = {});
@@ -52,12 +59,20 @@ public:
     void setPoints(std::string_view declaration, std::span<const Vec2> values,
                    UsdInterpolation interpolation = UsdInterpolation::None);
 
+    /// Begins the values of an attribute at times; ascending samples of one kind follow.
+    void beginSamples(std::string_view declaration);
+    void addSample(std::uint32_t time, std::string_view value);  // the value as it is
+    void addSample(std::uint32_t time, Vec3 value);
+    void addSample(std::uint32_t time, const Quat& value);  // w first
+    void endSamples();
+
     /// The text. All prims have ended.
     std::string text() &&;
 
 private:
     void indent();
     void declare(std::string_view declaration);
+    void beginSample(std::uint32_t time);
     void addQuoted(std::string_view text);
     void addTuple(std::initializer_list<double> values);
     void endArray(UsdInterpolation interpolation);

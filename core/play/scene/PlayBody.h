@@ -83,8 +83,8 @@ std::vector<std::uint32_t> bondedFragments(const PlayBody& body);
 /// solid is the asset's.
 Vec3 frameOf(const PlayBody& body);
 
-/// Calls visit(fragment, offset) for each solid that a body looks like: itself, or, where it is some of the fragments of
-/// a solid or `isApart`, the fragments that are bonded in it. kNone: the whole. `offset`, m, is that of the solid's
+/// Calls visit(fragment, offset) for each solid that a body looks like: itself, or, where it is some of the fragments
+/// of a solid or `isApart`, the fragments that are bonded in it. kNone: the whole. `offset`, m, is that of the solid's
 /// frame in the body's.
 template <class Visit>
 void forEachSolid(const PlayBody& body, bool isApart, const Visit& visit) {

@@ -5,6 +5,9 @@
 
 namespace rubble {
 
+/// The colour of plain projectiles.
+inline constexpr Colour kProjectileColour{0.30, 0.34, 0.40};
+
 /// The body that a valid throw starts with: its centre of mass at Throw::from, its z axis opposite to its velocity, its
 /// x axis horizontal. Its shape is its own, or for ProjectileKind::Asset the whole of `asset`, whose material then
 /// gives the density instead of Throw::mass.

@@ -1,6 +1,7 @@
 #include "core/play/session/SessionTracks.h"
 
 #include "core/base/Assert.h"
+#include "core/play/session/Timeline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,10 +29,10 @@ bool isSamePose(const PoseKey& a, const PoseKey& b) {
 
 /// An upper bound of how far a point of a solid is from where the motion from one pose to another has it, m.
 double errorOf(const PoseKey& from, const PoseKey& to, const PoseKey& pose, double radius) {
-    const auto share = static_cast<float>(pose.frame - from.frame) / static_cast<float>(to.frame - from.frame);
-    const glm::vec3 position = from.position + share * (to.position - from.position);
+    const auto fraction = static_cast<float>(pose.frame - from.frame) / static_cast<float>(to.frame - from.frame);
+    const glm::vec3 position = from.position + fraction * (to.position - from.position);
     // Close to spherical interpolation: the two quaternions are at most five degrees apart.
-    const glm::quat orientation = glm::normalize(from.orientation * (1.0f - share) + to.orientation * share);
+    const glm::quat orientation = glm::normalize(from.orientation * (1.0f - fraction) + to.orientation * fraction);
     const glm::quat turn = orientation - pose.orientation;
     return double{glm::length(position - pose.position)} + 2.0 * radius * double{glm::length(turn)};
 }
@@ -115,6 +116,19 @@ void TrackRecorder::hideMissing() {
             m_tracks.solids[solid].sizes.push_back({m_tracks.lastFrame, 0.0f});
     }
     m_visible = m_seen;
+}
+
+Result<SessionTracks> recordTracks(Session session, std::vector<TimedInput> inputs, std::uint64_t steps,
+                                   const TaskContext& task) {
+    TrackRecorder recorder(session);
+    Timeline timeline(std::move(session), std::move(inputs), steps);
+    while (timeline.session().stepsDone() < steps) {
+        if (task.isCancelled()) return TaskContext::cancelled();
+        if (const Status played = timeline.step(); !played) return played.error();
+        if (const Status fits = recorder.add(timeline.session()); !fits) return fits.error();
+        task.report(static_cast<double>(timeline.session().stepsDone()) / static_cast<double>(steps));
+    }
+    return std::move(recorder).tracks();
 }
 
 std::vector<PoseKey> reducedPoses(const std::vector<PoseKey>& poses, double radius, double tolerance) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/base/TaskContext.h"
 #include "core/play/session/Session.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -36,8 +37,8 @@ struct SolidTrack {
     std::vector<SizeKey> sizes;              // the first at frame 0, each other than the one before
 };
 
-/// Everything that was there in a session, frame by frame. The frame of a track is that of the mesh: the fragment's, and
-/// for a whole that of its centre of mass.
+/// Everything that was there in a session, frame by frame. Poses are those of meshes, whose origin is that of the
+/// fragment, and for a whole its centre of mass.
 struct SessionTracks {
     double frameLength = 0.0;        // s
     std::uint32_t lastFrame = 0;     // the first is 0
@@ -74,6 +75,12 @@ private:
     std::vector<std::size_t> m_visible;  // solids in the last frame, ascending
     std::vector<std::size_t> m_seen;     // in the frame being recorded
 };
+
+/// Plays a session on, with inputs (ascending step), until `steps` steps are done, and records every step.
+///
+/// Errors: those of Timeline::seek() and TrackRecorder::add(); Cancelled.
+Result<SessionTracks> recordTracks(Session session, std::vector<TimedInput> inputs, std::uint64_t steps,
+                                   const TaskContext& task = {});
 
 /// Leaves out poses that lie within `tolerance`, m, of the motion between those that are kept, at all points of a solid
 /// of radius `radius`, m, about the origin of its mesh. Neighbours that are kept are at most 10 degrees of rotation

@@ -12,6 +12,7 @@
 #include "tests/support/files/FileBytes.h"
 #include "tests/support/viewport/Pictures.h"
 
+#include <QDir>
 #include <QDropEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -126,6 +127,22 @@ private slots:
                 eventsText(play().shownEvents(), EventsFormat::Csv).value());
         window().findChild<QToolButton*>("event-show-all")->click();
         QVERIFY(!shown.isEnabled());
+    }
+    void animationIsThatOfTheCommandLine() {
+        const QString path = pathOf("shot.glb"), again = pathOf("again/shot.glb");
+        test::onNextDialog<QFileDialog>([path](QFileDialog& dialog) { test::acceptFile(dialog, path); });
+        action("play-export-animation")->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), kPatience);
+        test::onNextDialog<QFileDialog>([this](QFileDialog& dialog) { test::acceptFile(dialog, pathOf("it.replay")); });
+        action("play-save-replay")->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(pathOf("it.replay")), kPatience);
+        QVERIFY(QDir(pathOf(".")).mkdir("again"));
+        QProcess cli;
+        cli.start(RUBBLE_CLI, {"replay", pathOf("it.replay"), pathOf("house.rubble"), "--animation", again});
+        QVERIFY(cli.waitForFinished(kPatience));
+        QVERIFY2(cli.exitCode() == 0, cli.readAllStandardError());
+        QVERIFY(bytesOfFile(path).size() > 10'000);
+        QVERIFY(bytesOfFile(path) == bytesOfFile(again));
     }
     void commandLineReproducesSavedReplay() {
         const QString path = pathOf("shot.replay");

@@ -2,6 +2,7 @@
 
 #include "core/base/Assert.h"
 #include "core/geometry/hull/MassProperties.h"
+#include "core/play/scene/Projectile.h"
 #include "viewport/scene/BodyColours.h"
 #include "viewport/scene/play/ContactLines.h"
 #include "viewport/scene/play/Dust.h"
@@ -16,7 +17,6 @@ namespace {
 constexpr std::size_t kPoolSize = 4;  // one on screen, one about to be, the previous one, one being written
 constexpr double kCoolingRate = 3.0;  // 1/s, of the heat of impacts
 constexpr double kCoolestShown = 0.02;
-constexpr Colour kProjectileColour{0.30, 0.34, 0.40};
 
 AssetModel projectileModel(const Polytope& hull, const SceneOptions& options) {
     AssetModel model;

@@ -1,4 +1,5 @@
-// Tests core/io/exchange/GlbWriter.cpp, core/io/exchange/GlbJson.cpp and core/io/exchange/GlbBuffer.cpp.
+// Tests core/io/exchange/GlbWriter.cpp, core/io/exchange/GlbJson.cpp, core/io/exchange/GlbBuffer.cpp and
+// core/io/exchange/GlbElements.cpp.
 #include "core/io/exchange/GlbWriter.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/MeshParts.h"

@@ -1,3 +1,4 @@
+// Tests core/io/exchange/UsdFile.cpp and core/io/exchange/UsdSurface.cpp.
 #include "core/asset/mesh/FragmentMesh.h"
 #include "core/io/exchange/UsdFile.h"
 #include "core/io/text/NumberText.h"

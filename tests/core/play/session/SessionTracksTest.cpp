@@ -29,10 +29,10 @@ Shown shownAt(const std::vector<PoseKey>& poses, const std::vector<SizeKey>& siz
     const auto next = std::ranges::lower_bound(poses, frame, {}, &PoseKey::frame);
     const PoseKey& to = next == poses.end() ? poses.back() : *next;
     const PoseKey& from = next == poses.begin() ? to : *std::prev(next);
-    const double share =
+    const double fraction =
         to.frame <= from.frame || frame > to.frame ? 1.0 : double(frame - from.frame) / double(to.frame - from.frame);
-    shown.pose.position = glm::mix(Vec3(from.position), Vec3(to.position), share);
-    shown.pose.orientation = glm::slerp(Quat(from.orientation), Quat(to.orientation), share);
+    shown.pose.position = glm::mix(Vec3(from.position), Vec3(to.position), fraction);
+    shown.pose.orientation = glm::slerp(Quat(from.orientation), Quat(to.orientation), fraction);
     return shown;
 }
 
