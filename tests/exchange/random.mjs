@@ -92,11 +92,13 @@ const kinds = {
   plain: ["--format", "both"],
   physics: ["--glb-physics", "--format", "glb", "--usd", "--mjcf"],
   compact: ["--glb-compact", "--format", "glb"],
+  named: ["--glb-ucx", "--format", "glb"],
 };
 const readers = {
   plain: [["assimp.mjs", assimp]],
   physics: [["three.mjs", place, "physics"], ["validator.mjs", place, "physics"], ["usd.mjs", place], ["mjcf.mjs", place]],
   compact: [["three.mjs", place, "compact"], ["validator.mjs", place, "compact"]],
+  named: [["validator.mjs", place]],
 };
 let faults = 0;
 function fail(text) {

@@ -49,6 +49,7 @@ struct ExportArguments {
     std::optional<ExportTarget> target;
     Formats formats = Formats::Default;
     bool hasGlbPhysics = false;
+    bool hasNamedHulls = false;
     bool isGlbCompact = false;
     PackOptions pack;
     bool isOverwriting = false;
@@ -150,6 +151,7 @@ Status exportAssets(ExportArguments arguments, VerbReport& report, const CliCont
         arguments.pack.meshes.glb = arguments.formats == Formats::Glb || arguments.formats == Formats::Both;
     }
     if (arguments.hasGlbPhysics) arguments.pack.meshes.glbKind = GlbKind::Physics;
+    if (arguments.hasNamedHulls) arguments.pack.meshes.glbKind = GlbKind::Named;
     if (arguments.isGlbCompact) arguments.pack.meshes.glbKind = GlbKind::Compact;
     const Result<Project> project = openProject(arguments.project, context);
     if (!project) return project.error();
@@ -197,9 +199,13 @@ void addMeshKinds(Command& command, ExportArguments& arguments) {
     command.flag("--mjcf", meshes.mjcf, "Write the fragments as a model of MuJoCo, too");
     const CommandOption physics =
         command.flag("--glb-physics", arguments.hasGlbPhysics, "Write rigid bodies and their colliders into GLB files");
+    const CommandOption named =
+        command.flag("--glb-ucx", arguments.hasNamedHulls, "Write hulls into GLB files as meshes UCX_..., for Unreal")
+            .excludes(physics);
     command
         .flag("--glb-compact", arguments.isGlbCompact, "Write small GLB files that are drawn at once, without physics")
-        .excludes(physics);
+        .excludes(physics)
+        .excludes(named);
 }
 
 }  // namespace

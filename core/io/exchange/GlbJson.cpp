@@ -64,7 +64,8 @@ std::string glbJson(std::span<const MeshPart> parts, std::span<const std::vector
     JsonWriter json(JsonLayout::Compact, 1024 + 1500 * parts.size());
     json.openObject();
     writeGlbAsset(json);
-    if (physics != nullptr) writePhysicsExtensions(json, *physics, parts.size());
+    if (physics != nullptr && physics->form == GlbBodyForm::Extensions)
+        writePhysicsExtensions(json, *physics, parts.size());
     if (physics != nullptr) writePhysicsNodes(json, parts, place, *physics);
     if (physics == nullptr) writeNodes(json, parts, place);
     writeMeshes(json, parts, primitives, materials, physics);

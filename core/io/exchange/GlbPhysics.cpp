@@ -10,7 +10,12 @@ constexpr const char* kKhrBodies = "KHR_physics_rigid_bodies";
 constexpr const char* kOmiBody = "OMI_physics_body";
 constexpr const char* kOmiShape = "OMI_physics_shape";
 
-std::string hullName(const MeshPart& part, std::size_t hull) { return part.name + "_hull" + std::to_string(hull); }
+/// The name of the mesh of a hull: "wall_f3_hull0", or in the form that Unreal Engine reads, "UCX_wall_f3_00".
+std::string hullName(const MeshPart& part, std::size_t hull, GlbBodyForm form) {
+    const std::string number = std::to_string(hull);
+    if (form == GlbBodyForm::Extensions) return part.name + "_hull" + number;
+    return "UCX_" + part.name + (number.size() < 2 ? "_0" : "_") + number;
+}
 
 /// The nodes of a body: its own, that of its mesh, and two for each hull.
 std::uint64_t nodeCount(const GlbBody& body) { return 2 + 2 * std::uint64_t{body.body.hulls.size()}; }
@@ -132,6 +137,42 @@ void writeBodyScene(JsonWriter& json, const GlbPhysics& physics) {
     json.close();
 }
 
+void writeNamedScene(JsonWriter& json, std::uint64_t nodes) {
+    json.wholeNumber("scene", std::uint64_t{0});
+    json.openArray("scenes");
+    json.openObject();
+    json.openArray("nodes");
+    for (std::uint64_t node = 0; node < nodes; ++node) json.wholeNumber({}, node);
+    json.close();
+    json.close();
+    json.close();
+}
+
+void writePlacedNode(JsonWriter& json, const std::string& name, const MeshPart& part, PartPlacement place,
+                     std::uint64_t mesh) {
+    json.openObject();
+    json.text("name", name);
+    json.wholeNumber("mesh", mesh);
+    if (place == PartPlacement::Assembled) writeVector(json, "translation", part.offset);
+    json.close();
+}
+
+/// Writes a node for each part and, behind them, for each hull, which has the place of its part.
+void writeNamedNodes(JsonWriter& json, std::span<const MeshPart> parts, PartPlacement place,
+                     const GlbPhysics& physics) {
+    std::uint64_t hulls = 0;
+    for (const GlbBody& body : physics.bodies) hulls += body.body.hulls.size();
+    writeNamedScene(json, parts.size() + hulls);
+    json.openArray("nodes");
+    std::uint64_t mesh = 0;
+    for (const MeshPart& part : parts) writePlacedNode(json, part.name, part, place, mesh++);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        for (std::size_t hull = 0; hull < physics.bodies[k].body.hulls.size(); ++hull)
+            writePlacedNode(json, hullName(parts[k], hull, physics.form), parts[k], place, mesh++);
+    }
+    json.close();
+}
+
 void writeHullShapes(JsonWriter& json, const GlbPhysics& physics, std::uint64_t mesh) {
     json.openObject(kOmiShape);
     json.openArray("shapes");
@@ -177,6 +218,7 @@ void writePhysicsExtensions(JsonWriter& json, const GlbPhysics& physics, std::ui
 void writePhysicsNodes(JsonWriter& json, std::span<const MeshPart> parts, PartPlacement place,
                        const GlbPhysics& physics) {
     RUBBLE_ASSERT(parts.size() == physics.bodies.size());
+    if (physics.form == GlbBodyForm::Names) return writeNamedNodes(json, parts, place, physics);
     writeBodyScene(json, physics);
     json.openArray("nodes");
     std::uint64_t node = 0, shape = 0;
@@ -185,7 +227,7 @@ void writePhysicsNodes(JsonWriter& json, std::span<const MeshPart> parts, PartPl
         writeBodyNode(json, parts[k], place, body, node);
         writeMeshNode(json, parts[k].name + "_mesh", std::uint64_t{k});
         for (std::size_t hull = 0; hull < body.body.hulls.size(); ++hull, ++shape) {
-            const std::string name = hullName(parts[k], hull);
+            const std::string name = hullName(parts[k], hull, physics.form);
             writeColliderNode(json, name, parts.size() + shape, node + 3 + 2 * hull, shape);
             writeMeshNode(json, name + "_shape", parts.size() + shape);
         }
@@ -200,7 +242,7 @@ void writeHullMeshes(JsonWriter& json, std::span<const MeshPart> parts, const Gl
     for (std::size_t k = 0; k < parts.size(); ++k) {
         for (std::size_t hull = 0; hull < physics.bodies[k].body.hulls.size(); ++hull, accessor += 2) {
             json.openObject();
-            json.text("name", hullName(parts[k], hull));
+            json.text("name", hullName(parts[k], hull, physics.form));
             json.openArray("primitives");
             json.openObject();
             json.openObject("attributes");

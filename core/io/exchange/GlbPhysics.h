@@ -17,18 +17,26 @@ struct GlbBody {
     std::string parent;  // the id of the body that it is a fragment of; empty: it is the whole
 };
 
-/// The rigid bodies of a GLB file, for the extensions KHR_physics_rigid_bodies and OMI_physics_body.
+/// How the rigid bodies of a GLB file are told.
+enum class GlbBodyForm {
+    Extensions,  // KHR_physics_rigid_bodies and OMI_physics_body
+    Names,       // the hulls alone, as meshes "UCX_<body>_<k>", which Unreal Engine takes for collision
+};
+
+/// The rigid bodies of a GLB file.
 struct GlbPhysics {
     std::vector<GlbBody> bodies;  // one for each part
     Material material;            // of all bodies
+    GlbBodyForm form = GlbBodyForm::Extensions;
 };
 
 /// Writes the members "extensionsUsed" and "extensions" of the file. `firstMesh` is the index of the first hull's mesh;
 /// the meshes of hulls are consecutive.
 void writePhysicsExtensions(JsonWriter& json, const GlbPhysics& physics, std::uint64_t firstMesh);
 
-/// Writes "scene", "scenes" and "nodes". The node of a body has a child with its mesh, and a child for each hull. Each
-/// hull has another node outside the scene, to which its collider refers.
+/// Writes "scene", "scenes" and "nodes". By extensions, the node of a body has a child with its mesh, and a child for
+/// each hull; each hull has another node outside the scene, to which its collider refers. By names, parts and hulls are
+/// nodes side by side.
 void writePhysicsNodes(JsonWriter& json, std::span<const MeshPart> parts, PartPlacement place,
                        const GlbPhysics& physics);
 

@@ -24,6 +24,17 @@ Fragments keep still when they take the place of the whole, since their collisio
 engine adds a margin around shapes, set it below that.
 )";
 
+constexpr std::string_view kUnrealSteps =
+    "1. *Tools ▸ Execute Python Script…* runs `import_into_unreal.py`, which imports the GLB files, makes a\n"
+    "   Geometry Collection of the fragments of each asset, and places the instances of `scene.json`. It needs the\n"
+    "   plugins *Python Editor Script Plugin* and *Geometry Collection*, and a level that is open.\n"
+    "2. Or import the GLB files by hand (Interchange), without combining static meshes. The meshes called\n"
+    "   `UCX_<fragment>_00` are the collision hulls, which Unreal attaches by their names.\n"
+    "3. Unreal exchanges y and z and has centimetres: a position (x, y, z) becomes 100 · (x, z, y), a rotation\n"
+    "   (x, y, z, w) becomes (−x, −z, −y, w); an impulse in N·s is 100 kg·cm/s, a moment of inertia in kg·m² is\n"
+    "   10,000 kg·cm². `rubble_pack.hpp` has these conversions, and compiles without exceptions and RTTI.\n"
+    "\nThe script and the names follow the documentation of Unreal Engine 5. Neither was tested in it.\n";
+
 std::string_view titleOf(ExportTarget target) {
     constexpr std::array<std::string_view, 7> kTitles{"any engine", "Unity", "Unreal Engine", "Godot", "Blender",
                                                       "the web",    "USD"};
@@ -45,16 +56,7 @@ std::string_view stepsFor(ExportTarget target) {
                    "   and `inertiaTensorRotation` = `principal.rotation`, and for each hull a convex `MeshCollider`.\n"
                    "4. Set the default contact offset to 0.0001 or less.\n"
                    "\nNot tested in Unity itself.\n";
-        case ExportTarget::Unreal:
-            return "1. Import the GLB files (Interchange). It converts metres to centimetres and exchanges y and z: a\n"
-                   "   position (x, y, z) becomes 100 · (x, z, y), a rotation "
-                   "(x, y, z, w) becomes (−x, −z, −y, w).\n"
-                   "2. Read `pack.json` for masses in kg and thresholds: an impulse in N·s is 100 kg·cm/s, a moment "
-                   "of\n"
-                   "   inertia in kg·m² is 10,000 kg·cm². `rubble_pack.hpp` "
-                   "compiles without exceptions and RTTI, and\n"
-                   "   has these conversions.\n"
-                   "\nNot tested in Unreal Engine itself.\n";
+        case ExportTarget::Unreal: return kUnrealSteps;
         case ExportTarget::Godot:
             return "1. Copy this folder into the project; Godot imports the GLB files. They hold rigid bodies with "
                    "masses\n"
@@ -107,7 +109,9 @@ PackOptions optionsFor(ExportTarget target) {
     options.meshes.glb = target != ExportTarget::Usd;
     options.meshes.usd = target == ExportTarget::Usd;
     const bool readsPhysics = target == ExportTarget::Godot || target == ExportTarget::Web;
-    options.meshes.glbKind = readsPhysics ? GlbKind::Physics : GlbKind::Plain;
+    options.meshes.glbKind = readsPhysics                     ? GlbKind::Physics
+                             : target == ExportTarget::Unreal ? GlbKind::Named
+                                                              : GlbKind::Plain;
     return options;
 }
 

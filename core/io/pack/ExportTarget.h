@@ -16,6 +16,9 @@ inline constexpr std::array<std::string_view, 7> kExportTargets{"neutral", "unit
 /// The file in an output folder that says how to use the export.
 inline constexpr const char* kReadmeName = "README.md";
 
+/// The script in an output folder for Unreal Engine that imports it there.
+inline constexpr const char* kUnrealScriptName = "import_into_unreal.py";
+
 /// What is exported for a program.
 PackOptions optionsFor(ExportTarget target);
 

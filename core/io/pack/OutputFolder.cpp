@@ -3,6 +3,7 @@
 #include "core/base/MessageText.h"
 #include "core/io/output/OutputFiles.h"
 #include "core/io/pack/SceneFile.h"
+#include "unreal_script.h"
 
 #include <algorithm>
 #include <set>
@@ -30,6 +31,8 @@ std::vector<ExportFile> outputFiles(const OutputRequest& request, const Project&
     std::vector<ExportFile> files;
     if (hasScene(project)) files.push_back({kSceneName, sceneFileJson(project, request.options)});
     if (request.target) files.push_back({kReadmeName, readmeFor(*request.target, request.options.meshes.glbKind)});
+    if (request.target == ExportTarget::Unreal)
+        files.push_back({kUnrealScriptName, std::string(unrealScript(kUnrealScriptName))});
     return files;
 }
 

@@ -93,9 +93,11 @@ private:
     }
     /// The bodies in a file, in the order of its parts; nothing if GLB files have none.
     std::optional<GlbPhysics> physicsOf(const PartFile& file) const {
-        if (m_options.glbKind != GlbKind::Physics) return std::nullopt;
+        if (m_options.glbKind != GlbKind::Physics && m_options.glbKind != GlbKind::Named) return std::nullopt;
         const auto& [bake, asset, material, names, settings] = m_builder.input();
-        GlbPhysics physics{.bodies = {}, .material = material.own};
+        const bool isNamed = m_options.glbKind == GlbKind::Named;
+        GlbPhysics physics{
+            .bodies = {}, .material = material.own, .form = isNamed ? GlbBodyForm::Names : GlbBodyForm::Extensions};
         if (file.bodies == PackMeshBodies::Whole) physics.bodies.push_back({m_builder.whole(), {}});
         for (const std::uint32_t index : file.fragments) {
             PackBody body = m_builder.fragment(index);

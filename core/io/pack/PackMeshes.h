@@ -22,6 +22,7 @@ enum class GlbKind {
     Plain,
     Physics,  // with rigid bodies, and the hulls of the pack as colliders
     Compact,  // small and drawn at once, see compactGlbFile()
+    Named,    // with the hulls as meshes whose names Unreal Engine reads
 };
 
 /// The mesh files that an export writes.

@@ -187,7 +187,7 @@ private slots:
              {MeshOptions{.obj = false}, MeshOptions{.glb = false}, MeshOptions{.usd = true}, MeshOptions{.mjcf = true},
               MeshOptions{.split = FileSplit::PerFragment}, MeshOptions{.place = PartPlacement::Centred},
               MeshOptions{.faces = FaceShape::Triangles}, MeshOptions{.glbKind = GlbKind::Physics},
-              MeshOptions{.glbKind = GlbKind::Compact}}) {
+              MeshOptions{.glbKind = GlbKind::Compact}, MeshOptions{.glbKind = GlbKind::Named}}) {
             QVERIFY(sourceOf(project, {.meshes = options}) != source);
         }
         const MeshOptions obj{.glb = false}, objWithPhysics{.glb = false, .glbKind = GlbKind::Physics};
