@@ -31,8 +31,8 @@ constexpr std::string_view kUnrealSteps =
     "2. Or import the GLB files by hand (Interchange), without combining static meshes. The meshes called\n"
     "   `UCX_<fragment>_00` are the collision hulls, which Unreal attaches by their names.\n"
     "3. Unreal exchanges y and z and has centimetres: a position (x, y, z) becomes 100 · (x, z, y), a rotation\n"
-    "   (x, y, z, w) becomes (−x, −z, −y, w); an impulse in N·s is 100 kg·cm/s, a moment of inertia in kg·m² is\n"
-    "   10,000 kg·cm². `rubble_pack.hpp` has these conversions, and compiles without exceptions and RTTI.\n"
+    "   (x, y, z, w) becomes (−x, −z, −y, w); an impulse in N·s is 100 kg·cm/s, a moment of inertia in\n"
+    "   kg·m² is 10,000 kg·cm². `rubble_pack.hpp` has these conversions, and compiles without exceptions and RTTI.\n"
     "\nThe script and the names follow the documentation of Unreal Engine 5. Neither was tested in it.\n";
 
 std::string_view titleOf(ExportTarget target) {
