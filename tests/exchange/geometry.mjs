@@ -6,6 +6,11 @@ export const scaled = (a, s) => a.map((x) => x * s);
 export const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
 export const length = (a) => Math.sqrt(dot(a, a));
 export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+/// The x of x[0] a + x[1] b + x[2] c = d.
+export function solved([a, b, c], d) {
+  const determinant = dot(a, cross(b, c));
+  return [dot(d, cross(b, c)), dot(a, cross(d, c)), dot(a, cross(b, d))].map((x) => x / determinant);
+}
 
 export const identity = [0, 0, 0, 1];
 export const conjugate = ([x, y, z, w]) => [-x, -y, -z, w];
@@ -20,7 +25,7 @@ export function rotated(q, p) {
 }
 
 /// The unit quaternion of a rotation matrix, whose columns are the axes.
-function quaternionOf(axes) {
+export function quaternionOf(axes) {
   const m = (row, column) => axes[column][row];
   const [x, y, z, w] = [1 + m(0, 0) - m(1, 1) - m(2, 2), 1 - m(0, 0) + m(1, 1) - m(2, 2),
                         1 - m(0, 0) - m(1, 1) + m(2, 2), 1 + m(0, 0) + m(1, 1) + m(2, 2)];

@@ -1,8 +1,13 @@
+import {dot, sub} from "../geometry.mjs";
+
 export const program = "Jolt Physics";
 export const packageName = "jolt-physics";
 export const settings = [{name: "defaults", looser: {
   volume: [1.2e-2, "its hulls leave out points nearer than 1 mm to a face (mHullTolerance)"],
 }}];
+
+const values = (v) => [v.GetX(), v.GetY(), v.GetZ()];
+const fourValues = (q) => [...values(q), q.GetW()];
 
 const kMoving = 1, kFixed = 0;  // layers
 
@@ -34,6 +39,30 @@ class World {
     this.system = this.jolt.GetPhysicsSystem();
     this.system.SetGravity(new Jolt.Vec3(...gravity));
     this.bodies = this.system.GetBodyInterface();
+    this.handles = new Map();  // by Jolt's ids
+    this.found = [];
+    this.system.SetContactListener(this.listener());
+  }
+  /// Keeps the contacts of a step. Bodies that nearly touch have some, too.
+  listener() {
+    const {Jolt} = this;
+    const keep = (first, second, pointer) => {
+      const manifold = Jolt.wrapPointer(pointer, Jolt.ContactManifold);
+      const normal = values(manifold.mWorldSpaceNormal);
+      const points = Array.from({length: manifold.mRelativeContactPointsOn1.size()}, (_, k) => {
+        const on1 = values(manifold.GetWorldSpaceContactPointOn1(k)), on2 = values(manifold.GetWorldSpaceContactPointOn2(k));
+        return {position: on1, depth: dot(sub(on1, on2), normal)};
+      });
+      const [one, other] = [first, second].map((body) =>
+        this.handles.get(Jolt.wrapPointer(body, Jolt.Body).GetID().GetIndexAndSequenceNumber()));
+      this.found.push({first: one, second: other, points, normal});
+    };
+    const listener = new Jolt.ContactListenerJS();
+    listener.OnContactValidate = () => Jolt.ValidateResult_AcceptAllContactsForThisBodyPair;
+    listener.OnContactAdded = keep;
+    listener.OnContactPersisted = keep;
+    listener.OnContactRemoved = () => {};
+    return listener;
   }
   addFloor(height, friction) {
     const {Jolt} = this;
@@ -42,8 +71,9 @@ class World {
     settings.mFriction = friction;
     this.bodies.CreateAndAddBody(settings, Jolt.EActivation_DontActivate);
   }
-  shapeOf(hulls) {
+  shapeOf({hulls, radius}) {
     const {Jolt} = this;
+    if (radius) return new Jolt.SphereShape(radius);
     const shapes = hulls.map((hull) => {
       const settings = new Jolt.ConvexHullShapeSettings();
       for (const vertex of hull.vertices) settings.mPoints.push_back(new Jolt.Vec3(...vertex));
@@ -60,7 +90,7 @@ class World {
   add(body) {
     const {Jolt} = this;
     // A shape has the centre of mass of its hulls; this one that of the fragment.
-    const hulls = this.shapeOf(body.hulls);
+    const hulls = this.shapeOf(body);
     const centre = hulls.GetCenterOfMass();
     const [x, y, z] = body.centreOfMass;
     const shape = new Jolt.OffsetCenterOfMassShape(
@@ -74,12 +104,17 @@ class World {
     }
     settings.mFriction = body.friction;
     settings.mRestitution = body.restitution;
+    if (body.isFast) settings.mMotionQuality = Jolt.EMotionQuality_LinearCast;
     const added = this.bodies.CreateBody(settings);
     this.bodies.AddBody(added.GetID(), Jolt.EActivation_Activate);
-    const values = (v) => [v.GetX(), v.GetY(), v.GetZ()];
-    return {
+    const handle = {
+      added,
       position: () => values(added.GetPosition()),
+      rotation: () => fourValues(added.GetRotation()),
       velocity: () => values(added.GetLinearVelocity()),
+      angularVelocity: () => values(added.GetAngularVelocity()),
+      setMotion: (velocity, angularVelocity) =>
+        this.bodies.SetLinearAndAngularVelocity(added.GetID(), new Jolt.Vec3(...velocity), new Jolt.Vec3(...angularVelocity)),
       properties: () => ({
         mass: 1 / added.GetMotionProperties().GetInverseMass(),
         centre: values(shape.GetCenterOfMass()),
@@ -89,7 +124,19 @@ class World {
         position: values(added.GetPosition()),
       }),
     };
+    this.handles.set(added.GetID().GetIndexAndSequenceNumber(), handle);
+    return handle;
   }
-  step() { this.jolt.Step(this.stepLength, 1); }
+  remove({added}) {
+    const id = added.GetID();
+    this.handles.delete(id.GetIndexAndSequenceNumber());
+    this.bodies.RemoveBody(id);
+    this.bodies.DestroyBody(id);
+  }
+  contacts() { return this.found; }
+  step() {
+    this.found = [];
+    this.jolt.Step(this.stepLength, 1);
+  }
   end() { this.Jolt.destroy(this.jolt); }
 }

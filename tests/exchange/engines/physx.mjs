@@ -37,6 +37,10 @@ export async function start(load, folder) {
   return {world: (gravity, step, setting) => new World(sdk, gravity, step, setting)};
 }
 
+const values = ({x, y, z}) => [x, y, z];
+const fourValues = ({x, y, z, w}) => [x, y, z, w];
+const kMostPoints = 64;  // of a pair
+
 class World {
   constructor(sdk, gravity, step, setting) {
     Object.assign(this, sdk, {setting});
@@ -46,8 +50,47 @@ class World {
     description.gravity = new Px.PxVec3(...gravity);
     description.cpuDispatcher = this.dispatcher;
     if (setting.usesTgs) description.solverType = Px.PxSolverTypeEnum.eTGS;
-    description.filterShader = top.DefaultFilterShader();
+    this.reportContacts(description);
     this.scene = this.physics.createScene(description);
+  }
+  /// Keeps the contacts of each step, also those of continuous collision detection.
+  reportContacts(description) {
+    const {Px, top} = this;
+    const {eCONTACT_DEFAULT, eDETECT_CCD_CONTACT, eNOTIFY_CONTACT_POINTS, eNOTIFY_TOUCH_FOUND, eNOTIFY_TOUCH_PERSISTS,
+           eNOTIFY_TOUCH_CCD} = Px.PxPairFlagEnum;
+    this.shader = new Px.PassThroughFilterShaderImpl();
+    this.shader.filterShader = () => {
+      Px.wrapPointer(Px.getPointer(this.shader), Px.PassThroughFilterShader).outputPairFlags = eCONTACT_DEFAULT |
+        eDETECT_CCD_CONTACT | eNOTIFY_CONTACT_POINTS | eNOTIFY_TOUCH_FOUND | eNOTIFY_TOUCH_PERSISTS | eNOTIFY_TOUCH_CCD;
+      return 0;  // the pair is simulated
+    };
+    top.setupPassThroughFilterShader(description, this.shader);
+    this.callback = new Px.PxSimulationEventCallbackImpl();
+    for (const event of ["onConstraintBreak", "onWake", "onSleep", "onTrigger"]) this.callback[event] = () => {};
+    this.callback.onContact = (header, pairs, count) => this.keep(header, pairs, count);
+    description.simulationEventCallback = this.callback;
+    description.flags.raise(Px.PxSceneFlagEnum.eENABLE_CCD);
+    this.points = new Px.PxArray_PxContactPairPoint(kMostPoints);
+    this.bodies = new Map();  // by addresses
+    this.found = [];
+  }
+  keep(header, pairs, count) {
+    const {Px} = this;
+    const [first, second] = [0, 1].map((k) =>
+      this.bodies.get(Px.getPointer(Px.wrapPointer(header, Px.PxContactPairHeader).get_actors(k))));
+    for (let k = 0; k < count; ++k) {
+      const pair = Px.NativeArrayHelpers.prototype.getContactPairAt(Px.wrapPointer(pairs, Px.PxContactPair), k);
+      const size = pair.extractContacts(this.points.begin(), kMostPoints);
+      // Those of a pair have several normals where there are several hulls or patches; these point to the first body.
+      const patches = new Map();
+      for (let i = 0; i < size; ++i) {
+        const {position, normal, separation} = this.points.get(i);
+        const key = values(normal).join();
+        if (!patches.has(key)) patches.set(key, {first, second, points: [], normal: values(normal).map((x) => -x)});
+        patches.get(key).points.push({position: values(position), depth: -separation});
+      }
+      this.found.push(...patches.values());
+    }
   }
   /// A shape of an actor, which then collides with all others.
   attach(actor, geometry, friction, restitution) {
@@ -84,16 +127,23 @@ class World {
     const {Px} = this;
     const transform = (position, rotation) => new Px.PxTransform(new Px.PxVec3(...position), new Px.PxQuat(...rotation));
     const added = this.physics.createRigidDynamic(transform(body.position, body.rotation));
-    const geometries = body.hulls.map((hull) => this.hullOf(hull));
+    const geometries = body.radius ? [new Px.PxSphereGeometry(body.radius)] : body.hulls.map((hull) => this.hullOf(hull));
+    if (body.isFast) added.setRigidBodyFlag(Px.PxRigidBodyFlagEnum.eENABLE_CCD, true);
     const materials = geometries.map((hull) => this.attach(added, hull, body.friction, body.restitution));
     if (this.setting.iterations) added.setSolverIterationCounts(this.setting.iterations, 1);
     added.setMass(body.mass);
     added.setMassSpaceInertiaTensor(new Px.PxVec3(...body.principal.moments));
     added.setCMassLocalPose(transform(body.centreOfMass, body.principal.rotation));
     this.scene.addActor(added);
-    const values = ({x, y, z}) => [x, y, z];
-    return {
+    const handle = {
+      added,
       position: () => values(added.getGlobalPose().p),
+      rotation: () => fourValues(added.getGlobalPose().q),
+      angularVelocity: () => values(added.getAngularVelocity()),
+      setMotion: (velocity, angularVelocity) => {
+        added.setLinearVelocity(new Px.PxVec3(...velocity));
+        added.setAngularVelocity(new Px.PxVec3(...angularVelocity));
+      },
       velocity: () => values(added.getLinearVelocity()),
       properties: () => ({
         mass: added.getMass(),
@@ -104,8 +154,16 @@ class World {
         position: values(added.getGlobalPose().p),
       }),
     };
+    this.bodies.set(Px.getPointer(added), handle);
+    return handle;
   }
+  remove({added}) {
+    this.bodies.delete(this.Px.getPointer(added));
+    added.release();
+  }
+  contacts() { return this.found; }
   step() {
+    this.found = [];
     this.scene.simulate(this.stepLength);
     this.scene.fetchResults(true);
   }
