@@ -14,7 +14,7 @@ const kRate = 240;          // Hz: so a fast projectile is not deep in what it h
 const kProjectileFriction = 0.6;
 const kHit = 2 / 60;        // s: breaks of the first hit; later ones are by debris, and differ with every small change
 const kHardest = 0.05;      // relative: the hardest impact of a hit
-const kOthers = 0.28;       // the others, which depend on what the projectile hit before
+const kOthers = 0.4;        // the others, which depend on what the projectile hit before
 const kNear = 1.2;          // thresholds: impacts below may break in one program and not in another
 const kLater = 2.5;         // times as many instances, or as few
 

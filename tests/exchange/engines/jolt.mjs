@@ -104,7 +104,11 @@ class World {
     }
     settings.mFriction = body.friction;
     settings.mRestitution = body.restitution;
-    if (body.isFast) settings.mMotionQuality = Jolt.EMotionQuality_LinearCast;
+    if (body.isFast) {
+      settings.mMotionQuality = Jolt.EMotionQuality_LinearCast;
+      settings.mLinearDamping = 0;
+      settings.mAngularDamping = 0;
+    }
     const added = this.bodies.CreateBody(settings);
     this.bodies.AddBody(added.GetID(), Jolt.EActivation_Activate);
     const handle = {
