@@ -1,8 +1,8 @@
 // The mesh files of packs, and whether what an importer has of one is what the pack says.
-import {readdirSync} from "node:fs";
+import {existsSync, readdirSync} from "node:fs";
 import {join} from "node:path";
 import {add, length, scaled, sub} from "./geometry.mjs";
-import {readPack} from "./pack.mjs";
+import {leaves, readPack} from "./pack.mjs";
 
 /// The mesh files of all packs with an ending: {path, name, pack, bodies}, with the bodies that a file holds.
 export function meshesOf(packs, ending = ".glb") {
@@ -17,6 +17,23 @@ export function meshesOf(packs, ending = ".glb") {
   }
   return files;
 }
+
+/// The USD files of all packs: {path, file, bodies}.
+export function usdFilesOf(packs) {
+  const files = [];
+  const folders = readdirSync(packs, {withFileTypes: true}).filter((entry) => entry.isDirectory());
+  for (const folder of folders.map(({name}) => name).sort()) {
+    const pack = readPack(join(packs, folder, "pack.json"));
+    for (const [file, bodies] of [[`${folder}.usda`, leaves(pack)], [`${folder}-intact.usda`, [pack.whole]]]) {
+      const path = join(packs, folder, file);
+      if (existsSync(path)) files.push({path, file, bodies});
+    }
+  }
+  if (files.length === 0) throw new Error(`there is no file in ${packs}`);
+  return files;
+}
+/// The name of a prim, in which each character that is no letter or digit of ASCII is '_'.
+export const primOf = (name) => name.replace(/[^A-Za-z0-9]/gu, "_");
 
 function bodiesOf(pack, file, bodies) {
   if (bodies === "whole") return [pack.whole];

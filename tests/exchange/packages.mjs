@@ -23,3 +23,18 @@ export function loaderFrom(place) {
   const {resolve: find} = createRequire(join(resolve(place), "package.json"));
   return (name) => import(pathToFileURL(find(name)).href);
 }
+
+/// Starts a package whose build is for browsers and refuses node: it must find a window, and no process, until it is
+/// ready. Where it fetches a file, it gets `bytes`.
+export async function asInBrowser(start, bytes) {
+  const {process, fetch} = globalThis;
+  globalThis.window = globalThis;
+  globalThis.process = undefined;
+  if (bytes) globalThis.fetch = async () => new Response(bytes, {headers: {"Content-Type": "application/wasm"}});
+  try {
+    return await start();
+  } finally {
+    Object.assign(globalThis, {process, fetch});
+    delete globalThis.window;
+  }
+}

@@ -1,9 +1,8 @@
 // The USDLoader of three.js loads the USD files of packs: node usd.mjs PACKS PLACE. It has no physics.
-import {existsSync, readFileSync, readdirSync} from "node:fs";
+import {existsSync, readFileSync} from "node:fs";
 import {join, resolve} from "node:path";
 import {pathToFileURL} from "node:url";
-import {checkObjects} from "./meshes.mjs";
-import {leaves, readPack} from "./pack.mjs";
+import {checkObjects, primOf, usdFilesOf} from "./meshes.mjs";
 import {installed, skip} from "./packages.mjs";
 
 const [packs, place] = process.argv.slice(2);
@@ -29,9 +28,6 @@ function trianglesOf(object) {
   return triangles;
 }
 
-/// The name of a prim, in which each character that is no letter or digit of ASCII is '_'.
-const primOf = (name) => name.replace(/[^A-Za-z0-9]/gu, "_");
-
 /// The objects of a file that are bodies, by the pack's names.
 function objectsOf(scene, bodies) {
   scene.updateMatrixWorld(true);
@@ -44,17 +40,8 @@ function objectsOf(scene, bodies) {
 }
 
 let faults = 0;
-let files = 0;
-const folders = readdirSync(packs, {withFileTypes: true}).filter((entry) => entry.isDirectory());
-for (const name of folders.map((entry) => entry.name).sort()) {
-  const pack = readPack(join(packs, name, "pack.json"));
-  for (const [file, bodies] of [[`${name}.usda`, leaves(pack)], [`${name}-intact.usda`, [pack.whole]]]) {
-    const path = join(packs, name, file);
-    if (!existsSync(path)) continue;
-    ++files;
-    const scene = new USDLoader().parse(readFileSync(path, "utf8"));
-    faults += checkObjects(`three.js ${version}: ${file}`, objectsOf(scene, bodies), bodies);
-  }
+for (const {path, file, bodies} of usdFilesOf(packs)) {
+  const scene = new USDLoader().parse(readFileSync(path, "utf8"));
+  faults += checkObjects(`three.js ${version}: ${file}`, objectsOf(scene, bodies), bodies);
 }
-if (files === 0) throw new Error(`there is no file in ${packs}`);
 process.exit(faults > 0 ? 1 : 0);

@@ -1,5 +1,6 @@
 import {readFileSync} from "node:fs";
 import {join} from "node:path";
+import {asInBrowser} from "../packages.mjs";
 
 export const program = "PhysX 5.6.1";
 export const packageName = "physx-js-webidl";
@@ -8,19 +9,6 @@ export const settings = [
   {name: "defaults", looser: {volume, standing: [3e-2, "4 iterations of the solver PGS let stacks sink"]}},
   {name: "solver TGS, 8 iterations", usesTgs: true, iterations: 8, looser: {volume}},
 ];
-
-/// Its build is for browsers and refuses node: it must find a window, and no process, until it is ready.
-async function asInBrowser(start) {
-  const process = globalThis.process;
-  globalThis.window = globalThis;
-  globalThis.process = undefined;
-  try {
-    return await start();
-  } finally {
-    globalThis.process = process;
-    delete globalThis.window;
-  }
-}
 
 export async function start(load, folder) {
   const wasmBinary = readFileSync(join(folder, "physx-js-webidl.wasm"));
