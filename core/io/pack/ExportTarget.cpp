@@ -32,7 +32,7 @@ constexpr std::string_view kUnrealSteps =
     "   `UCX_<fragment>_00` are the collision hulls, which Unreal attaches by their names.\n"
     "3. Unreal exchanges y and z and has centimetres: a position (x, y, z) becomes 100 · (x, z, y), a rotation\n"
     "   (x, y, z, w) becomes (−x, −z, −y, w); an impulse in N·s is 100 kg·cm/s, a moment of inertia in\n"
-    "   kg·m² is 10,000 kg·cm². `rubble_pack.hpp` has these conversions, and compiles without exceptions and RTTI.\n"
+    "   kg·m² is 10,000 kg·cm². `rubble_pack.hpp` has these conversions, and needs no exceptions and no RTTI.\n"
     "\nThe script and the names follow the documentation of Unreal Engine 5. Neither was tested in it.\n";
 
 std::string_view titleOf(ExportTarget target) {
