@@ -28,6 +28,7 @@ const char* nameOf(DiagnosticCode code) {
                                           "PushedPiece",
                                           "SwapDrift",
                                           "GapVolume",
+                                          "CloseHulls",
                                           "UnappliedInput",
                                           "PatternFallback",
                                           "LeftWorld",
@@ -47,6 +48,7 @@ Severity defaultSeverity(DiagnosticCode code) {
         case DiagnosticCode::DroppedSeed:
         case DiagnosticCode::SimplifiedShape:
         case DiagnosticCode::GapVolume:
+        case DiagnosticCode::CloseHulls:
         case DiagnosticCode::RepeatedPoint: return Severity::Note;
         default: return Severity::Warning;
     }

@@ -34,6 +34,7 @@ enum class DiagnosticCode {
     PushedPiece,        // moves after it has replaced the whole, although nothing hit it
     SwapDrift,          // replacing the whole changes mass, momentum or energy
     GapVolume,          // mass that the gap between pieces removes
+    CloseHulls,         // exported hulls are so close that other engines push them apart
     UnappliedInput,     // an input of a session had no effect, or not all of it
     PatternFallback,    // a body broke into the pieces of its pattern instead of at the impact
     LeftWorld,          // a body was removed, or a fragment not added: it cannot be simulated where or as fast as it is
@@ -41,7 +42,7 @@ enum class DiagnosticCode {
     RepeatedPoint,      // of an outline in a file: equal to the one before, which is kept
     IdleMortar,         // joins nothing that is anchored
 };
-inline constexpr int kDiagnosticCodes = 28;
+inline constexpr int kDiagnosticCodes = 29;
 
 /// The code's name in JSON, messages and lists: "DuplicateSeed".
 const char* nameOf(DiagnosticCode code);
@@ -75,10 +76,10 @@ struct Diagnostic {
     Severity severity = Severity::Warning;
     DiagnosticPlace place;
     std::string message;  // one sentence that names the place
-    /// The measured value: m² for Gap, ThinPiece, MergedPiece, DroppedSeed and VanishedPiece; m for LooseCut and
-    /// OverlappingPieces; seeds for NoRoom; aspect ratio for Sliver; m³ for TinyPiece; hulls for ManyHulls; N·s for
-    /// UnknownStrength; m/s for PushedPiece; points for RepeatedPoint; relative to that of the whole for SwapDrift and
-    /// GapVolume.
+    /// The measured value: m² for Gap, ThinPiece, MergedPiece, DroppedSeed and VanishedPiece; m for LooseCut,
+    /// OverlappingPieces and CloseHulls; seeds for NoRoom; aspect ratio for Sliver; m³ for TinyPiece; hulls for
+    /// ManyHulls; N·s for UnknownStrength; m/s for PushedPiece; points for RepeatedPoint; relative to that of the whole
+    /// for SwapDrift and GapVolume.
     double value = 0.0;
     double limit = 0.0;  // of the value; 0: none
     bool operator==(const Diagnostic&) const = default;

@@ -17,7 +17,8 @@ constexpr const char* kAuditFooter =
     R"(Measures whether replacing an asset by its fragments changes anything by itself. Each asset is broken three
 times without any force: floating at rest without gravity, level by level; lying flat on the ground; and flying
 while it rotates. Prints the contacts right after the swap, the deepest overlap, the fastest fragment after 30
-steps of 1/60 s (lying flat: on average of them), and the changes of mass, momentum, angular momentum and energy.
+steps of 1/60 s (lying flat: on average of them), the changes of mass, momentum, angular momentum and energy, and
+how far the hulls in exports are apart: other engines push those apart that are closer than 20 µm.
 An asset is clean if no fragment moves faster than 1 mm/s at rest and 10 mm/s lying flat, and nothing is lost or
 gained in flight, but for the mass that a gap or mortar takes from its fragments. Otherwise the program says what
 to change and exits with 3.
@@ -77,6 +78,10 @@ std::string textOf(const NamedAudit& named) {
             quantityText(QuantityKind::Length, audit.deepestOverlap) + "\n";
     text += "  fastest after 30 steps: " + speedText(audit.resting) + " at rest, " + speedText(audit.lying) +
             " lying flat\n";
+    if (!audit.exported.fragment.empty()) {
+        text += "  exported hulls are at least " + quantityText(QuantityKind::Length, audit.exported.gap) + " apart (" +
+                audit.exported.fragment + ")\n";
+    }
     text += "  relative change in flight: mass " + roundedText(audit.massDrift, 2) + ", momentum " +
             roundedText(audit.momentumDrift, 2) + ", angular momentum " + roundedText(audit.angularDrift, 2) +
             ", energy " + roundedText(audit.energyGain, 2) + "\n";

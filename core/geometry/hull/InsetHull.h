@@ -14,6 +14,10 @@ struct InsetHull {
     bool operator==(const InsetHull&) const = default;
 };
 
+/// The default inset of the hulls in exports, m. Rapier lets fragments rest from 10 µm on, PhysX and Havok from 50 µm
+/// on; other engines need as much as twice their margin.
+inline constexpr double kDefaultInset = 1e-4;
+
 /// The most that faces are moved, relative to the thinnestWidth().
 inline constexpr double kMostInset = 0.01;
 

@@ -3,6 +3,7 @@
 #include "core/asset/bake/Bake.h"
 #include "core/base/Hash.h"
 #include "core/base/TaskContext.h"
+#include "core/geometry/hull/InsetHull.h"
 #include "core/io/exchange/Pack.h"
 #include "core/structure/bonds/Bond.h"
 
@@ -13,10 +14,6 @@
 #include <vector>
 
 namespace rubble {
-
-/// The default inset of collision hulls, m. Rapier lets fragments rest from 10 µm on, PhysX and Havok from 50 µm on;
-/// other engines need as much as twice their margin.
-inline constexpr double kDefaultInset = 1e-4;
 
 /// What a pack holds beside its bodies.
 struct PackSettings {

@@ -29,6 +29,12 @@ void writeMeasurements(JsonWriter& json, const SwapAudit& audit) {
     writeSpeed(json, "resting", audit.resting);
     json.number("restingEnergy", audit.restingEnergy);
     writeSpeed(json, "lying", audit.lying);
+    if (!audit.exported.fragment.empty()) {
+        json.openObject("exported", JsonLayout::Inline);
+        json.text("piece", audit.exported.fragment);
+        json.number("gap", audit.exported.gap);
+        json.close();
+    }
     json.number("massDrift", audit.massDrift);
     json.number("momentumDrift", audit.momentumDrift);
     json.number("angularDrift", audit.angularDrift);

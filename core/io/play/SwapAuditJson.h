@@ -16,7 +16,7 @@ struct NamedAudit {
 ///
 ///     {"assets":[{"name":s,"pieces":n,"contacts":n,"contactPoints":n,"deepestOverlap":d,
 ///       "resting":{"piece":s,"speed":v},"restingEnergy":E,"lying":{"piece":s,"speed":v},
-///       "massDrift":x,"momentumDrift":x,"angularDrift":x,"energyGain":x,
+///       "exported":{"piece":s,"gap":d},"massDrift":x,"momentumDrift":x,"angularDrift":x,"energyGain":x,
 ///       "notices":[s,...],"faults":[s,...],"isClean":true},...]}
 ///
 /// An asset that does not break has `name` and `"pieces":0` only.

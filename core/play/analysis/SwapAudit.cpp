@@ -4,6 +4,7 @@
 #include "core/asset/project/Ids.h"
 #include "core/base/Assert.h"
 #include "core/base/MessageText.h"
+#include "core/geometry/hull/InsetHull.h"
 #include "core/physics/queries/Penetration.h"
 #include "core/play/session/Session.h"
 
@@ -226,6 +227,40 @@ double gapFractionOf(const Bake& bake) {
     return 1.0 - volume / bake.whole.volume;
 }
 
+/// By how much the exported hulls of a fragment are inset, m: the least of them.
+double insetOf(const Fragment& fragment) {
+    double inset = kDefaultInset;
+    for (const Polytope& hull : fragment.hulls()) inset = std::min(inset, kMostInset * thinnestWidth(hull));
+    return inset;
+}
+
+/// Measures how far the exported hulls of fragments that touch are apart: the gap between the fragments, and their
+/// insets.
+void measureExport(const Bake& bake, SwapAudit& audit) {
+    for (const BakedFracture& fracture : bake.fractures) {
+        std::vector<double> insets;
+        for (std::uint32_t k = 0; k < fracture.fragments.count(); ++k) insets.push_back(insetOf(fracture.fragments[k]));
+        for (std::uint32_t k = 0; k < fracture.fragments.count(); ++k) {
+            for (const FragmentContact& contact : fracture.fragments[k].contacts()) {
+                const double gap = fracture.fragments.gap + insets[k] + insets[contact.fragment];
+                if (!audit.exported.fragment.empty() && gap >= audit.exported.gap) continue;
+                const std::uint32_t thinner = insets[k] <= insets[contact.fragment] ? k : contact.fragment;
+                const std::string id = bake.fragmentId(fracture.first + thinner);
+                audit.exported = {
+                    id, {.asset = bake.asset, .fragment = fracture.first + thinner, .path = pathOfId(id)}, gap};
+            }
+        }
+    }
+    if (audit.exported.fragment.empty() || audit.exported.gap >= kEngineGap) return;
+    addWarning(audit, DiagnosticCode::CloseHulls, audit.exported.place,
+               "Fragment " + audit.exported.fragment + " is so thin that its exported hulls are only " +
+                   roundedText(1e6 * audit.exported.gap, 2) +
+                   " µm from its neighbours': other engines push hulls apart "
+                   "that are closer than " +
+                   messageText(1e6 * kEngineGap) + " µm. Set a gap between the fragments, or make them thicker.",
+               audit.exported.gap, kEngineGap);
+}
+
 double driftOf(Vec3 now, Vec3 before, double scale) { return glm::length(now - before) / scale; }
 
 /// Measures the drift in the step of the swap in flight.
@@ -273,6 +308,7 @@ Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const 
                                                    " % of the mass and of its momenta.",
                                                audit.gapFraction));
     }
+    measureExport(*asset->bake, audit);
     Result<Session> moving = started(scene, asset);
     if (!moving) return ofAsset(authored, moving.error());
     if (const Status measured = measureMoving(std::move(*moving), *asset, audit); !measured) {

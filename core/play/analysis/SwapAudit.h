@@ -12,6 +12,7 @@ inline constexpr double kCleanSpeed = 1e-3;       // m/s: of the fastest fragmen
 inline constexpr double kCleanLyingSpeed = 1e-2;  // m/s: on average, for an asset lying flat under gravity
 inline constexpr double kCleanOverlap = 1e-6;     // m
 inline constexpr double kCleanDrift = 1e-5;       // relative, of mass, momenta and energy in a step of single precision
+inline constexpr double kEngineGap = 2e-5;        // m: engines push hulls apart that are closer, see docs/engines.md
 inline constexpr int kAuditSteps = 30;            // of 1/60 s
 
 /// A fragment and its speed.
@@ -19,6 +20,13 @@ struct FragmentSpeed {
     std::string fragment;  // its id
     DiagnosticPlace place;
     double speed = 0.0;  // m/s, of its fastest corner
+};
+
+/// A fragment and how far its exported hulls are from its neighbours'.
+struct FragmentGap {
+    std::string fragment;  // its id; empty: nothing touches
+    DiagnosticPlace place;
+    double gap = 0.0;  // m
 };
 
 /// The changes of mass and motion that swapping an asset for its fragments causes by itself.
@@ -35,8 +43,9 @@ struct SwapAudit {
     double angularDrift = 0.0;
     double energyGain = 0.0;   // negative: a loss
     double gapFraction = 0.0;  // of the volume, removed by the gap between fragments: so much may be lost
-    /// Notes: SimplifiedShape and GapVolume. Then warnings, the violated limits with what to change: OverlappingPieces,
-    /// PushedPiece and SwapDrift.
+    FragmentGap exported;      // the least, with hulls that are inset by kDefaultInset
+    /// Notes: SimplifiedShape, GapVolume and CloseHulls. Then warnings, the violated limits with what to change:
+    /// OverlappingPieces, PushedPiece and SwapDrift.
     std::vector<Diagnostic> diagnostics;
 
     /// Whether no limit is violated.

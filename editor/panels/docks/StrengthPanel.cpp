@@ -376,6 +376,14 @@ void StrengthPanel::refreshAudit() {
                  .arg(kAuditSteps)
                  .arg(localizedQuantity(QuantityKind::Speed, audit->resting.speed),
                       localizedQuantity(QuantityKind::Speed, audit->lying.speed));
+    if (!audit->exported.fragment.empty()) {
+        const QString gap = localizedQuantity(QuantityKind::Length, audit->exported.gap, m_units);
+        lines << (audit->exported.gap < kEngineGap
+                      ? tr("Other engines: exported hulls are only %1 apart at fragment %2; set a gap")
+                            .arg(gap, QString::fromStdString(audit->exported.fragment))
+                      : tr("Other engines: exported hulls are at least %1 apart, so that fragments stay at rest")
+                            .arg(gap));
+    }
     lines << tr("Relative change in flight: mass %1, momentum %2, angular momentum %3, energy %4")
                  .arg(roundedText(audit->massDrift, {}), roundedText(audit->momentumDrift, {}),
                       roundedText(audit->angularDrift, {}), roundedText(audit->energyGain, {}));

@@ -19,6 +19,7 @@ private slots:
         audit.deepestOverlap = 0.25;
         audit.resting = {.fragment = "front/5.17", .speed = 0.5};
         audit.lying.fragment = "front/5.18";
+        audit.exported = {.fragment = "front/5.19", .place = {}, .gap = 0.0625};
         audit.massDrift = 0.125;
         audit.energyGain = -0.5;
         audit.diagnostics = {diagnostic(DiagnosticCode::GapVolume, {}, "A gap."),
@@ -32,6 +33,7 @@ private slots:
         QCOMPARE(front["deepestOverlap"].get<double>(), 0.25);
         QVERIFY(front["resting"] == (nlohmann::json{{"piece", "front/5.17"}, {"speed", 0.5}}));
         QCOMPARE(front["lying"]["piece"].get<std::string>(), "front/5.18");
+        QVERIFY(front["exported"] == (nlohmann::json{{"piece", "front/5.19"}, {"gap", 0.0625}}));
         QCOMPARE(front["massDrift"].get<double>(), 0.125);
         QCOMPARE(front["energyGain"].get<double>(), -0.5);
         QVERIFY(front["notices"] == nlohmann::json{"A gap."});

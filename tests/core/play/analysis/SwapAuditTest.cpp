@@ -1,5 +1,6 @@
 #include "core/play/analysis/SwapAudit.h"
 
+#include "core/geometry/hull/InsetHull.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Arcade.h"
 #include "tests/support/asset/Dam.h"
@@ -122,6 +123,30 @@ private slots:
         QCOMPARE(joined(audit, Severity::Note),
                  std::string("The gap between fragments takes 2 % of the mass and of its momenta.\n"));
         QVERIFY(std::abs(audit.massDrift - 0.02) < 1e-6);
+    }
+    void gapOfExportedHullsIsThatBetweenThem() {
+        for (const double gap : {0.0, 0.02}) {
+            for (const double depth : {0.5, 5e-4}) {  // the inset of the latter is limited to 5 µm
+                Project project = twoPieces();
+                project.assets[0].prism.depth = depth;
+                project.assets[0].shaping.gap = gap;
+                const SwapAudit audit = auditsOf(project)[0];
+                const Bake baked = *bake(project.assets[0]);
+                double left = -1.0, right = 1.0;  // the faces of the exported hulls on both sides of the cut
+                for (std::uint32_t k = 0; k < 2; ++k) {
+                    const BakedFragment fragment = baked.fragment(k);
+                    for (const Vec3& vertex : insetHull(fragment.solid.hulls()[0], kDefaultInset).polytope.vertices) {
+                        const double x = vertex.x + fragment.solid.offset().x;
+                        (fragment.solid.offset().x < 0.0 ? left : right) =
+                            fragment.solid.offset().x < 0.0 ? std::max(left, x) : std::min(right, x);
+                    }
+                }
+                QVERIFY(std::abs(audit.exported.gap - (right - left)) < 1e-12);
+                const bool isClose = found(audit, DiagnosticCode::CloseHulls).value > 0.0;
+                QCOMPARE(isClose, gap == 0.0 && depth < 1e-3);
+                QVERIFY(audit.isClean());  // engines are not the editor
+            }
+        }
     }
     void contactsAreCounted() {
         Project project = test::floatingBlock();
