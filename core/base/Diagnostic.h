@@ -78,8 +78,8 @@ struct Diagnostic {
     std::string message;  // one sentence that names the place
     /// The measured value: m² for Gap, ThinPiece, MergedPiece, DroppedSeed and VanishedPiece; m for LooseCut,
     /// OverlappingPieces and CloseHulls; seeds for NoRoom; aspect ratio for Sliver; m³ for TinyPiece; hulls for
-    /// ManyHulls; N·s for UnknownStrength; m/s for PushedPiece; points for RepeatedPoint; relative to that of the whole
-    /// for SwapDrift and GapVolume.
+    /// ManyHulls; N·s for UnknownStrength; m/s for PushedPiece; points for RepeatedPoint; relative to that of the
+    /// whole for SwapDrift and GapVolume.
     double value = 0.0;
     double limit = 0.0;  // of the value; 0: none
     bool operator==(const Diagnostic&) const = default;
