@@ -1,10 +1,10 @@
 #include "editor/dialogs/ExportDialog.h"
 
-#include "core/io/pack/PackExport.h"
-#include "core/io/pack/SceneFile.h"
+#include "editor/dialogs/ExportTree.h"
 #include "editor/dialogs/OutputPath.h"
 #include "editor/document/ShownText.h"
 #include "editor/widgets/ComboBox.h"
+#include "editor/widgets/ScreenFit.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
@@ -18,6 +18,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QStandardPaths>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -25,8 +26,7 @@ namespace rubble {
 
 namespace {
 
-constexpr int kMaxFolders = 4;              // that the summary names
-constexpr int kMinExportDialogWidth = 520;  // pixels, so that a path fits
+constexpr int kMinExportDialogWidth = 760;  // pixels, so that a path fits
 
 ExportOptions defaultOptions(Workspace& workspace) {
     const QString path = workspace.file().path();
@@ -43,13 +43,13 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent) : QDialog(pare
     addForm();
     showOptions(lastExportOptions(workspace).value_or(defaultOptions(workspace)));
     connect(m_target, &QComboBox::currentIndexChanged, this, &ExportDialog::applyTarget);
-    for (QCheckBox* box : {m_obj, m_glb}) connect(box, &QCheckBox::toggled, this, &ExportDialog::updateSummary);
+    for (QCheckBox* box : {m_obj, m_glb}) connect(box, &QCheckBox::toggled, this, &ExportDialog::refresh);
     for (QComboBox* box : {m_split, m_place, m_faces}) {
-        connect(box, &QComboBox::currentIndexChanged, this, &ExportDialog::updateSummary);
+        connect(box, &QComboBox::currentIndexChanged, this, &ExportDialog::refresh);
     }
-    connect(m_assets, &QListWidget::itemChanged, this, &ExportDialog::updateSummary);
-    connect(m_folder, &QLineEdit::textChanged, this, &ExportDialog::updateSummary);
-    updateSummary();
+    connect(m_assets, &QListWidget::itemChanged, this, &ExportDialog::refresh);
+    connect(m_folder, &QLineEdit::textChanged, this, &ExportDialog::refresh);
+    refresh();
 }
 
 void ExportDialog::addFields() {
@@ -72,33 +72,43 @@ void ExportDialog::addFields() {
     m_up = comboBox({tr("Y up"), tr("Z up")}, tr("Select the up axis of OBJ files; GLB files always have y up"));
     m_unit = comboBox({tr("Metres"), tr("Centimetres"), tr("Millimetres")},
                       tr("Select the unit of OBJ files; GLB files are always in metres"));
-    m_summary = new QLabel;
-    m_summary->setWordWrap(true);
-    m_summary->setTextFormat(Qt::PlainText);
+    m_tree = new ExportTree;
+    m_problem = new QLabel;
+    m_problem->setWordWrap(true);
 }
 
 void ExportDialog::addForm() {
+    auto* layout = new QVBoxLayout(this);
+    auto* columns = new QHBoxLayout;
+    layout->addLayout(columns);
+    auto* form = new QFormLayout;
+    addOptions(*form);
+    columns->addLayout(form, 1);
+    auto* output = new QVBoxLayout;
+    output->addWidget(new QLabel(tr("Output:")));
+    output->addWidget(m_tree, 1);
+    output->addWidget(m_problem);
+    columns->addLayout(output, 1);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     m_export = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    auto* form = new QFormLayout(this);
-    form->addRow(tr("&Assets:"), m_assets);
-    auto* folderLabel = new QLabel(tr("&Folder:"));
-    folderLabel->setBuddy(m_folder);
-    form->addRow(folderLabel, createPathRow(*m_folder, [this] { browse(); }));
-    form->addRow(tr("&Program:"), m_target);
-    form->addRow(tr("Meshes:"), m_obj);
-    form->addRow(QString(), m_glb);
-    form->addRow(tr("Frag&ments:"), m_split);
-    form->addRow(tr("Posi&tion:"), m_place);
-    form->addRow(tr("OBJ fa&ces:"), m_faces);
-    form->addRow(tr("OBJ a&xes:"), m_up);
-    form->addRow(tr("OBJ &unit:"), m_unit);
-    form->addRow(m_summary);
-    form->addRow(buttons);
+    layout->addWidget(buttons);
     m_export->setDefault(true);  // after the button was added to the dialog
-    resize(sizeHint().expandedTo({kMinExportDialogWidth, 0}));
+    resizeWithinScreen(*this, sizeHint().expandedTo({kMinExportDialogWidth, 0}));
+}
+
+void ExportDialog::addOptions(QFormLayout& form) {
+    form.addRow(tr("&Assets:"), m_assets);
+    form.addRow(buddyLabel(tr("&Folder:"), m_folder), createPathRow(*m_folder, [this] { browse(); }));
+    form.addRow(tr("&Program:"), m_target);
+    form.addRow(tr("Meshes:"), m_obj);
+    form.addRow(QString(), m_glb);
+    form.addRow(tr("Frag&ments:"), m_split);
+    form.addRow(tr("Posi&tion:"), m_place);
+    form.addRow(tr("OBJ fa&ces:"), m_faces);
+    form.addRow(tr("OBJ a&xes:"), m_up);
+    form.addRow(tr("OBJ &unit:"), m_unit);
 }
 
 void ExportDialog::showOptions(const ExportOptions& options) {
@@ -155,38 +165,24 @@ void ExportDialog::applyTarget() {
     const MeshOptions meshes = optionsFor(options().target).meshes;
     m_obj->setChecked(meshes.obj);
     m_glb->setChecked(meshes.glb);
-    updateSummary();
+    refresh();
 }
 
 /// Shows what will be written, and enables what is relevant.
-void ExportDialog::updateSummary() {
-    const MeshOptions meshes = options().meshes;
-    const std::vector<Id> assets = selectedAssets();
+void ExportDialog::refresh() {
+    const ExportOptions options = this->options();
+    const MeshOptions& meshes = options.meshes;
     m_split->setEnabled(meshes.obj || meshes.glb);
     m_place->setEnabled(meshes.obj || meshes.glb);
     for (QComboBox* box : {m_faces, m_up, m_unit}) box->setEnabled(meshes.obj);
-    m_export->setEnabled(!assets.empty() && !m_folder->text().isEmpty());
-    if (assets.empty()) return m_summary->setText(tr("No asset is selected."));
-    QStringList folders;
-    const std::map<AssetVariant, PackNames> names = packNames(m_workspace.project());
-    for (const Id id : assets) {
-        if (folders.size() == kMaxFolders) {
-            folders.append("…");
-            break;
-        }
-        folders.append(nameText(names.at({id}).folder));
-    }
-    QString content = meshes.obj && meshes.glb ? tr("packs, OBJ and GLB meshes")
-                      : meshes.obj             ? tr("packs and OBJ meshes")
-                      : meshes.glb             ? tr("packs and GLB meshes")
-                                               : tr("packs");
-    if (optionsFor(options().target).meshes.usd) content += tr(" and USD");
-    QString text = tr("Writes %n folder(s) with %1: %2", nullptr, static_cast<int>(assets.size()))
-                       .arg(content, folders.join(", "));
-    // Only if all packs are there: both name all of them.
-    if (static_cast<int>(assets.size()) == m_assets->count())
-        text += tr("; beside them %1").arg(hasScene(m_workspace.project()) ? "scene.json, README.md" : "README.md");
-    m_summary->setText(text);
+    const QString problem = selectedAssets().empty()   ? tr("No asset is selected.")
+                            : options.folder.isEmpty() ? tr("No folder is set.")
+                                                       : QString();
+    m_problem->setText(problem);
+    m_problem->setVisible(!problem.isEmpty());
+    m_export->setEnabled(problem.isEmpty());
+    if (problem.isEmpty()) return m_tree->setListing(exportListing(m_workspace, options));
+    m_tree->clear();
 }
 
 }  // namespace rubble

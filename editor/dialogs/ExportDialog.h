@@ -6,12 +6,15 @@
 
 class QCheckBox;
 class QComboBox;
+class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QListWidget;
 class QPushButton;
 
 namespace rubble {
+
+class ExportTree;
 
 /// Asks what to export, and shows what will be written.
 class ExportDialog : public QDialog {
@@ -23,11 +26,12 @@ public:
 private:
     void addFields();
     void addForm();
+    void addOptions(QFormLayout& form);
     void showOptions(const ExportOptions& options);
     void browse();
     std::vector<Id> selectedAssets() const;
     void applyTarget();
-    void updateSummary();
+    void refresh();
 
     Workspace& m_workspace;
     QListWidget* m_assets;
@@ -40,7 +44,8 @@ private:
     QComboBox* m_faces;
     QComboBox* m_up;
     QComboBox* m_unit;
-    QLabel* m_summary;
+    ExportTree* m_tree;
+    QLabel* m_problem;
     QPushButton* m_export = nullptr;
 };
 

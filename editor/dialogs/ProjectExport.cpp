@@ -64,6 +64,14 @@ std::vector<Id> assetsToExport(const ExportOptions& options, const Project& proj
     return assets;
 }
 
+OutputRequest outputRequest(Workspace& workspace, const ExportOptions& options) {
+    return {.folder = toPath(options.folder),
+            .project = indexName(toPath(workspace.file().path())),
+            .options = packOptions(options),
+            .target = options.target,
+            .hasAllAssets = !options.assets};
+}
+
 /// Whether nothing was written because a file was changed after the last export.
 bool isEdited(const Status& status) { return !status && status.error().code == ErrorCode::Edited; }
 
@@ -162,15 +170,19 @@ std::optional<ExportOptions> lastExportOptions(Workspace& workspace) {
     return options;
 }
 
+ExportListing exportListing(Workspace& workspace, const ExportOptions& options) {
+    const Project& project = workspace.project();
+    const OutputRequest request = outputRequest(workspace, options);
+    return {.folder = options.folder,
+            .packs = packListings(project, assetsToExport(options, project), request.options),
+            .files = outputFileNames(request, project)};
+}
+
 ExportSummary exportProject(Workspace& workspace, const ExportOptions& options, Messages& messages, QWidget* parent) {
     store(settingsGroup(workspace.file().path()), options);
     const Project project = workspace.project();
     const std::vector<Id> assets = assetsToExport(options, project);
-    OutputRequest request{.folder = toPath(options.folder),
-                          .project = indexName(toPath(workspace.file().path())),
-                          .options = packOptions(options),
-                          .target = options.target,
-                          .hasAllAssets = !options.assets};
+    OutputRequest request = outputRequest(workspace, options);
     const auto run = [&] {
         TaskDialog dialog(ExportTexts::tr("Exporting…"), parent);
         return dialog.run<Result<ExportRun>>(

@@ -20,6 +20,15 @@ struct ExportOptions {
 /// exported. Assets that no longer exist are left out.
 std::optional<ExportOptions> lastExportOptions(Workspace& workspace);
 
+/// The folders and files that an export writes.
+struct ExportListing {
+    QString folder;
+    std::vector<PackListing> packs;
+    std::vector<std::string> files;  // beside the folders of the packs
+};
+/// Returns what an export of the project writes, as far as it is known before assets are fractured.
+ExportListing exportListing(Workspace& workspace, const ExportOptions& options);
+
 /// What an export did, as a sentence.
 struct ExportSummary {
     QString sentence;

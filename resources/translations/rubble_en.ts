@@ -241,16 +241,6 @@
     </message>
 </context>
 <context>
-    <name>rubble::ExportDialog</name>
-    <message numerus="yes">
-        <source>Writes %n folder(s) with %1: %2</source>
-        <translation>
-            <numerusform>Writes %n folder with %1: %2</numerusform>
-            <numerusform>Writes %n folders with %1: %2</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>rubble::FragmentActions</name>
     <message numerus="yes">
         <source>%Ln fragment(s) fractured · Double-click one, or select it and press %1, to edit its pattern</source>

@@ -46,6 +46,11 @@ std::string meshName(const std::string& name) {
     return word;
 }
 
+std::string imageFileName(const Texture& texture) {
+    const std::string stem = std::filesystem::path(texture.name).stem().string();
+    return fittingFileName("", meshName(stem), std::string(texture.image->suffix()));
+}
+
 MeshMaterials meshMaterials(const Asset& asset, const AssetMaterials& material) {
     std::set<std::string> taken;
     const std::string name = meshName(material.own.name), insideName = meshName(material.inside.name) + "_inside";
@@ -58,8 +63,7 @@ MeshMaterials meshMaterials(const Asset& asset, const AssetMaterials& material) 
     }
     if (asset.texture) {
         materials.image = asset.texture->image;
-        const std::string stem = std::filesystem::path(asset.texture->name).stem().string();
-        materials.imageFile = fittingFileName("", meshName(stem), std::string(materials.image->suffix()));
+        materials.imageFile = imageFileName(*asset.texture);
     }
     if (materials.outside.empty())
         materials.outside.push_back({uniqueName(name + "_outside", taken), material.own.outside, material.own.opacity});

@@ -47,6 +47,9 @@ Vec3 linearColour(const Colour& colour);
 /// characters with a special meaning become '_'. Never empty.
 std::string meshName(const std::string& name);
 
+/// Returns the name of the file with a texture's image, for its name in the project.
+std::string imageFileName(const Texture& texture);
+
 /// Returns the materials of an asset: outside those of the mesh it was imported from, or "<material>_outside" if there
 /// is none; inside "<material>_inside". A number makes a name unique. The texture's image is called as its file was.
 MeshMaterials meshMaterials(const Asset& asset, const AssetMaterials& material);

@@ -26,19 +26,39 @@ bool isThere(const fs::path& path) {
     return fs::exists(fs::symlink_status(path, ignored));
 }
 
+/// The names of the files that name all packs: they are written only if all are in place.
+std::vector<std::string> filesOfAllPacks(const OutputRequest& request, const Project& project) {
+    std::vector<std::string> names;
+    if (hasScene(project)) names.push_back(kSceneName);
+    if (request.target) names.push_back(kReadmeName);
+    if (request.target == ExportTarget::Unreal) names.push_back(kUnrealScriptName);
+    return names;
+}
+
+std::string bytesOf(const std::string& name, const OutputRequest& request, const Project& project) {
+    if (name == kSceneName) return sceneFileJson(project, request.options);
+    if (name == kUnrealScriptName) return std::string(unrealScript(name));
+    return readmeFor(*request.target, request.options.meshes.glbKind);
+}
+
 /// The files in the output folder itself.
 std::vector<ExportFile> outputFiles(const OutputRequest& request, const Project& project) {
     std::vector<ExportFile> files;
-    if (hasScene(project)) files.push_back({kSceneName, sceneFileJson(project, request.options)});
-    if (request.target) files.push_back({kReadmeName, readmeFor(*request.target, request.options.meshes.glbKind)});
-    if (request.target == ExportTarget::Unreal)
-        files.push_back({kUnrealScriptName, std::string(unrealScript(kUnrealScriptName))});
+    for (const std::string& name : filesOfAllPacks(request, project))
+        files.push_back({name, bytesOf(name, request, project)});
     return files;
 }
 
 }  // namespace
 
 std::string indexName(const fs::path& project) { return printableText(project.filename().string()); }
+
+std::vector<std::string> outputFileNames(const OutputRequest& request, const Project& project) {
+    std::vector<std::string> names;
+    if (request.hasAllAssets) names = filesOfAllPacks(request, project);
+    names.push_back(kIndexName);
+    return names;
+}
 
 Status finishExport(const OutputRequest& request, const Project& project, std::span<const AssetExport> packs,
                     const std::optional<ExportIndex>& earlier, const TaskContext& task) {

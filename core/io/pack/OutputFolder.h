@@ -27,6 +27,10 @@ struct OutputRequest {
 /// The name of a project's file as the index has it: a text, of whatever bytes.
 std::string indexName(const std::filesystem::path& project);
 
+/// The names of the files that an export writes into the output folder itself where all its packs succeed, the index
+/// last.
+std::vector<std::string> outputFileNames(const OutputRequest& request, const Project& project);
+
 /// Completes an export whose packs are written: writes the scene, and how to use it, if all packs are in place, and
 /// updates the index of the folder. `earlier` is that before the packs were written. Nothing if there is no folder.
 ///

@@ -46,6 +46,9 @@ std::vector<PackedAsset> packedAssets(const Project& project, std::span<const Id
     return packed;
 }
 
+bool hasJson(const PackOptions& options) { return options.files != PackFiles::Binary; }
+bool hasBinary(const PackOptions& options) { return options.files != PackFiles::Json; }
+
 /// Reports the progress of several parallel tasks as their mean.
 class SharedProgress {
 public:
@@ -84,13 +87,13 @@ Status writePack(const Project& project, const PackedAsset& packed, const PackOp
     if (!meshes && meshes.error().code == ErrorCode::Cancelled) return meshes.error();
     if (!meshes) return Error{meshes.error().code, "Asset " + quotedName(asset.name) + ": " + meshes.error().message};
     std::vector<ExportFile> files = std::move(meshes->files);
-    if (options.files != PackFiles::Json) {
+    if (hasBinary(options)) {
         Result<std::string> binary = packBinary(builder, meshes->list, task.stage(0.8, 0.82));
         if (!binary)
             return Error{binary.error().code, "Asset " + quotedName(asset.name) + ": " + binary.error().message};
         files.insert(files.begin(), {kPackBinaryName, std::move(*binary)});
     }
-    if (options.files != PackFiles::Binary) {
+    if (hasJson(options)) {
         std::string json = packJson(builder, meshes->list, options.topology, task.stage(0.82, 0.9));
         files.insert(files.begin(), {kPackName, std::move(json)});
     }
@@ -230,6 +233,21 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Pac
     for (const std::string& name : {names.name, names.base, names.folder}) addSourceText(hasher, name);
     hasher.add(projectText(single));
     return hasher.digest();
+}
+
+std::vector<PackListing> packListings(const Project& project, std::span<const Id> assets, const PackOptions& options) {
+    std::vector<PackListing> listings;
+    for (const PackedAsset& packed : packedAssets(project, assets)) {
+        PackFileNames files;
+        if (hasJson(options)) files.names.push_back(kPackName);
+        if (hasBinary(options)) files.names.push_back(kPackBinaryName);
+        PackFileNames meshes = meshFileNames(packed.asset, packed.names, options.meshes);
+        files.names.insert(files.names.end(), meshes.names.begin(), meshes.names.end());
+        files.names.push_back(kManifestName);
+        files.areAll = meshes.areAll;
+        listings.push_back({packed.names.folder, std::move(files)});
+    }
+    return listings;
 }
 
 Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<const Id> assets,

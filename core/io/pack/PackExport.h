@@ -55,6 +55,16 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Pac
 /// all assets, so that these may be exported one by one.
 std::map<AssetVariant, PackNames> packNames(const Project& project);
 
+/// The folder of a pack and the files in it.
+struct PackListing {
+    std::string folder;  // its name
+    PackFileNames files;
+};
+
+/// Returns the folders that exportPacks() writes, in its order, with their files. Assets that the project does not have
+/// are skipped. Fractures nothing.
+std::vector<PackListing> packListings(const Project& project, std::span<const Id> assets, const PackOptions& options);
+
 /// Writes the packs of `assets`, pack.json and meshes, each into a folder below `folder`, see packNames(). Each
 /// variant that instances use gets a pack of its own after that of its asset. Folders that are complete, unmodified
 /// exports of the same source are not rewritten. Leftovers of killed exports in `folder` are removed. An asset that

@@ -17,6 +17,29 @@ namespace {
 
 constexpr std::uint32_t kProgressInterval = 64;  // parts
 
+/// The names of mesh files, without the suffix of a format.
+std::string wholeFile(const PackNames& names) { return names.folder + "-intact"; }
+std::string fragmentsFile(const PackNames& names) { return names.folder + "-fragments"; }
+std::string levelFile(const PackNames& names, std::uint32_t level) {
+    return fragmentsFile(names) + "-level-" + std::to_string(level);
+}
+
+std::string materialFile(const PackNames& names) { return names.folder + ".mtl"; }
+std::string modelFile(const PackNames& names) { return fittingFileName("", names.folder, ".mjcf.xml"); }
+
+std::string layerFile(const PackNames& names, PackMeshBodies bodies) {
+    const bool isWhole = bodies == PackMeshBodies::Whole;
+    return fittingFileName("", isWhole ? wholeFile(names) : names.folder, ".usda");
+}
+
+constexpr const char* kObjSuffix = ".obj";
+constexpr const char* kGlbSuffix = ".glb";
+
+std::string meshFile(const std::string& name, const char* suffix) { return fittingFileName("", name, suffix); }
+
+/// Whether the image of a texture is a file of its own, and not within others.
+bool hasImageFile(const MeshOptions& options) { return options.obj || options.usd; }
+
 /// A mesh file to be written and the fragments in it.
 struct PartFile {
     std::string name;  // without suffix
@@ -30,14 +53,13 @@ bool isBroken(const BakedFragment& fragment) { return fragment.childCount > 0; }
 /// Puts fragments and their children into different files, so that the bodies of a file do not overlap.
 std::vector<PartFile> singleFiles(const PackInput& input) {
     const Bake& bake = input.bake;
-    std::vector<PartFile> files{{input.names.folder + "-fragments", PackMeshBodies::Fragments, {}, {}}};
+    std::vector<PartFile> files{{fragmentsFile(input.names), PackMeshBodies::Fragments, {}, {}}};
     for (std::uint32_t index = 0; index < bake.fragmentCount(); ++index) {
         const BakedFragment fragment = bake.fragment(index);
         const std::size_t file = isBroken(fragment) ? fragment.level + 1 : 0;
         while (files.size() <= file) {
             const auto level = static_cast<std::uint32_t>(files.size() - 1);
-            const std::string name = files[0].name + "-level-" + std::to_string(level);
-            files.push_back({name, PackMeshBodies::Fragments, {}, level});
+            files.push_back({levelFile(input.names, level), PackMeshBodies::Fragments, {}, level});
         }
         files[file].fragments.push_back(index);
     }
@@ -61,7 +83,7 @@ public:
         : m_builder(builder),
           m_options(options),
           m_materials(meshMaterials(builder.input().asset, builder.input().material)),
-          m_materialFile(builder.input().names.folder + ".mtl") {}
+          m_materialFile(materialFile(builder.input().names)) {}
 
     /// Adds the files of parts, which are the whole if the file has no fragments.
     Status add(const PartFile& file, std::vector<MeshPart> parts) {
@@ -69,17 +91,17 @@ public:
             for (MeshPart& part : parts) part.mesh = triangulated(part.mesh);
         }
         if (m_options.obj)
-            addFile(file, ".obj", objFile(parts, m_materials, m_options.place, m_materialFile, m_options.objFrame));
+            addFile(file, kObjSuffix, objFile(parts, m_materials, m_options.place, m_materialFile, m_options.objFrame));
         if (!m_options.glb) return success();
         Result<std::string> glb = glbOf(file, parts);
         if (!glb) return glb.error();
-        addFile(file, ".glb", std::move(*glb));
+        addFile(file, kGlbSuffix, std::move(*glb));
         return success();
     }
 
     PackMeshes meshes() && {
         if (m_options.obj) m_meshes.files.push_back({m_materialFile, mtlFile(m_materials)});
-        if ((m_options.obj || m_options.usd) && m_materials.image)
+        if (hasImageFile(m_options) && m_materials.image)
             m_meshes.files.push_back({m_materials.imageFile, m_materials.image->bytes()});
         return std::move(m_meshes);
     }
@@ -109,7 +131,7 @@ private:
     void addFile(const PartFile& file, const char* suffix, std::string bytes) {
         const bool isOne = file.bodies == PackMeshBodies::Fragment;
         const std::uint32_t fragment = isOne ? file.fragments[0] : kNone;
-        const std::string name = fittingFileName("", file.name, suffix);
+        const std::string name = meshFile(file.name, suffix);
         m_meshes.list.push_back({name, file.bodies, fragment, m_options.place, file.level});
         m_meshes.files.push_back({name, std::move(bytes)});
     }
@@ -125,7 +147,7 @@ private:
 Status addMeshFiles(const PackInput& input, const MeshOptions& options, const FragmentMesher& mesher,
                     const RoughCuts& cuts, MeshFileWriter& files, const TaskContext& task) {
     const Bake& bake = input.bake;
-    const Status whole = files.add({input.names.folder + "-intact", PackMeshBodies::Whole, {}, {}},
+    const Status whole = files.add({wholeFile(input.names), PackMeshBodies::Whole, {}, {}},
                                    {{wholeBodyName(input.names), mesher.wholeMesh(bake), bake.whole.centre}});
     if (!whole) return whole.error();
     std::size_t done = 0;
@@ -162,11 +184,10 @@ Status addPhysicsFiles(const PackBuilder& pack, const MeshOptions& options, cons
     const PackInput& input = pack.input();
     const Bake& bake = input.bake;
     const std::vector<std::uint32_t> fragments = unbrokenFragments(bake);
-    const std::string& folder = input.names.folder;
     if (options.mjcf) {
         Result<std::string> model = mjcfFile(pack, fragments, task);
         if (!model) return model.error();
-        files.push_back({fittingFileName("", folder, ".mjcf.xml"), std::move(*model)});
+        files.push_back({modelFile(input.names), std::move(*model)});
     }
     if (!options.usd) return success();
     const auto meshOf = [&](std::uint32_t index) {
@@ -175,15 +196,37 @@ Status addPhysicsFiles(const PackBuilder& pack, const MeshOptions& options, cons
     };
     const MeshMaterials materials = meshMaterials(input.asset, input.material);
     const std::vector<std::uint32_t> whole{kNone};
-    for (const auto& [name, bodies] : {std::pair(folder, fragments), std::pair(folder + "-intact", whole)}) {
-        Result<std::string> layer = usdFile(pack, bodies, materials, meshOf, task);
+    for (const PackMeshBodies bodies : {PackMeshBodies::Fragments, PackMeshBodies::Whole}) {
+        const bool isWhole = bodies == PackMeshBodies::Whole;
+        Result<std::string> layer = usdFile(pack, isWhole ? whole : fragments, materials, meshOf, task);
         if (!layer) return layer.error();
-        files.push_back({fittingFileName("", name, ".usda"), std::move(*layer)});
+        files.push_back({layerFile(input.names, bodies), std::move(*layer)});
     }
     return success();
 }
 
 }  // namespace
+
+PackFileNames meshFileNames(const Asset& asset, const PackNames& names, const MeshOptions& options) {
+    std::vector<std::string> meshes{wholeFile(names)};
+    if (options.split == FileSplit::Single) meshes.push_back(fragmentsFile(names));
+    PackFileNames files;
+    for (const std::string& name : meshes) {
+        if (options.obj) files.names.push_back(meshFile(name, kObjSuffix));
+        if (options.glb) files.names.push_back(meshFile(name, kGlbSuffix));
+    }
+    if (options.obj) files.names.push_back(materialFile(names));
+    if (hasImageFile(options) && asset.texture) files.names.push_back(imageFileName(*asset.texture));
+    if (options.mjcf) files.names.push_back(modelFile(names));
+    for (const PackMeshBodies bodies : {PackMeshBodies::Fragments, PackMeshBodies::Whole}) {
+        if (options.usd) files.names.push_back(layerFile(names, bodies));
+    }
+    const auto breaks = [](const FragmentLevel& single) { return single.level.has_value(); };
+    const bool hasLevels = !asset.levels.empty() || std::ranges::any_of(asset.fragmentLevels, breaks);
+    const bool dependsOnFragments = options.split == FileSplit::PerFragment || hasLevels;
+    files.areAll = !(options.obj || options.glb) || !dependsOnFragments;
+    return files;
+}
 
 Result<PackMeshes> packMeshes(const PackBuilder& builder, const MeshOptions& options, const TaskContext& task) {
     const PackInput& input = builder.input();

@@ -5,6 +5,7 @@
 #include "core/io/exchange/PackBuilder.h"
 #include "core/io/output/ExportFolder.h"
 
+#include <string>
 #include <vector>
 
 namespace rubble {
@@ -44,6 +45,15 @@ struct PackMeshes {
     std::vector<PackMeshFile> list;  // for pack.json
     std::vector<ExportFile> files;   // MTL, the texture's image, USD and MJCF included
 };
+
+/// The names of the files in the folder of a pack, as far as they are known before the asset is fractured.
+struct PackFileNames {
+    std::vector<std::string> names;
+    bool areAll = true;  // false: there may be mesh files of single fragments, or of fragments of a level that break
+};
+
+/// Returns the names of the files of packMeshes(), in their order as far as they are known.
+PackFileNames meshFileNames(const Asset& asset, const PackNames& names, const MeshOptions& options);
 
 /// Returns the meshes of an asset, the whole first. The files are described in docs/formats/obj-glb.md, those of USD
 /// and MuJoCo, which are not in the list, in docs/formats/usd-mjcf.md.

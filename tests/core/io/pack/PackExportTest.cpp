@@ -135,6 +135,23 @@ private slots:
         QVERIFY(planned[0].isUnchanged && planned[1].isReplacing && !planned[2].status && !planned[3].isReplacing);
         QVERIFY(!planPacks(project, std::vector<Id>{999}, m_out, {}));
     }
+    void listingsAreWhatTheExportWrites() {
+        Project project = projectOf({"wall", "old roof"});
+        project.instances = {{.id = 50, .asset = 11, .variant = 3}};
+        for (const PackFiles files : {PackFiles::Json, PackFiles::Binary, PackFiles::Both}) {
+            const PackOptions options{.files = files, .meshes = {.glb = files == PackFiles::Both}};
+            QVERIFY(exportPacks(project, allAssets(project), m_out, options));
+            std::vector<std::string> written, listed;
+            for (const auto& [path, bytes] : treeOf(m_out)) written.push_back(path);
+            for (const PackListing& pack : packListings(project, allAssets(project), options)) {
+                QVERIFY(pack.files.areAll);
+                for (const std::string& name : pack.files.names) listed.push_back(pack.folder + "/" + name);
+            }
+            std::ranges::sort(listed);
+            QCOMPARE(listed, written);
+        }
+        QCOMPARE(packListings(project, std::vector<Id>{12, 999}, {}).size(), std::size_t{1});
+    }
     void modifiedOrMissingFilesAreRewritten() {
         const Project project = projectOf({"a"});
         QVERIFY(exportPacks(project, allAssets(project), m_out, {}));

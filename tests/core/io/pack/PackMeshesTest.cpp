@@ -59,6 +59,21 @@ double volumeOfObj(const std::string& bytes) {
 
 using Names = std::vector<std::string>;
 
+Asset texturedWall() {
+    Asset asset = wallAsset();
+    const auto image = std::make_shared<const EncodedImage>(imageOf(checkerPng()));
+    asset.texture = Texture{.name = "my wall.png", .image = image, .materials = {0}};
+    return asset;
+}
+
+/// All selections of formats.
+std::vector<MeshOptions> formatOptions() {
+    std::vector<MeshOptions> options;
+    for (int bits = 0; bits < 16; ++bits)
+        options.push_back({.obj = (bits & 1) > 0, .glb = (bits & 2) > 0, .usd = (bits & 4) > 0, .mjcf = bits > 7});
+    return options;
+}
+
 }  // namespace
 
 class PackMeshesTest : public QObject {
@@ -126,6 +141,33 @@ private slots:
         const PackMeshes each = meshesOf(asset, options).value();
         const PackMeshFile last{"wall_f4_1.glb", PackMeshBodies::Fragment, 1, PartPlacement::Centred};
         QVERIFY(each.list.back() == last);
+    }
+    void namesAreKnownBeforeFracturing() {
+        for (const MeshOptions& options : formatOptions()) {
+            for (const Asset& asset : {wallAsset(), texturedWall()}) {
+                const PackFileNames known = meshFileNames(asset, packNames(asset), options);
+                QVERIFY(known.areAll);
+                QCOMPARE(known.names, namesOf(filesOf(asset, options)));
+            }
+        }
+    }
+    void namesThatDependOnFragmentsAreNotKnown() {
+        Asset single = wallAsset();
+        single.fragmentLevels = {{"4.1", Level{scatterOf(3, 6)}}};
+        for (MeshOptions options : formatOptions()) {
+            for (const Asset& asset : {wallAsset(), ringAsset(), single}) {
+                for (const FileSplit split : {FileSplit::Single, FileSplit::PerFragment}) {
+                    options.split = split;
+                    const PackFileNames known = meshFileNames(asset, packNames(asset), options);
+                    Names written = namesOf(filesOf(asset, options));
+                    QCOMPARE(known.areAll, known.names == written);
+                    std::erase_if(written, [&](const std::string& name) {
+                        return std::ranges::find(known.names, name) == known.names.end();
+                    });
+                    QCOMPARE(known.names, written);
+                }
+            }
+        }
     }
     void namesInFilesHaveNoSpaces() {
         const std::vector<ExportFile> files = filesOf(ringAsset(), {.glb = false});

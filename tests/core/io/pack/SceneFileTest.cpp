@@ -1,5 +1,4 @@
-// Tests core/io/pack/SceneFile.cpp, core/io/pack/OutputFolder.cpp, core/io/output/OutputFiles.cpp, and the scenes of
-// docs/formats/rubble_pack.hpp.
+// Tests core/io/pack/SceneFile.cpp, core/io/output/OutputFiles.cpp, and the scenes of docs/formats/rubble_pack.hpp.
 #include "core/asset/strength/Threshold.h"
 #include "core/io/output/OutputFiles.h"
 #include "core/io/pack/PackFile.h"
