@@ -12,6 +12,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -28,6 +29,12 @@ namespace {
 
 constexpr int kMinExportDialogWidth = 760;  // pixels, so that a path fits
 
+QCheckBox* checkBox(const QString& text, const QString& toolTip) {
+    auto* box = new QCheckBox(text);
+    box->setToolTip(toolTip);
+    return box;
+}
+
 ExportOptions defaultOptions(Workspace& workspace) {
     const QString path = workspace.file().path();
     const QString base = path.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
@@ -43,8 +50,9 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent) : QDialog(pare
     addForm();
     showOptions(lastExportOptions(workspace).value_or(defaultOptions(workspace)));
     connect(m_target, &QComboBox::currentIndexChanged, this, &ExportDialog::applyTarget);
-    for (QCheckBox* box : {m_obj, m_glb}) connect(box, &QCheckBox::toggled, this, &ExportDialog::refresh);
-    for (QComboBox* box : {m_split, m_place, m_faces}) {
+    for (QCheckBox* box : {m_obj, m_glb, m_usd, m_mjcf})
+        connect(box, &QCheckBox::toggled, this, &ExportDialog::refresh);
+    for (QComboBox* box : {m_glbKind, m_split, m_place, m_faces}) {
         connect(box, &QComboBox::currentIndexChanged, this, &ExportDialog::refresh);
     }
     connect(m_assets, &QListWidget::itemChanged, this, &ExportDialog::refresh);
@@ -60,10 +68,13 @@ void ExportDialog::addFields() {
     m_folder->setToolTip(tr("Set the output folder, which gets a subfolder for each asset"));
     m_target = comboBox({tr("Any engine"), "Unity", "Unreal Engine", "Godot", "Blender", tr("Web"), "USD"},
                         tr("Select the program that the export is for; a README.md says how to use it there"));
-    m_obj = new QCheckBox(tr("&OBJ with materials"));
-    m_obj->setToolTip(tr("Write Wavefront OBJ files, which all 3D programs read"));
-    m_glb = new QCheckBox(tr("&GLB"));
-    m_glb->setToolTip(tr("Write binary glTF files with a node per fragment"));
+    m_obj = checkBox(tr("&OBJ with materials"), tr("Write Wavefront OBJ files, which all 3D programs read"));
+    m_glb = checkBox(tr("&GLB"), tr("Write binary glTF files"));
+    m_usd = checkBox(tr("U&SD"), tr("Write USD files with rigid bodies and colliders of UsdPhysics"));
+    m_mjcf = checkBox(tr("MuJo&Co"), tr("Write the fragments as a model of MuJoCo (MJCF)"));
+    m_glbKind = comboBox({tr("Plain"), tr("With rigid bodies"), tr("Compact"), tr("With hulls for Unreal Engine")},
+                         tr("Select the content of GLB files: a node per fragment; the same with rigid bodies and "
+                            "colliders; or one skinned mesh, small and drawn at once"));
     m_split = comboBox({tr("One file for all"), tr("One file each")},
                        tr("Select one file for all fragments or one file per fragment"));
     m_place = comboBox({tr("Assembled"), tr("Centred on the centre of mass")},
@@ -102,13 +113,22 @@ void ExportDialog::addOptions(QFormLayout& form) {
     form.addRow(tr("&Assets:"), m_assets);
     form.addRow(buddyLabel(tr("&Folder:"), m_folder), createPathRow(*m_folder, [this] { browse(); }));
     form.addRow(tr("&Program:"), m_target);
-    form.addRow(tr("Meshes:"), m_obj);
-    form.addRow(QString(), m_glb);
+    form.addRow(tr("Meshes:"), createFormats());
+    form.addRow(tr("GLB &kind:"), m_glbKind);
     form.addRow(tr("Frag&ments:"), m_split);
     form.addRow(tr("Posi&tion:"), m_place);
-    form.addRow(tr("OBJ fa&ces:"), m_faces);
+    form.addRow(tr("OBJ fac&es:"), m_faces);
     form.addRow(tr("OBJ a&xes:"), m_up);
     form.addRow(tr("OBJ &unit:"), m_unit);
+}
+
+QGridLayout* ExportDialog::createFormats() const {
+    auto* formats = new QGridLayout;
+    formats->addWidget(m_obj, 0, 0);
+    formats->addWidget(m_glb, 1, 0);
+    formats->addWidget(m_usd, 0, 1);
+    formats->addWidget(m_mjcf, 1, 1);
+    return formats;
 }
 
 void ExportDialog::showOptions(const ExportOptions& options) {
@@ -121,13 +141,20 @@ void ExportDialog::showOptions(const ExportOptions& options) {
     }
     m_folder->setText(QDir::toNativeSeparators(options.folder));
     m_target->setCurrentIndex(static_cast<int>(options.target));
-    m_obj->setChecked(options.meshes.obj);
-    m_glb->setChecked(options.meshes.glb);
+    showFormats(options.meshes);
     m_split->setCurrentIndex(options.meshes.split == FileSplit::PerFragment);
     m_place->setCurrentIndex(options.meshes.place == PartPlacement::Centred);
     m_faces->setCurrentIndex(options.meshes.faces == FaceShape::Triangles);
     m_up->setCurrentIndex(options.meshes.objFrame.up == UpAxis::Z);
     m_unit->setCurrentIndex(static_cast<int>(options.meshes.objFrame.unit));
+}
+
+void ExportDialog::showFormats(const MeshOptions& meshes) {
+    m_obj->setChecked(meshes.obj);
+    m_glb->setChecked(meshes.glb);
+    m_usd->setChecked(meshes.usd);
+    m_mjcf->setChecked(meshes.mjcf);
+    m_glbKind->setCurrentIndex(static_cast<int>(meshes.glbKind));
 }
 
 std::vector<Id> ExportDialog::selectedAssets() const {
@@ -147,6 +174,9 @@ ExportOptions ExportDialog::options() const {
     options.target = static_cast<ExportTarget>(m_target->currentIndex());
     options.meshes.obj = m_obj->isChecked();
     options.meshes.glb = m_glb->isChecked();
+    options.meshes.usd = m_usd->isChecked();
+    options.meshes.mjcf = m_mjcf->isChecked();
+    options.meshes.glbKind = static_cast<GlbKind>(m_glbKind->currentIndex());
     options.meshes.split = m_split->currentIndex() == 1 ? FileSplit::PerFragment : FileSplit::Single;
     options.meshes.place = m_place->currentIndex() == 1 ? PartPlacement::Centred : PartPlacement::Assembled;
     options.meshes.faces = m_faces->currentIndex() == 1 ? FaceShape::Triangles : FaceShape::Polygons;
@@ -162,9 +192,7 @@ void ExportDialog::browse() {
 
 /// Selects the meshes that the program reads.
 void ExportDialog::applyTarget() {
-    const MeshOptions meshes = optionsFor(options().target).meshes;
-    m_obj->setChecked(meshes.obj);
-    m_glb->setChecked(meshes.glb);
+    showFormats(optionsFor(options().target).meshes);
     refresh();
 }
 
@@ -174,6 +202,7 @@ void ExportDialog::refresh() {
     const MeshOptions& meshes = options.meshes;
     m_split->setEnabled(meshes.obj || meshes.glb);
     m_place->setEnabled(meshes.obj || meshes.glb);
+    m_glbKind->setEnabled(meshes.glb);
     for (QComboBox* box : {m_faces, m_up, m_unit}) box->setEnabled(meshes.obj);
     const QString problem = selectedAssets().empty()   ? tr("No asset is selected.")
                             : options.folder.isEmpty() ? tr("No folder is set.")

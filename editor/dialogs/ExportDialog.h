@@ -7,6 +7,7 @@
 class QCheckBox;
 class QComboBox;
 class QFormLayout;
+class QGridLayout;
 class QLabel;
 class QLineEdit;
 class QListWidget;
@@ -27,7 +28,9 @@ private:
     void addFields();
     void addForm();
     void addOptions(QFormLayout& form);
+    QGridLayout* createFormats() const;
     void showOptions(const ExportOptions& options);
+    void showFormats(const MeshOptions& meshes);
     void browse();
     std::vector<Id> selectedAssets() const;
     void applyTarget();
@@ -39,6 +42,9 @@ private:
     QComboBox* m_target;
     QCheckBox* m_obj;
     QCheckBox* m_glb;
+    QCheckBox* m_usd;
+    QCheckBox* m_mjcf;
+    QComboBox* m_glbKind;
     QComboBox* m_split;
     QComboBox* m_place;
     QComboBox* m_faces;

@@ -36,6 +36,9 @@ void store(const QString& group, const ExportOptions& options) {
     settings.setValue("target", QString::fromUtf8(target.data(), static_cast<qsizetype>(target.size())));
     settings.setValue("obj", options.meshes.obj);
     settings.setValue("glb", options.meshes.glb);
+    settings.setValue("usd", options.meshes.usd);
+    settings.setValue("mjcf", options.meshes.mjcf);
+    settings.setValue("glbKind", static_cast<int>(options.meshes.glbKind));
     settings.setValue("filePerFragment", options.meshes.split == FileSplit::PerFragment);
     settings.setValue("centred", options.meshes.place == PartPlacement::Centred);
     settings.setValue("triangles", options.meshes.faces == FaceShape::Triangles);
@@ -50,10 +53,7 @@ void store(const QString& group, const ExportOptions& options) {
 /// What the program needs, with the meshes that were selected.
 PackOptions packOptions(const ExportOptions& options) {
     PackOptions pack = optionsFor(options.target);
-    const MeshOptions needed = pack.meshes;
     pack.meshes = options.meshes;
-    pack.meshes.glbKind = needed.glbKind;
-    pack.meshes.usd = needed.usd;
     return pack;
 }
 
@@ -157,6 +157,11 @@ std::optional<ExportOptions> lastExportOptions(Workspace& workspace) {
     if (target != kExportTargets.end()) options.target = static_cast<ExportTarget>(target - kExportTargets.begin());
     options.meshes.obj = settings.value("obj").toBool();
     options.meshes.glb = settings.value("glb").toBool();
+    const MeshOptions needed = optionsFor(options.target).meshes;  // what versions before these settings wrote
+    options.meshes.usd = settings.value("usd", needed.usd).toBool();
+    options.meshes.mjcf = settings.value("mjcf", needed.mjcf).toBool();
+    const int glbKind = settings.value("glbKind", static_cast<int>(needed.glbKind)).toInt();
+    options.meshes.glbKind = static_cast<GlbKind>(std::clamp(glbKind, 0, static_cast<int>(GlbKind::Named)));
     if (settings.value("filePerFragment").toBool()) options.meshes.split = FileSplit::PerFragment;
     if (settings.value("centred").toBool()) options.meshes.place = PartPlacement::Centred;
     if (settings.value("triangles").toBool()) options.meshes.faces = FaceShape::Triangles;

@@ -58,10 +58,7 @@ std::string_view stepsFor(ExportTarget target) {
                    "\nNot tested in Unity itself.\n";
         case ExportTarget::Unreal: return kUnrealSteps;
         case ExportTarget::Godot:
-            return "1. Copy this folder into the project; Godot imports the GLB files. They hold rigid bodies with "
-                   "masses\n"
-                   "   and colliders (OMI_physics_body), which Godot 4.3 and later read; earlier ones take the "
-                   "meshes.\n"
+            return "1. Copy this folder into the project; Godot imports the GLB files.\n"
                    "2. Read `pack.json` and `scene.json` with `JSON.parse_string()`; give each body a `RigidBody3D` "
                    "with\n"
                    "   `mass`, and for each hull a `CollisionShape3D` with a `ConvexPolygonShape3D` of its vertices.\n"
@@ -90,12 +87,16 @@ std::string_view stepsFor(ExportTarget target) {
     return {};
 }
 
+constexpr const char* kRigidBodies =
+    "\nThe GLB files hold rigid bodies with masses and colliders: `KHR_physics_rigid_bodies`, and `OMI_physics_body`, "
+    "which\n"
+    "Godot 4.3 and later read. Programs that read neither take the meshes.\n";
 constexpr const char* kCompact =
     "\nThe GLB files are compact: each has one skinned mesh, whose joints are the fragments, and no physics. They need "
     "a\n"
     "reader of `EXT_meshopt_compression`: in three.js, call `setMeshoptDecoder(MeshoptDecoder)` of the loader. "
     "Programs\n"
-    "without one refuse the files; for these, export without `--glb-compact`.\n";
+    "without one refuse the files; for these, export plain GLB files.\n";
 
 }  // namespace
 
@@ -120,6 +121,7 @@ std::string readmeFor(ExportTarget target, GlbKind glbKind) {
     text += titleOf(target);
     text += "\n\nExported by Rubble.\n\n";
     text += stepsFor(target);
+    if (glbKind == GlbKind::Physics) text += kRigidBodies;
     if (glbKind == GlbKind::Compact) text += kCompact;
     text += kFiles;
     return text;

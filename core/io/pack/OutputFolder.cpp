@@ -38,7 +38,9 @@ std::vector<std::string> filesOfAllPacks(const OutputRequest& request, const Pro
 std::string bytesOf(const std::string& name, const OutputRequest& request, const Project& project) {
     if (name == kSceneName) return sceneFileJson(project, request.options);
     if (name == kUnrealScriptName) return std::string(unrealScript(name));
-    return readmeFor(*request.target, request.options.meshes.glbKind);
+    const MeshOptions& meshes = request.options.meshes;
+    const GlbKind glbKind = meshes.glb ? meshes.glbKind : GlbKind::Plain;  // nothing to be said of other kinds
+    return readmeFor(*request.target, glbKind);
 }
 
 /// The files in the output folder itself.

@@ -17,6 +17,7 @@
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -29,6 +30,21 @@ QPushButton& exportButton(const QDialog& dialog) {
         if (button->text() == "Export") return *button;
     }
     qFatal("Export button not found.");
+}
+
+/// The box of a dialog with this item.
+QComboBox& boxWith(const QDialog& dialog, const char* item) {
+    for (auto* box : dialog.findChildren<QComboBox*>()) {
+        if (box->findText(item) >= 0) return *box;
+    }
+    qFatal("No box has the item %s.", item);
+}
+
+QCheckBox& boxNamed(const QDialog& dialog, const char* text) {
+    for (auto* box : dialog.findChildren<QCheckBox*>()) {
+        if (box->text() == text) return *box;
+    }
+    qFatal("There is no box %s.", text);
 }
 
 }  // namespace
@@ -102,11 +118,7 @@ private slots:
         for (auto* box : dialog.findChildren<QCheckBox*>()) {
             if (box->text().contains("GLB") != box->isChecked()) QTest::mouseClick(box, Qt::LeftButton, {}, {10, 8});
         }
-        for (auto* box : dialog.findChildren<QComboBox*>()) {
-            for (const char* item : {"Z up", "Centimetres"}) {
-                if (box->findText(item) >= 0) box->setCurrentText(item);
-            }
-        }
+        for (const char* item : {"Z up", "Centimetres"}) boxWith(dialog, item).setCurrentText(item);
         exportProject(*m_workspace, dialog.options(), m_messages, nullptr);
         QCOMPARE(lastExportOptions(*m_workspace)->meshes.objFrame, (ObjFrame{UpAxis::Z, ObjUnit::Centimetre}));
         QVERIFY(!lastExportOptions(*m_workspace)->meshes.obj);
@@ -117,9 +129,7 @@ private slots:
     void programsGetTheirFilesAndAReadme() {
         {
             ExportDialog dialog(*m_workspace, nullptr);
-            for (auto* box : dialog.findChildren<QComboBox*>()) {
-                if (box->findText("Godot") >= 0) box->setCurrentText("Godot");
-            }
+            boxWith(dialog, "Godot").setCurrentText("Godot");
             QVERIFY(!dialog.options().meshes.obj && dialog.options().meshes.glb);
             exportProject(*m_workspace, dialog.options(), m_messages, nullptr);
         }
@@ -127,6 +137,51 @@ private slots:
         QVERIFY(bytesOfFile(m_folder->filePath("packs/wall/wall-fragments.glb")).contains("KHR_physics_rigid_bodies"));
         QVERIFY(!QFile::exists(m_folder->filePath("packs/wall/pack.bin")));
         QVERIFY(lastExportOptions(*m_workspace)->target == ExportTarget::Godot);
+    }
+    void programsSelectTheKindOfGlbFiles() {
+        ExportDialog dialog(*m_workspace, nullptr);
+        QComboBox& kind = boxWith(dialog, "Compact");
+        QCOMPARE(kind.currentText(), "Plain");
+        boxWith(dialog, "Godot").setCurrentText("Godot");
+        QCOMPARE(kind.currentText(), "With rigid bodies");
+        kind.setCurrentText("Compact");
+        exportProject(*m_workspace, dialog.options(), m_messages, nullptr);
+        const QByteArray glb = bytesOfFile(m_folder->filePath("packs/wall/wall-fragments.glb"));
+        QVERIFY(glb.contains("EXT_meshopt_compression") && !glb.contains("KHR_physics_rigid_bodies"));
+        QVERIFY(bytesOfFile(m_folder->filePath("packs/README.md")).contains("setMeshoptDecoder"));
+        ExportDialog later(*m_workspace, nullptr);
+        QCOMPARE(boxWith(later, "Godot").currentText(), "Godot");
+        QCOMPARE(boxWith(later, "Compact").currentText(), "Compact");
+        boxNamed(later, "&GLB").setChecked(false);
+        QVERIFY(!boxWith(later, "Compact").isEnabled());
+        exportProject(*m_workspace, later.options(), m_messages, nullptr);
+        QVERIFY(!bytesOfFile(m_folder->filePath("packs/README.md")).contains("setMeshoptDecoder"));
+    }
+    void usdAndMjcfAreSelectedForAnyProgram() {
+        ExportDialog dialog(*m_workspace, nullptr);
+        boxWith(dialog, "USD").setCurrentText("USD");
+        QVERIFY(boxNamed(dialog, "U&SD").isChecked() && !boxNamed(dialog, "&GLB").isChecked());
+        boxWith(dialog, "Blender").setCurrentText("Blender");
+        QVERIFY(!boxNamed(dialog, "U&SD").isChecked() && boxNamed(dialog, "&GLB").isChecked());
+        for (const char* name : {"U&SD", "MuJo&Co"}) boxNamed(dialog, name).setChecked(true);
+        exportProject(*m_workspace, dialog.options(), m_messages, nullptr);
+        QVERIFY(QFile::exists(m_folder->filePath("packs/wall/wall.usda")));
+        QVERIFY(QFile::exists(m_folder->filePath("packs/wall/wall.mjcf.xml")));
+        ExportDialog later(*m_workspace, nullptr);
+        for (const char* name : {"U&SD", "MuJo&Co"}) QVERIFY(boxNamed(later, name).isChecked());
+    }
+    /// Which had what the program selects.
+    void settingsOfEarlierVersionsAreRead() {
+        for (const ExportTarget target : {ExportTarget::Godot, ExportTarget::Usd}) {
+            ExportOptions options{.folder = m_folder->filePath("packs"), .target = target};
+            options.meshes = optionsFor(target).meshes;
+            exportProject(*m_workspace, options, m_messages, nullptr);
+            QSettings settings;
+            for (const QString& key : settings.allKeys()) {
+                if (key.endsWith("/glbKind") || key.endsWith("/usd") || key.endsWith("/mjcf")) settings.remove(key);
+            }
+            QVERIFY(lastExportOptions(*m_workspace)->meshes == options.meshes);
+        }
     }
     /// As the command line: the scene and the index, which know what an export wrote.
     void sceneAndIndexAreWritten() {

@@ -34,6 +34,7 @@ private slots:
                 << ExportOptions{.target = target, .meshes = optionsFor(target).meshes};
         }
         QTest::addRow("no meshes") << ExportOptions{.meshes = {.obj = false, .glb = false}};
+        QTest::addRow("all formats") << ExportOptions{.meshes = {.usd = true, .mjcf = true}};
         QTest::addRow("some assets") << ExportOptions{.assets = std::vector<Id>{}};
     }
     void showsWhatAnExportWrites() {

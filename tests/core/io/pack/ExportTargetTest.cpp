@@ -21,10 +21,13 @@ private slots:
         }
         QCOMPARE(texts.size(), kExportTargets.size());
     }
-    void compactFilesAreExplained() {
+    void kindsOfGlbFilesAreExplained() {
         for (const GlbKind kind : {GlbKind::Plain, GlbKind::Physics, GlbKind::Compact}) {
-            const bool isTold = readmeFor(ExportTarget::Web, kind).find("setMeshoptDecoder") != std::string::npos;
-            QCOMPARE(isTold, kind == GlbKind::Compact);
+            for (const ExportTarget target : {ExportTarget::Web, ExportTarget::Godot}) {
+                const std::string text = readmeFor(target, kind);
+                QCOMPARE(text.find("setMeshoptDecoder") != std::string::npos, kind == GlbKind::Compact);
+                QCOMPARE(text.find("OMI_physics_body") != std::string::npos, kind == GlbKind::Physics);
+            }
         }
     }
     void everyTargetHasMeshesAndBodies() {
