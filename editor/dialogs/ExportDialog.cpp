@@ -1,5 +1,6 @@
 #include "editor/dialogs/ExportDialog.h"
 
+#include "core/io/pack/SceneFile.h"
 #include "editor/dialogs/ExportTree.h"
 #include "editor/dialogs/OutputPath.h"
 #include "editor/document/ShownText.h"
@@ -52,7 +53,7 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent) : QDialog(pare
     connect(m_target, &QComboBox::currentIndexChanged, this, &ExportDialog::applyTarget);
     for (QCheckBox* box : {m_obj, m_glb, m_usd, m_mjcf})
         connect(box, &QCheckBox::toggled, this, &ExportDialog::refresh);
-    for (QComboBox* box : {m_glbKind, m_split, m_place, m_faces}) {
+    for (QComboBox* box : {m_contents, m_glbKind, m_split, m_place, m_faces}) {
         connect(box, &QComboBox::currentIndexChanged, this, &ExportDialog::refresh);
     }
     connect(m_assets, &QListWidget::itemChanged, this, &ExportDialog::refresh);
@@ -64,6 +65,9 @@ void ExportDialog::addFields() {
     m_assets = new QListWidget;
     m_assets->setAccessibleName(tr("Assets to export"));
     m_assets->setToolTip(tr("Select the assets to export; each is written to a folder with its name"));
+    m_contents = comboBox({tr("Assets and scene"), tr("Assets only")},
+                          tr("Select whether scene.json is written beside all assets; it has the instances, the "
+                             "ground and the saved throws"));
     m_folder = new QLineEdit;
     m_folder->setToolTip(tr("Set the output folder, which gets a subfolder for each asset"));
     m_target = comboBox({tr("Any engine"), "Unity", "Unreal Engine", "Godot", "Blender", tr("Web"), "USD"},
@@ -111,6 +115,7 @@ void ExportDialog::addForm() {
 
 void ExportDialog::addOptions(QFormLayout& form) {
     form.addRow(tr("&Assets:"), m_assets);
+    form.addRow(tr("Co&ntents:"), m_contents);
     form.addRow(buddyLabel(tr("&Folder:"), m_folder), createPathRow(*m_folder, [this] { browse(); }));
     form.addRow(tr("&Program:"), m_target);
     form.addRow(tr("Meshes:"), createFormats());
@@ -140,6 +145,7 @@ void ExportDialog::showOptions(const ExportOptions& options) {
         item->setCheckState(isSelected ? Qt::Checked : Qt::Unchecked);
     }
     m_folder->setText(QDir::toNativeSeparators(options.folder));
+    m_contents->setCurrentIndex(options.isWithScene ? 0 : 1);
     m_target->setCurrentIndex(static_cast<int>(options.target));
     showFormats(options.meshes);
     m_split->setCurrentIndex(options.meshes.split == FileSplit::PerFragment);
@@ -171,6 +177,7 @@ ExportOptions ExportDialog::options() const {
     std::vector<Id> selected = selectedAssets();
     const bool areAll = static_cast<int>(selected.size()) == m_assets->count();
     if (!areAll) options.assets = std::move(selected);  // all: includes assets that are added later
+    options.isWithScene = m_contents->currentIndex() == 0;
     options.target = static_cast<ExportTarget>(m_target->currentIndex());
     options.meshes.obj = m_obj->isChecked();
     options.meshes.glb = m_glb->isChecked();
@@ -200,6 +207,7 @@ void ExportDialog::applyTarget() {
 void ExportDialog::refresh() {
     const ExportOptions options = this->options();
     const MeshOptions& meshes = options.meshes;
+    m_contents->setEnabled(!options.assets && hasScene(m_workspace.project()));
     m_split->setEnabled(meshes.obj || meshes.glb);
     m_place->setEnabled(meshes.obj || meshes.glb);
     m_glbKind->setEnabled(meshes.glb);

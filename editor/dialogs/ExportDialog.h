@@ -39,6 +39,7 @@ private:
     Workspace& m_workspace;
     QListWidget* m_assets;
     QLineEdit* m_folder;
+    QComboBox* m_contents;
     QComboBox* m_target;
     QCheckBox* m_obj;
     QCheckBox* m_glb;

@@ -34,6 +34,7 @@ void store(const QString& group, const ExportOptions& options) {
     settings.setValue("folder", settingOf(options.folder));
     const std::string_view target = kExportTargets[static_cast<std::size_t>(options.target)];
     settings.setValue("target", QString::fromUtf8(target.data(), static_cast<qsizetype>(target.size())));
+    settings.setValue("scene", options.isWithScene);
     settings.setValue("obj", options.meshes.obj);
     settings.setValue("glb", options.meshes.glb);
     settings.setValue("usd", options.meshes.usd);
@@ -69,7 +70,8 @@ OutputRequest outputRequest(Workspace& workspace, const ExportOptions& options) 
             .project = indexName(toPath(workspace.file().path())),
             .options = packOptions(options),
             .target = options.target,
-            .hasAllAssets = !options.assets};
+            .hasAllAssets = !options.assets,
+            .isWithScene = options.isWithScene};
 }
 
 /// Whether nothing was written because a file was changed after the last export.
@@ -155,6 +157,7 @@ std::optional<ExportOptions> lastExportOptions(Workspace& workspace) {
     ExportOptions options{.folder = pathOf(settings.value("folder"))};
     const auto target = std::ranges::find(kExportTargets, settings.value("target").toString().toStdString());
     if (target != kExportTargets.end()) options.target = static_cast<ExportTarget>(target - kExportTargets.begin());
+    options.isWithScene = settings.value("scene", true).toBool();
     options.meshes.obj = settings.value("obj").toBool();
     options.meshes.glb = settings.value("glb").toBool();
     const MeshOptions needed = optionsFor(options.target).meshes;  // what versions before these settings wrote

@@ -14,6 +14,7 @@ struct ExportOptions {
     std::optional<std::vector<Id>> assets;  // none: all assets of the project at the time of the export
     ExportTarget target = ExportTarget::Neutral;
     MeshOptions meshes;
+    bool isWithScene = true;  // with scene.json, if all assets are exported and the project has a scene
 };
 
 /// Returns the options of the project's last export, which QSettings keep by the project's path; none if it was never

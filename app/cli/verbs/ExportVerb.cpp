@@ -52,6 +52,7 @@ struct ExportArguments {
     bool hasNamedHulls = false;
     bool isGlbCompact = false;
     PackOptions pack;
+    bool isWithoutScene = false;
     bool isOverwriting = false;
     bool isDryRun = false;
     bool isPruning = false;
@@ -99,6 +100,7 @@ OutputRequest requestOf(const ExportArguments& arguments) {
             .options = arguments.pack,
             .target = arguments.target,
             .hasAllAssets = arguments.assets.empty(),
+            .isWithScene = !arguments.isWithoutScene,
             .edited = editedFiles(arguments)};
 }
 
@@ -208,6 +210,17 @@ void addMeshKinds(Command& command, ExportArguments& arguments) {
         .excludes(named);
 }
 
+/// Adds the options for the output folder.
+void addFolderOptions(Command& command, ExportArguments& arguments) {
+    command.flag("--no-scene", arguments.isWithoutScene, "Leave out scene.json");
+    command.flag("--overwrite", arguments.isOverwriting, "Replace files that were changed after an export");
+    command.flag("--prune", arguments.isPruning, "Remove the exports of assets that were deleted or renamed");
+    const CommandOption dryRun =
+        command.flag("--dry-run", arguments.isDryRun, "Say what would be done, and write nothing");
+    command.flag("--watch", arguments.isWatching, "Export again whenever the project changes, until interrupted")
+        .excludes(dryRun);
+}
+
 }  // namespace
 
 Verb addExport(CLI::App& program) {
@@ -255,12 +268,7 @@ Verb addExport(CLI::App& program) {
     addEnumOption<PackTopology>(
         command, "--topology", "Edges and planes of hulls in pack.json (default), or loops only",
         {{"full", PackTopology::Full}, {"loops", PackTopology::Loops}}, arguments->pack.topology);
-    command.flag("--overwrite", arguments->isOverwriting, "Replace files that were changed after an export");
-    command.flag("--prune", arguments->isPruning, "Remove the exports of assets that were deleted or renamed");
-    const CommandOption dryRun =
-        command.flag("--dry-run", arguments->isDryRun, "Say what would be done, and write nothing");
-    command.flag("--watch", arguments->isWatching, "Export again whenever the project changes, until interrupted")
-        .excludes(dryRun);
+    addFolderOptions(command, *arguments);
     command.option("--depfile", arguments->depfile, "Write the dependencies of the packs for Make and Ninja")
         .valueName("FILE");
     command.addReportFlag();

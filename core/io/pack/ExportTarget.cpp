@@ -6,7 +6,7 @@ namespace {
 constexpr std::string_view kFiles = R"(
 | File | Holds |
 |---|---|
-| `scene.json` | where the instances stand, ground, gravity, and throws |
+| `scene.json` | where the instances stand, ground, gravity, and throws; not in every export |
 | `<asset>/pack.json` | for each asset masses, inertia, collision hulls, thresholds, materials, and bonds |
 | `<asset>/pack.bin` | the same, for mapping into memory; not in every export |
 | `<asset>/<asset>-intact.*` | the mesh of the asset before it breaks |

@@ -29,7 +29,7 @@ bool isThere(const fs::path& path) {
 /// The names of the files that name all packs: they are written only if all are in place.
 std::vector<std::string> filesOfAllPacks(const OutputRequest& request, const Project& project) {
     std::vector<std::string> names;
-    if (hasScene(project)) names.push_back(kSceneName);
+    if (request.isWithScene && hasScene(project)) names.push_back(kSceneName);
     if (request.target) names.push_back(kReadmeName);
     if (request.target == ExportTarget::Unreal) names.push_back(kUnrealScriptName);
     return names;

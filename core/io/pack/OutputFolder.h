@@ -21,6 +21,7 @@ struct OutputRequest {
     PackOptions options;
     std::optional<ExportTarget> target;  // none: without a README.md
     bool hasAllAssets = true;            // all packs of the project are exported
+    bool isWithScene = true;             // with scene.json, if the project has a scene
     EditedFiles edited = EditedFiles::Kept;
 };
 

@@ -196,6 +196,28 @@ private slots:
         QVERIFY(bytesOfFile(m_folder->filePath("packs/scene.json")) != scene);
         QCOMPARE(m_messages.list().back().severity, Severity::Note);
     }
+    void sceneIsWrittenIfItIsSelected() {
+        const QString scene = m_folder->filePath("packs/scene.json");
+        exportBy([](QListWidget&) {});
+        QVERIFY(QFile::exists(scene));
+        ExportDialog dialog(*m_workspace, nullptr);
+        QComboBox& contents = boxWith(dialog, "Assets only");
+        QVERIFY(contents.isEnabled());
+        QCOMPARE(contents.currentText(), "Assets and scene");
+        contents.setCurrentText("Assets only");
+        exportProject(*m_workspace, dialog.options(), m_messages, nullptr);
+        QVERIFY(!QFile::exists(scene));
+        exportAgain();
+        QVERIFY(!QFile::exists(scene));
+        ExportDialog later(*m_workspace, nullptr);
+        QCOMPARE(boxWith(later, "Assets only").currentText(), "Assets only");
+    }
+    void sceneTakesAllAssets() {
+        ExportDialog dialog(*m_workspace, nullptr);
+        dialog.show();
+        uncheck(*dialog.findChild<QListWidget*>(), "gable");
+        QVERIFY(!boxWith(dialog, "Assets only").isEnabled());
+    }
     void someAssetsLeaveTheSceneAsItIs() {
         exportBy([](QListWidget&) {});
         const QByteArray scene = bytesOfFile(m_folder->filePath("packs/scene.json"));

@@ -35,6 +35,7 @@ private slots:
         }
         QTest::addRow("no meshes") << ExportOptions{.meshes = {.obj = false, .glb = false}};
         QTest::addRow("all formats") << ExportOptions{.meshes = {.usd = true, .mjcf = true}};
+        QTest::addRow("no scene") << ExportOptions{.isWithScene = false};
         QTest::addRow("some assets") << ExportOptions{.assets = std::vector<Id>{}};
     }
     void showsWhatAnExportWrites() {

@@ -19,6 +19,16 @@ constexpr const char* kOnlyPack = "wall";
 class OutputFolderTest : public QObject {
     Q_OBJECT
 private slots:
+    void sceneIsLeftOutAndRemoved() {
+        const QTemporaryDir place;
+        OutputRequest request{.folder = place.path().toStdString(), .project = "wall.rubble"};
+        const std::vector<std::string> withScene{"export.json", "scene.json", kOnlyPack};
+        QCOMPARE(namesAfterExport(starterProject(), request), withScene);
+        request.isWithScene = false;
+        const std::vector<std::string> withoutScene{"export.json", kOnlyPack};
+        QCOMPARE(outputFileNames(request, starterProject()), std::vector<std::string>{"export.json"});
+        QCOMPARE(namesAfterExport(starterProject(), request), withoutScene);
+    }
     void namesAreThoseOfTheFilesWritten() {
         Project empty = starterProject();
         empty.instances.clear();
@@ -41,8 +51,9 @@ private slots:
 private:
     static std::vector<std::string> namesAfterExport(const Project& project, const OutputRequest& request) {
         const std::vector<Id> assets{project.assets.front().id};
+        const auto earlier = readExportIndex(request.folder).value();
         const auto packs = exportPacks(project, assets, request.folder, request.options).value();
-        if (!finishExport(request, project, packs, std::nullopt)) return {};
+        if (!finishExport(request, project, packs, earlier)) return {};
         return namesIn(request.folder);
     }
     static std::vector<std::string> listedNames(const Project& project, const OutputRequest& request) {
