@@ -28,7 +28,29 @@ namespace rubble {
 
 namespace {
 
-constexpr int kMinExportDialogWidth = 760;  // pixels, so that a path fits
+constexpr int kDescriptionLines = 2;          // of the longest one
+constexpr QSize kExportDialogSize{800, 540};  // pixels, so that a path and file names fit
+
+/// What is written for a program unless the user changes it: see optionsFor().
+QString descriptionOf(ExportTarget target) {
+    switch (target) {
+        case ExportTarget::Neutral:
+            return ExportDialog::tr("OBJ and GLB meshes, and the bodies in pack.json and pack.bin.");
+        case ExportTarget::Unity:
+            return ExportDialog::tr("GLB meshes for glTFast or UnityGLTF; a script reads pack.json or pack.bin.");
+        case ExportTarget::Unreal:
+            return ExportDialog::tr("GLB meshes for Interchange; C++ code reads pack.json or pack.bin.");
+        case ExportTarget::Godot:
+            return ExportDialog::tr("GLB with rigid bodies, which Godot 4.3 and later read on import; and pack.json.");
+        case ExportTarget::Blender:
+            return ExportDialog::tr("GLB meshes, which Blender imports; and masses in pack.json.");
+        case ExportTarget::Web:
+            return ExportDialog::tr("GLB with rigid bodies for three.js and Babylon.js; and pack.json.");
+        case ExportTarget::Usd:
+            return ExportDialog::tr("USD with rigid bodies, colliders and breakable joints; and pack.json.");
+    }
+    return {};
+}
 
 QCheckBox* checkBox(const QString& text, const QString& toolTip) {
     auto* box = new QCheckBox(text);
@@ -72,6 +94,11 @@ void ExportDialog::addFields() {
     m_folder->setToolTip(tr("Set the output folder, which gets a subfolder for each asset"));
     m_target = comboBox({tr("Any engine"), "Unity", "Unreal Engine", "Godot", "Blender", tr("Web"), "USD"},
                         tr("Select the program that the export is for; a README.md says how to use it there"));
+    m_description = new QLabel;
+    m_description->setObjectName("program-description");
+    m_description->setWordWrap(true);
+    m_description->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_description->setMinimumHeight(kDescriptionLines * m_description->fontMetrics().lineSpacing());
     m_obj = checkBox(tr("&OBJ with materials"), tr("Write Wavefront OBJ files, which all 3D programs read"));
     m_glb = checkBox(tr("&GLB"), tr("Write binary glTF files"));
     m_usd = checkBox(tr("U&SD"), tr("Write USD files with rigid bodies and colliders of UsdPhysics"));
@@ -110,7 +137,7 @@ void ExportDialog::addForm() {
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     layout->addWidget(buttons);
     m_export->setDefault(true);  // after the button was added to the dialog
-    resizeWithinScreen(*this, sizeHint().expandedTo({kMinExportDialogWidth, 0}));
+    resizeWithinScreen(*this, kExportDialogSize.expandedTo(minimumSizeHint()));
 }
 
 void ExportDialog::addOptions(QFormLayout& form) {
@@ -118,6 +145,7 @@ void ExportDialog::addOptions(QFormLayout& form) {
     form.addRow(tr("Co&ntents:"), m_contents);
     form.addRow(buddyLabel(tr("&Folder:"), m_folder), createPathRow(*m_folder, [this] { browse(); }));
     form.addRow(tr("&Program:"), m_target);
+    form.addRow(QString(), m_description);
     form.addRow(tr("Meshes:"), createFormats());
     form.addRow(tr("GLB &kind:"), m_glbKind);
     form.addRow(tr("Frag&ments:"), m_split);
@@ -207,6 +235,7 @@ void ExportDialog::applyTarget() {
 void ExportDialog::refresh() {
     const ExportOptions options = this->options();
     const MeshOptions& meshes = options.meshes;
+    m_description->setText(descriptionOf(options.target));
     m_contents->setEnabled(!options.assets && hasScene(m_workspace.project()));
     m_split->setEnabled(meshes.obj || meshes.glb);
     m_place->setEnabled(meshes.obj || meshes.glb);

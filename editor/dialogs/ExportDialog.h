@@ -41,6 +41,7 @@ private:
     QLineEdit* m_folder;
     QComboBox* m_contents;
     QComboBox* m_target;
+    QLabel* m_description;
     QCheckBox* m_obj;
     QCheckBox* m_glb;
     QCheckBox* m_usd;

@@ -138,6 +138,23 @@ private slots:
         QVERIFY(!QFile::exists(m_folder->filePath("packs/wall/pack.bin")));
         QVERIFY(lastExportOptions(*m_workspace)->target == ExportTarget::Godot);
     }
+    void programsAreDescribedByWhatTheyGet() {
+        ExportDialog dialog(*m_workspace, nullptr);
+        QComboBox& programs = boxWith(dialog, "Godot");
+        QCOMPARE(std::size_t(programs.count()), kExportTargets.size());
+        for (int k = 0; k < programs.count(); ++k) {
+            programs.setCurrentIndex(k);
+            const PackOptions options = optionsFor(static_cast<ExportTarget>(k));
+            const MeshOptions& meshes = options.meshes;
+            const QString text = dialog.findChild<QLabel*>("program-description")->text();
+            QVERIFY2(text.contains("OBJ") == meshes.obj && text.contains("GLB") == meshes.glb, qPrintable(text));
+            QVERIFY2(text.contains("USD") == meshes.usd, qPrintable(text));
+            QVERIFY2(text.contains("rigid bodies") == (meshes.usd || meshes.glbKind == GlbKind::Physics),
+                     qPrintable(text));
+            QVERIFY2(text.contains("pack.bin") == (options.files == PackFiles::Both), qPrintable(text));
+            QVERIFY2(text.contains("pack.json") && text.endsWith('.'), qPrintable(text));
+        }
+    }
     void programsSelectTheKindOfGlbFiles() {
         ExportDialog dialog(*m_workspace, nullptr);
         QComboBox& kind = boxWith(dialog, "Compact");
