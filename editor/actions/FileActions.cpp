@@ -6,6 +6,7 @@
 #include "editor/actions/LockQuestion.h"
 #include "editor/actions/PictureActions.h"
 #include "editor/dialogs/ExportDialog.h"
+#include "editor/dialogs/ExportOnSave.h"
 #include "editor/dialogs/FileFilters.h"
 #include "editor/dialogs/MessageBoxes.h"
 #include "editor/dialogs/import/ImportDialog.h"
@@ -31,6 +32,7 @@ FileActions::FileActions(Views& views, const PreferenceStore& preferences, Recen
       m_workspace(views.workspace()),
       m_preferences(preferences),
       m_recentFiles(recentFiles),
+      m_exportOnSave(new ExportOnSave(m_workspace, views.messages(), this)),
       m_menu(new QMenu(tr("&File"), &views.window())) {
     const auto add = actionAdder(*m_menu, this);
     m_new =
@@ -62,6 +64,7 @@ FileActions::FileActions(Views& views, const PreferenceStore& preferences, Recen
     connect(&m_workspace.document(), &Document::modifiedChanged, this, &FileActions::updateEnabled);
     connect(&m_workspace.document(), &Document::changed, this, &FileActions::updateEnabled);
     connect(&m_workspace.file(), &DocumentFile::pathChanged, this, &FileActions::updateEnabled);
+    connect(m_exportOnSave, &ExportOnSave::finished, this, [this](const QString& text) { m_views.showStatus(text); });
     connect(&m_workspace.file(), &DocumentFile::changedOnDisk, this, &FileActions::askAboutChangeOnDisk);
     updateEnabled();
 }
@@ -159,8 +162,11 @@ bool FileActions::saveTo(const QString& path) {
     if (!access) return false;
     const Status saved = file.saveAs(path, *access);
     showIfError(&m_views.window(), saved);
-    if (saved) m_views.showStatus(tr("Saved %1.").arg(file.name()));
-    return saved.hasValue();
+    if (!saved) return false;
+    m_exportOnSave->start();
+    const QString text = m_exportOnSave->isRunning() ? tr("Saved %1. Exporting…") : tr("Saved %1.");
+    m_views.showStatus(text.arg(file.name()));
+    return true;
 }
 
 void FileActions::revert() {
@@ -219,6 +225,12 @@ void FileActions::askAboutDeletion() {
 }
 
 bool FileActions::confirmClose() {
+    if (!confirmLosingChanges()) return false;
+    m_exportOnSave->complete(&m_views.window());
+    return true;
+}
+
+bool FileActions::confirmLosingChanges() {
     if (!m_workspace.document().isModified()) return true;
     enum Answer : std::size_t { kSave, kDiscard, kCancel };
     const std::size_t answer =
@@ -266,6 +278,7 @@ void FileActions::exportAgain() {
 }
 
 ExportSummary FileActions::exportWith(const ExportOptions& options) {
+    m_exportOnSave->cancel();
     const ExportSummary summary = exportProject(m_workspace, options, m_views.messages(), &m_views.window());
     m_views.showStatus(summary.sentence);
     return summary;

@@ -9,6 +9,7 @@ class QMenu;
 
 namespace rubble {
 
+class ExportOnSave;
 class PreferenceStore;
 class RecentFiles;
 class Views;
@@ -29,7 +30,8 @@ public:
     /// the file. Returns false if it was not saved.
     bool save();
     bool saveAs();
-    /// Asks whether to save unsaved changes. Returns false if the user cancels.
+    /// Asks whether to save unsaved changes, and completes an export that saving started. Returns false if the user
+    /// cancels.
     bool confirmClose();
     /// Opens a project file, or imports a mesh file.
     void openFile(const QString& path);
@@ -47,6 +49,7 @@ private:
     void saveTriggered() { save(); }
     void saveAsTriggered() { saveAs(); }
     void revert();
+    bool confirmLosingChanges();
     bool saveOverChange();
     bool saveOverUnreadable();
     bool saveTo(const QString& path);
@@ -66,6 +69,7 @@ private:
     Workspace& m_workspace;
     const PreferenceStore& m_preferences;
     RecentFiles& m_recentFiles;
+    ExportOnSave* m_exportOnSave;
     QMenu* m_menu;
     QMenu* m_recent = nullptr;
     QAction* m_new = nullptr;

@@ -114,6 +114,8 @@ void ExportDialog::addFields() {
     m_up = comboBox({tr("Y up"), tr("Z up")}, tr("Select the up axis of OBJ files; GLB files always have y up"));
     m_unit = comboBox({tr("Metres"), tr("Centimetres"), tr("Millimetres")},
                       tr("Select the unit of OBJ files; GLB files are always in metres"));
+    m_onSave = checkBox(tr("Export again &whenever the project is saved"),
+                        tr("Repeat this export in the background after each save of the project's file"));
     m_tree = new ExportTree;
     m_problem = new QLabel;
     m_problem->setWordWrap(true);
@@ -153,6 +155,7 @@ void ExportDialog::addOptions(QFormLayout& form) {
     form.addRow(tr("OBJ fac&es:"), m_faces);
     form.addRow(tr("OBJ a&xes:"), m_up);
     form.addRow(tr("OBJ &unit:"), m_unit);
+    form.addRow(m_onSave);
 }
 
 QGridLayout* ExportDialog::createFormats() const {
@@ -174,6 +177,7 @@ void ExportDialog::showOptions(const ExportOptions& options) {
     }
     m_folder->setText(QDir::toNativeSeparators(options.folder));
     m_contents->setCurrentIndex(options.isWithScene ? 0 : 1);
+    m_onSave->setChecked(options.isRepeatedOnSave);
     m_target->setCurrentIndex(static_cast<int>(options.target));
     showFormats(options.meshes);
     m_split->setCurrentIndex(options.meshes.split == FileSplit::PerFragment);
@@ -206,6 +210,7 @@ ExportOptions ExportDialog::options() const {
     const bool areAll = static_cast<int>(selected.size()) == m_assets->count();
     if (!areAll) options.assets = std::move(selected);  // all: includes assets that are added later
     options.isWithScene = m_contents->currentIndex() == 0;
+    options.isRepeatedOnSave = m_onSave->isChecked();
     options.target = static_cast<ExportTarget>(m_target->currentIndex());
     options.meshes.obj = m_obj->isChecked();
     options.meshes.glb = m_glb->isChecked();

@@ -52,6 +52,7 @@ private:
     QComboBox* m_faces;
     QComboBox* m_up;
     QComboBox* m_unit;
+    QCheckBox* m_onSave;
     ExportTree* m_tree;
     QLabel* m_problem;
     QPushButton* m_export = nullptr;

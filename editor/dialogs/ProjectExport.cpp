@@ -1,6 +1,5 @@
 #include "editor/dialogs/ProjectExport.h"
 
-#include "core/io/pack/OutputFolder.h"
 #include "editor/dialogs/MessageBoxes.h"
 #include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
@@ -35,6 +34,7 @@ void store(const QString& group, const ExportOptions& options) {
     const std::string_view target = kExportTargets[static_cast<std::size_t>(options.target)];
     settings.setValue("target", QString::fromUtf8(target.data(), static_cast<qsizetype>(target.size())));
     settings.setValue("scene", options.isWithScene);
+    settings.setValue("onSave", options.isRepeatedOnSave);
     settings.setValue("obj", options.meshes.obj);
     settings.setValue("glb", options.meshes.glb);
     settings.setValue("usd", options.meshes.usd);
@@ -77,23 +77,6 @@ OutputRequest outputRequest(Workspace& workspace, const ExportOptions& options) 
 /// Whether nothing was written because a file was changed after the last export.
 bool isEdited(const Status& status) { return !status && status.error().code == ErrorCode::Edited; }
 
-/// What an export did: with the packs, and with the scene and the index beside them.
-struct ExportRun {
-    std::vector<AssetExport> packs;
-    Status finished = success();
-};
-
-Result<ExportRun> runExport(const OutputRequest& request, const Project& project, const std::vector<Id>& assets,
-                            const TaskContext& task) {
-    const Result<std::optional<ExportIndex>> earlier = readExportIndex(request.folder);
-    if (!earlier) return earlier.error();
-    Result<std::vector<AssetExport>> packs =
-        exportPacks(project, assets, request.folder, request.options, request.edited, task);
-    if (!packs) return packs.error();
-    const Status finished = finishExport(request, project, *packs, *earlier, task);
-    return ExportRun{std::move(*packs), finished};
-}
-
 /// Asks whether to replace the folders that hold files changed after their export.
 bool confirmReplacing(const ExportRun& run, const QString& folder, QWidget* parent) {
     QStringList folders;
@@ -109,9 +92,10 @@ bool confirmReplacing(const ExportRun& run, const QString& folder, QWidget* pare
                        ExportTexts::tr("Replace"), ExportTexts::tr("Keep Changed Files"));
 }
 
-/// Shows the assets that failed and returns a sentence about the others. Files that the user keeps are no failure.
-QString summary(const ExportRun& run, const QString& folder, Messages& messages, QWidget* parent) {
-    QStringList errors;
+/// Adds a message for each asset that failed or was kept, and returns the summary of the others. Files that the user
+/// keeps are no failure.
+ExportSummary summaryOf(const ExportRun& run, const QString& folder, Messages& messages) {
+    ExportSummary summary;
     int written = 0, unchanged = 0, kept = 0;
     const auto keep = [&](const Error& edited, Id asset) {
         ++kept;
@@ -126,25 +110,21 @@ QString summary(const ExportRun& run, const QString& folder, Messages& messages,
             keep(asset.status.error(), asset.asset);
             continue;
         }
-        errors.append(QString::fromStdString(asset.status.error().message));
-        messages.add({.severity = Severity::Error, .text = errors.last(), .asset = asset.asset});
+        summary.assetErrors.append(QString::fromStdString(asset.status.error().message));
+        messages.add({.severity = Severity::Error, .text = summary.assetErrors.last(), .asset = asset.asset});
     }
     if (isEdited(run.finished)) {
         keep(run.finished.error(), {});
     } else if (!run.finished) {
-        const QString sentence = QString::fromStdString(run.finished.error().message);
-        messages.add({.severity = Severity::Error, .text = sentence});
-        showError(parent, sentence);
+        summary.failure = QString::fromStdString(run.finished.error().message);
+        messages.add({.severity = Severity::Error, .text = summary.failure});
     }
-    if (!errors.isEmpty()) {
-        const int failed = static_cast<int>(errors.size());
-        const QString text = ExportTexts::tr("%n asset(s) could not be exported. See the details.", nullptr, failed);
-        showError(parent, text, errors);
-    }
-    QString text = ExportTexts::tr("Exported %n asset(s) to %1", nullptr, written).arg(pathText(folder));
-    if (unchanged > 0) text += ExportTexts::tr("; %L1 unchanged").arg(unchanged);
-    if (kept > 0) text += ExportTexts::tr("; %L1 kept as changed").arg(kept);
-    return text + '.';
+    summary.isExported = written + unchanged > 0;
+    summary.sentence = ExportTexts::tr("Exported %n asset(s) to %1", nullptr, written).arg(pathText(folder));
+    if (unchanged > 0) summary.sentence += ExportTexts::tr("; %L1 unchanged").arg(unchanged);
+    if (kept > 0) summary.sentence += ExportTexts::tr("; %L1 kept as changed").arg(kept);
+    summary.sentence += '.';
+    return summary;
 }
 
 }  // namespace
@@ -158,6 +138,7 @@ std::optional<ExportOptions> lastExportOptions(Workspace& workspace) {
     const auto target = std::ranges::find(kExportTargets, settings.value("target").toString().toStdString());
     if (target != kExportTargets.end()) options.target = static_cast<ExportTarget>(target - kExportTargets.begin());
     options.isWithScene = settings.value("scene", true).toBool();
+    options.isRepeatedOnSave = settings.value("onSave").toBool();
     options.meshes.obj = settings.value("obj").toBool();
     options.meshes.glb = settings.value("glb").toBool();
     const MeshOptions needed = optionsFor(options.target).meshes;  // what versions before these settings wrote
@@ -186,34 +167,55 @@ ExportListing exportListing(Workspace& workspace, const ExportOptions& options) 
             .files = outputFileNames(request, project)};
 }
 
+ExportJob exportJob(Workspace& workspace, const ExportOptions& options) {
+    const Project& project = workspace.project();
+    return {outputRequest(workspace, options), project, assetsToExport(options, project)};
+}
+
+Result<ExportRun> runExport(const ExportJob& job, const TaskContext& task) {
+    const auto& [request, project, assets] = job;
+    const Result<std::optional<ExportIndex>> earlier = readExportIndex(request.folder);
+    if (!earlier) return earlier.error();
+    Result<std::vector<AssetExport>> packs =
+        exportPacks(project, assets, request.folder, request.options, request.edited, task);
+    if (!packs) return packs.error();
+    const Status finished = finishExport(request, project, *packs, *earlier, task);
+    return ExportRun{std::move(*packs), finished};
+}
+
+ExportSummary addMessages(Messages& messages, const Result<ExportRun>& run, const QString& folder) {
+    if (run) {
+        ExportSummary summary = summaryOf(*run, folder, messages);
+        messages.add({.text = summary.sentence});
+        return summary;
+    }
+    if (run.error().code == ErrorCode::Cancelled)
+        return {.sentence = ExportTexts::tr("Export cancelled. No incomplete files were left.")};
+    const QString sentence = QString::fromStdString(run.error().message);
+    messages.add({.severity = Severity::Error, .text = sentence});
+    return {.sentence = sentence, .failure = sentence};
+}
+
 ExportSummary exportProject(Workspace& workspace, const ExportOptions& options, Messages& messages, QWidget* parent) {
     store(settingsGroup(workspace.file().path()), options);
-    const Project project = workspace.project();
-    const std::vector<Id> assets = assetsToExport(options, project);
-    OutputRequest request = outputRequest(workspace, options);
+    ExportJob job = exportJob(workspace, options);
     const auto run = [&] {
         TaskDialog dialog(ExportTexts::tr("Exporting…"), parent);
-        return dialog.run<Result<ExportRun>>(
-            [&](const TaskContext& task) { return runExport(request, project, assets, task); });
+        return dialog.run<Result<ExportRun>>([&](const TaskContext& task) { return runExport(job, task); });
     };
     Result<ExportRun> outcome = run();
     if (outcome && confirmReplacing(*outcome, options.folder, parent)) {
-        request.edited = EditedFiles::Replaced;
+        job.request.edited = EditedFiles::Replaced;
         outcome = run();
     }
-    if (outcome) {
-        const QString sentence = summary(*outcome, options.folder, messages, parent);
-        messages.add({.text = sentence});
-        const auto isExported = [](const AssetExport& exported) { return exported.status.hasValue(); };
-        return {sentence, std::ranges::any_of(outcome->packs, isExported)};
+    ExportSummary summary = addMessages(messages, outcome, options.folder);
+    if (!summary.failure.isEmpty()) showError(parent, summary.failure);
+    if (!summary.assetErrors.isEmpty()) {
+        const int failed = static_cast<int>(summary.assetErrors.size());
+        const QString text = ExportTexts::tr("%n asset(s) could not be exported. See the details.", nullptr, failed);
+        showError(parent, text, summary.assetErrors);
     }
-    if (outcome.error().code == ErrorCode::Cancelled) {
-        return {ExportTexts::tr("Export cancelled. No incomplete files were left."), false};
-    }
-    const QString sentence = QString::fromStdString(outcome.error().message);
-    messages.add({.severity = Severity::Error, .text = sentence});
-    showError(parent, sentence);
-    return {sentence, false};
+    return summary;
 }
 
 }  // namespace rubble

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/pack/ExportTarget.h"
+#include "core/io/pack/OutputFolder.h"
 #include "editor/document/Messages.h"
 #include "editor/workspace/Workspace.h"
 
@@ -15,6 +16,7 @@ struct ExportOptions {
     ExportTarget target = ExportTarget::Neutral;
     MeshOptions meshes;
     bool isWithScene = true;  // with scene.json, if all assets are exported and the project has a scene
+    bool isRepeatedOnSave = false;
 };
 
 /// Returns the options of the project's last export, which QSettings keep by the project's path; none if it was never
@@ -30,11 +32,33 @@ struct ExportListing {
 /// Returns what an export of the project writes, as far as it is known before assets are fractured.
 ExportListing exportListing(Workspace& workspace, const ExportOptions& options);
 
-/// What an export did, as a sentence.
+/// An export with all that it reads, so that it can run in the background.
+struct ExportJob {
+    OutputRequest request;
+    Project project;
+    std::vector<Id> assets;
+};
+ExportJob exportJob(Workspace& workspace, const ExportOptions& options);
+
+/// What an export did: with the packs, and with the scene and the index beside them.
+struct ExportRun {
+    std::vector<AssetExport> packs;
+    Status finished = success();
+};
+/// Errors: those of exportPacks() and readExportIndex(). Those of single assets, and of what is beside the packs, are
+/// in the result.
+Result<ExportRun> runExport(const ExportJob& job, const TaskContext& task);
+
+/// What an export did, for the user.
 struct ExportSummary {
     QString sentence;
     bool isExported = false;  // at least one asset was exported or had been before
+    QString failure;          // of the export, or of what is beside the packs; empty: none
+    QStringList assetErrors;
 };
+/// Returns the summary of an export to a folder, and adds it to `messages` after a message for each asset that failed,
+/// or whose files were changed and kept.
+ExportSummary addMessages(Messages& messages, const Result<ExportRun>& run, const QString& folder);
 
 /// Exports the project with a progress dialog and stores the options as its last ones. Errors are shown in a message
 /// box, and everything is added to `messages`.

@@ -229,6 +229,15 @@ private slots:
         ExportDialog later(*m_workspace, nullptr);
         QCOMPARE(boxWith(later, "Assets only").currentText(), "Assets only");
     }
+    void exportOnSaveIsRemembered() {
+        ExportDialog dialog(*m_workspace, nullptr);
+        QVERIFY(!dialog.options().isRepeatedOnSave);
+        boxNamed(dialog, "Export again &whenever the project is saved").setChecked(true);
+        exportProject(*m_workspace, dialog.options(), m_messages, nullptr);
+        QVERIFY(lastExportOptions(*m_workspace)->isRepeatedOnSave);
+        ExportDialog later(*m_workspace, nullptr);
+        QVERIFY(later.options().isRepeatedOnSave);
+    }
     void sceneTakesAllAssets() {
         ExportDialog dialog(*m_workspace, nullptr);
         dialog.show();
