@@ -155,6 +155,21 @@ private slots:
             QVERIFY2(text.contains("pack.json") && text.endsWith('.'), qPrintable(text));
         }
     }
+    /// A screen of 2560 × 1440 pixels has 1280 × 720 points at 2×, less the panels of the desktop.
+    void fitsOnASmallScreen() {
+        ExportDialog dialog(*m_workspace, nullptr);
+        const QSize least = dialog.minimumSizeHint();
+        QVERIFY2(least.width() <= 1100 && least.height() <= 560,
+                 qPrintable(QString("%1 × %2").arg(least.width()).arg(least.height())));
+        dialog.show();
+        const auto& description = *dialog.findChild<QLabel*>("program-description");
+        QComboBox& programs = boxWith(dialog, "Godot");
+        for (int k = 0; k < programs.count(); ++k) {
+            programs.setCurrentIndex(k);
+            QVERIFY2(description.heightForWidth(description.width()) <= description.height(),
+                     qPrintable(description.text()));
+        }
+    }
     void programsSelectTheKindOfGlbFiles() {
         ExportDialog dialog(*m_workspace, nullptr);
         QComboBox& kind = boxWith(dialog, "Compact");
