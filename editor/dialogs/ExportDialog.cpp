@@ -39,7 +39,9 @@ QString descriptionOf(ExportTarget target) {
         case ExportTarget::Unity:
             return ExportDialog::tr("GLB meshes for glTFast or UnityGLTF; a script reads pack.json or pack.bin.");
         case ExportTarget::Unreal:
-            return ExportDialog::tr("GLB meshes for Interchange; C++ code reads pack.json or pack.bin.");
+            return ExportDialog::tr(
+                "GLB with hulls, and a Python script that makes Geometry Collections of them; C++ code reads the "
+                "packs.");
         case ExportTarget::Godot:
             return ExportDialog::tr("GLB with rigid bodies, which Godot 4.3 and later read on import; and pack.json.");
         case ExportTarget::Blender:
@@ -105,7 +107,7 @@ void ExportDialog::addFields() {
     m_mjcf = checkBox(tr("MuJo&Co"), tr("Write the fragments as a model of MuJoCo (MJCF)"));
     m_glbKind = comboBox({tr("Plain"), tr("With rigid bodies"), tr("Compact"), tr("With hulls for Unreal Engine")},
                          tr("Select the content of GLB files: a node per fragment; the same with rigid bodies and "
-                            "colliders; or one skinned mesh, small and drawn at once"));
+                            "colliders; one skinned mesh, small and drawn at once; or with hulls called UCX_"));
     m_split = comboBox({tr("One file for all"), tr("One file each")},
                        tr("Select one file for all fragments or one file per fragment"));
     m_place = comboBox({tr("Assembled"), tr("Centred on the centre of mass")},
