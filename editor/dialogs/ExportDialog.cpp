@@ -40,8 +40,7 @@ QString descriptionOf(ExportTarget target) {
             return ExportDialog::tr("GLB meshes for glTFast or UnityGLTF; a script reads pack.json or pack.bin.");
         case ExportTarget::Unreal:
             return ExportDialog::tr(
-                "GLB with hulls, and a Python script that makes Geometry Collections of them; C++ code reads the "
-                "packs.");
+                "GLB with collision hulls, a script that imports them, and pack.json and pack.bin.");
         case ExportTarget::Godot:
             return ExportDialog::tr("GLB with rigid bodies, which Godot 4.3 and later read on import; and pack.json.");
         case ExportTarget::Blender:
