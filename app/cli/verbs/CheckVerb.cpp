@@ -162,6 +162,17 @@ std::vector<CheckResult> checkAssets(const std::string& file, const Project& pro
     return results;
 }
 
+/// What importers do with materials because of their names. Objects and files have names without such endings.
+void addNameWarnings(std::span<const PackSurface> surfaces, const FindingPlace& place, std::vector<Finding>& findings) {
+    for (const PackSurface& surface : surfaces) {
+        const std::optional<std::string> effect = importerEffect(surface.name);
+        if (!effect) continue;
+        findings.push_back({Severity::Warning, "ImporterName", place,
+                            "Godot's importer acts on the end of the name of the material " + quotedName(surface.name) +
+                                " and " + *effect + "; rename it."});
+    }
+}
+
 void checkProject(const std::string& path, const CheckArguments& arguments, VerbReport& report,
                   const CliContext& context, std::vector<CheckResult>& all) {
     const auto add = [&](const Finding& finding) { warn(finding, arguments.isStrict, report, context); };
@@ -177,6 +188,12 @@ void checkProject(const std::string& path, const CheckArguments& arguments, Verb
     for (const Asset& asset : project->assets) {  // once for all variants
         for (const Diagnostic& problem : strengthProblems(asset, *findMaterial(*project, asset.material)))
             add(findingOf(problem, path, asset.name));
+    }
+    for (const Asset& asset : project->assets) {
+        std::vector<Finding> warnings;
+        addNameWarnings(packSurfaces(asset, materialsOf(*project, asset)), {.file = path, .asset = asset.name},
+                        warnings);
+        std::ranges::for_each(warnings, add);
     }
     for (const InstanceOverlap& overlap : instanceOverlaps(*project)) {
         add({Severity::Warning, "OverlappingInstances", {.file = path}, sentenceOf(overlap, *project)});
@@ -227,6 +244,13 @@ std::vector<Finding> hullWarnings(const Pack& pack, const FindingPlace& place) {
     return {};
 }
 
+/// Warnings of a pack, and notes.
+std::vector<Finding> packWarnings(const Pack& pack, const FindingPlace& place) {
+    std::vector<Finding> findings = hullWarnings(pack, place);
+    addNameWarnings(pack.surfaces, place, findings);
+    return findings;
+}
+
 /// Verifies a folder with pack.bin only, as far as its numbers allow.
 CheckResult checkBinaryPack(const fs::path& folder) {
     const fs::path path = folder / kPackBinaryName;
@@ -236,7 +260,7 @@ CheckResult checkBinaryPack(const fs::path& folder) {
     if (!pack) return cannotCheck({pack.error().code, path.string() + ": " + pack.error().message}, path.string());
     const FindingPlace place{.file = path.string(), .asset = pack->names.name};
     if (const auto found = verifyExportFolder(folder)) return faulty("InvalidExport", place, *found);
-    return {.warnings = hullWarnings(*pack, place),
+    return {.warnings = packWarnings(*pack, place),
             .item = CheckedItem{"pack", folder.string(), pack->names.name, pack->fragments.size(), pack->whole.volume}};
 }
 
@@ -265,7 +289,7 @@ CheckResult checkPack(const fs::path& folder) {
         return invalid("The mesh " + quotedName(mesh.name) + " is not in the folder.");
     }
     if (const auto found = verifyExportFolder(folder)) return faulty("InvalidExport", place, *found);
-    return {.warnings = hullWarnings(*pack, place),
+    return {.warnings = packWarnings(*pack, place),
             .item = CheckedItem{"pack", folder.string(), pack->names.name, pack->fragments.size(), pack->whole.volume}};
 }
 

@@ -51,6 +51,21 @@ std::string imageFileName(const Texture& texture) {
     return fittingFileName("", meshName(stem), std::string(texture.image->suffix()));
 }
 
+std::optional<std::string> importerEffect(std::string_view materialName) {
+    constexpr std::pair<std::string_view, const char*> kEndings[] = {
+        {"alpha", "makes it transparent"}, {"vcol", "multiplies it by the colours of vertices"}};
+    std::string name(materialName.substr(0, materialName.find_last_not_of("0123456789_ ") + 1));
+    for (char& letter : name) {
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    }
+    for (const auto& [ending, effect] : kEndings) {
+        for (const char separator : {'-', '_', '$'}) {
+            if (name.ends_with(separator + std::string(ending))) return effect;
+        }
+    }
+    return std::nullopt;
+}
+
 MeshMaterials meshMaterials(const Asset& asset, const AssetMaterials& material) {
     std::set<std::string> taken;
     const std::string name = meshName(material.own.name), insideName = meshName(material.inside.name) + "_inside";

@@ -4,7 +4,9 @@
 #include "core/geometry/mesh/Mesh.h"
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rubble {
@@ -49,6 +51,11 @@ std::string meshName(const std::string& name);
 
 /// Returns the name of the file with a texture's image, for its name in the project.
 std::string imageFileName(const Texture& texture);
+
+/// What the importer of Godot does with a material because its name ends so, as the end of a sentence: "makes it
+/// transparent"; nothing for other names.
+/// Source: Godot Engine, "Node type customization using name suffixes".
+std::optional<std::string> importerEffect(std::string_view materialName);
 
 /// Returns the materials of an asset: outside those of the mesh it was imported from, or "<material>_outside" if there
 /// is none; inside "<material>_inside". A number makes a name unique. The texture's image is called as its file was.

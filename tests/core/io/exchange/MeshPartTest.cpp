@@ -36,6 +36,13 @@ private slots:
         QCOMPARE(materials.inside.name, std::string("brick_inside"));
         QVERIFY(materials.inside.colour == brick().inside);
     }
+    void importersActOnSomeNames() {
+        for (const char* name : {"leaf_alpha", "leaf-Alpha", "Leaf$alpha_02", "glass_vcol 3"})
+            QVERIFY(importerEffect(name));
+        for (const char* name : {"alpha", "leafalpha", "alpha_leaf", "brick_outside", "glass_inside", ""})
+            QVERIFY(!importerEffect(name));
+        QCOMPARE(*importerEffect("leaf_alpha"), std::string("makes it transparent"));
+    }
     void importedMeshKeepsItsMaterialNames() {
         Surface surface;
         surface.materials = {"plaster", "brick_inside", "plaster"};
