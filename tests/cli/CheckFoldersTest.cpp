@@ -4,6 +4,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
 #include "tests/support/files/FileBytes.h"
+#include "tests/support/files/RunProgram.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -162,7 +163,8 @@ private slots:
             err.str({});
             return runCli(arguments, {.in = 0, .out = out, .err = err});
         };
-        QVERIFY2(run({"import", (m_packs / "leaf.obj").string(), "--into", project}) == 0, err.str().c_str());
+        const QString leaf = QString::fromStdString((m_packs / "leaf.obj").string());
+        QCOMPARE(runProgram(RUBBLE_CLI, {"import", leaf, "--into", QString::fromStdString(project)}).exit, 0);
         QVERIFY2(run({"export", project, "--out", packs, "-q"}) == 0, err.str().c_str());
         for (const std::string& place : {project, packs}) {
             QCOMPARE(run({"check", place, "-q"}), 0);
