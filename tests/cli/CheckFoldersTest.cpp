@@ -154,10 +154,10 @@ private slots:
     }
     void namesThatImportersActUponAreTold() {
         fs::create_directories(m_packs);
-        write(m_packs / "leaf.mtl", "newmtl leaf_alpha\n");
+        write(m_packs / "leaf.mtl", "newmtl leaf_alpha\nnewmtl bark\n");
         write(m_packs / "leaf.obj",
               "mtllib leaf.mtl\no leaf\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
-              "usemtl leaf_alpha\nf 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+              "usemtl bark\nf 4 3 2 1\nusemtl leaf_alpha\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
         const std::string project = (m_packs / "leaf.rubble").string(), packs = (m_packs / "packs").string();
         std::ostringstream out, err;
         const auto run = [&](std::vector<std::string> arguments) {
