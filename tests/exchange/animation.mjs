@@ -36,7 +36,7 @@ const identifier = (name) => name.replace(/[-. ]/gu, "_");
 function nodeOf(name) {
   const [instance, fragment] = name.split("/");
   const pack = packOf.get(instance);
-  if (!pack) return {node: identifier(instance), origin: [0, 0, 0]};  // a projectile
+  if (!pack) return {node: `${identifier(instance)}_thrown`, origin: [0, 0, 0]};  // a projectile
   if (fragment) return {node: `${identifier(instance)}_f${identifier(fragment)}`, origin: [0, 0, 0]};
   return {node: `${identifier(instance)}_whole`, origin: pack.whole.offset};
 }

@@ -66,7 +66,7 @@ public:
 private:
     std::string nameOf(const SolidTrack& track) {
         const PackNames names{.folder = meshName(track.origin)};
-        std::string name = identifierOf(names.folder);
+        std::string name = identifierOf(names.folder) + "_thrown";  // without an ending that an importer acts upon
         if (track.asset != nullptr) {
             name = track.fragment == kNone ? wholeBodyName(names)
                                            : fragmentBodyName(names, track.asset->bake->fragmentId(track.fragment));

@@ -59,7 +59,7 @@ private slots:
         const AnimatedScene scene = sceneOf(brokenBlock());
         QCOMPARE(scene.nodes.size(), std::size_t{7});  // the block, the box, and five fragments
         QCOMPARE(scene.nodes[0].name, "block_whole");
-        QVERIFY(std::ranges::count(scene.nodes, "a_box", &AnimatedNode::name) == 1);
+        QVERIFY(std::ranges::count(scene.nodes, "a_box_thrown", &AnimatedNode::name) == 1);
         std::set<std::string> names;
         for (const AnimatedNode& node : scene.nodes) names.insert(node.name);
         QCOMPARE(names.size(), scene.nodes.size());
