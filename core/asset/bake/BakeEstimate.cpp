@@ -14,8 +14,8 @@ namespace {
 constexpr double kBytesPerFragment = 260.0;
 constexpr double kBytesPerFracture = 4000.0;
 // Measured at the peak, beyond what is kept: 10,000 to 200,000 fragments of one and of several fractures.
-constexpr double kBakeBytesPerFragment = 500.0;  // of the largest fracture; 300 to bake it, 800 to verify it
-constexpr double kExportBytesPerFragment = 9000.0;
+constexpr double kBakeBytesPerFragment = 500.0;     // of the largest fracture; 300 to bake it, 800 to verify it
+constexpr double kExportBytesPerFragment = 8000.0;  // of its pack
 constexpr double kPlayBytesPerFragment = 4400.0;
 
 std::string estimateText(double number) {
@@ -34,7 +34,7 @@ double BakeEstimate::bytes(MemoryStage stage) const {
     switch (stage) {
         case MemoryStage::Kept: break;
         case MemoryStage::Bake: return kept + kBakeBytesPerFragment * largest;
-        case MemoryStage::Export: return kept + kExportBytesPerFragment * fragments;
+        case MemoryStage::Export: return kept + (kExportBytesPerFragment + meshBytes) * fragments;
         case MemoryStage::Play: return kept + kPlayBytesPerFragment * fragments;
     }
     return kept;

@@ -22,6 +22,7 @@ struct BakeEstimate {
     double fragments = 0.0;  // of all levels
     double fractures = 0.0;  // of the whole and of fragments
     double largest = 0.0;    // fragments of the largest fracture
+    double meshBytes = 0.0;  // of a fragment: of its meshes in an export
     double bytes(MemoryStage stage = MemoryStage::Kept) const;
 };
 

@@ -142,11 +142,12 @@ Status checkAssets(const Project& project, std::span<const Id> assets) {
 /// The memory that each export takes, bytes.
 ///
 /// Errors: Limit if one takes more than there is.
-Result<std::vector<double>> memoryOf(std::span<const PackedAsset> packed) {
+Result<std::vector<double>> memoryOf(std::span<const PackedAsset> packed, const PackOptions& options) {
     std::vector<double> bytes;
     for (const PackedAsset& each : packed) {
         const Asset& asset = each.asset;
-        const BakeEstimate estimate = estimateOf(asset);
+        BakeEstimate estimate = estimateOf(asset);
+        estimate.meshBytes = meshBytesPerFragment(options.meshes);
         if (const std::optional<std::string> fault =
                 sizeFault(estimate) ? std::nullopt : stageFault(estimate, MemoryStage::Export))
             return Error{ErrorCode::Limit, "Asset " + quotedName(asset.name) + ": " + *fault};
@@ -260,7 +261,7 @@ Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<c
     const std::vector<PackedAsset> packed = packedAssets(project, assets);
     std::vector<AssetExport> results(packed.size());
     SharedProgress progress(task, packed.size());
-    Result<std::vector<double>> bytes = memoryOf(packed);
+    Result<std::vector<double>> bytes = memoryOf(packed, options);
     if (!bytes) return bytes.error();
     const int atOnce = bakesAtOnce(std::move(*bytes), task.threads);
     const int threadsEach = std::max(1, task.threads / static_cast<int>(std::max<std::size_t>(1, packed.size())));
@@ -277,7 +278,7 @@ Result<std::vector<AssetExport>> planPacks(const Project& project, std::span<con
                                            EditedFiles edited, const TaskContext& task) {
     if (const Status known = checkAssets(project, assets); !known) return known.error();
     const std::vector<PackedAsset> packed = packedAssets(project, assets);
-    if (const Result<std::vector<double>> bytes = memoryOf(packed); !bytes) return bytes.error();
+    if (const Result<std::vector<double>> bytes = memoryOf(packed, options); !bytes) return bytes.error();
     std::vector<AssetExport> results;
     for (const PackedAsset& each : packed) {
         if (task.isCancelled()) return TaskContext::cancelled();

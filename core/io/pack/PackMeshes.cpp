@@ -228,6 +228,21 @@ PackFileNames meshFileNames(const Asset& asset, const PackNames& names, const Me
     return files;
 }
 
+double meshBytesPerFragment(const MeshOptions& options) {
+    double bytes = 0.0;
+    if (options.obj) bytes += 2200.0;
+    if (options.usd) bytes += 4800.0;
+    if (options.mjcf) bytes += 1200.0;
+    if (!options.glb) return bytes;
+    switch (options.glbKind) {
+        case GlbKind::Plain: return bytes + 3400.0;
+        case GlbKind::Physics: return bytes + 8800.0;
+        case GlbKind::Compact: return bytes + 900.0;
+        case GlbKind::Named: return bytes + 7100.0;
+    }
+    return bytes;
+}
+
 Result<PackMeshes> packMeshes(const PackBuilder& builder, const MeshOptions& options, const TaskContext& task) {
     const PackInput& input = builder.input();
     const bool hasMeshes = options.obj || options.glb;

@@ -40,6 +40,9 @@ struct MeshOptions {
     bool operator==(const MeshOptions&) const = default;
 };
 
+/// The memory that the meshes of a fragment take while they are exported, bytes. Measured with 20,000 fragments.
+double meshBytesPerFragment(const MeshOptions& options);
+
 /// The mesh files of a pack.
 struct PackMeshes {
     std::vector<PackMeshFile> list;  // for pack.json

@@ -63,9 +63,9 @@ bool verifies(const Asset& asset) {
     return baked && !verifyBake(*baked, asset);
 }
 
-bool exports(const Project& project, const std::string& folder) {
+bool exports(const Project& project, const std::string& folder, const MeshOptions& meshes) {
     const std::vector<Id> assets{project.assets[0].id};
-    const auto made = exportPacks(project, assets, folder, {}, EditedFiles::Kept, {.threads = 1});
+    const auto made = exportPacks(project, assets, folder, {.meshes = meshes}, EditedFiles::Kept, {.threads = 1});
     return made && made->front().status;
 }
 
@@ -121,11 +121,16 @@ private slots:
         QFETCH(Asset, asset);
         Project project = boxProject(UniformScatter{.count = 5});
         project.assets = {asset};
-        const BakeEstimate estimate = estimateOf(asset);
+        BakeEstimate estimate = estimateOf(asset);
         compare("bake", estimate.bytes(MemoryStage::Bake), peakOf([&] { return bakes(asset); }));
         compare("verify", estimate.bytes(MemoryStage::Bake), peakOf([&] { return verifies(asset); }));
         const std::string folder = m_place.filePath(QTest::currentDataTag()).toStdString();
-        compare("export", estimate.bytes(MemoryStage::Export), peakOf([&] { return exports(project, folder); }));
+        for (const MeshOptions& meshes : {MeshOptions(), MeshOptions{.obj = false, .glb = false},
+                                          MeshOptions{.obj = false, .usd = true, .glbKind = GlbKind::Physics}}) {
+            estimate.meshBytes = meshBytesPerFragment(meshes);
+            compare("export", estimate.bytes(MemoryStage::Export),
+                    peakOf([&] { return exports(project, folder, meshes); }));
+        }
         compare("play", estimate.bytes(MemoryStage::Play), peakOf([&] { return plays(project); }));
     }
 };
