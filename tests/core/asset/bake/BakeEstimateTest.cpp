@@ -150,7 +150,8 @@ private slots:
     void stagesTakeMoreThanWhatIsKept() {
         const Asset asset = boxProject(UniformScatter{.count = 1'000'000}).assets[0];
         BakeEstimate estimate = estimateOf(asset);
-        // The peaks that were measured for 200,000 seeds, times five, MB: check 1065, export without meshes 9720, simulate 4795.
+        // The peaks that were measured for 200,000 seeds, times five, MB: check 1065, export 9720 without meshes,
+        // simulate 4795.
         QVERIFY(isBetween(estimate.bytes(MemoryStage::Bake), 0.5 * 1065e6, 2.0 * 1065e6));
         QVERIFY(isBetween(estimate.bytes(MemoryStage::Export), 0.5 * 9720e6, 2.0 * 9720e6));
         QVERIFY(isBetween(estimate.bytes(MemoryStage::Play), 0.5 * 4795e6, 2.0 * 4795e6));
