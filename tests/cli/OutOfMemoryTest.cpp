@@ -28,7 +28,7 @@ private slots:
         QTest::addColumn<int>("count");
         QTest::addColumn<QStringList>("options");
         // Many fragments fail at a large block, few at a small one.
-        constexpr int kMany = 800'000, kFew = 120'000;
+        constexpr int kMany = 550'000, kFew = 120'000;
         QTest::newRow("simulate") << "simulate" << kMany << QStringList{"{project}", "--steps", "1"};
         QTest::newRow("simulate few") << "simulate" << kFew << QStringList{"{project}", "--steps", "1"};
         QTest::newRow("audit few") << "audit" << kFew << QStringList{"{project}"};

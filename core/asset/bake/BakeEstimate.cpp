@@ -71,9 +71,11 @@ std::optional<std::string> sizeFault(const BakeEstimate& estimate) {
 std::optional<std::string> stageFault(const BakeEstimate& estimate, MemoryStage stage) {
     const double bytes = estimate.bytes(stage);
     if (bytes <= kMaxTotalBakeBytes) return std::nullopt;  // false for NaN
-    return std::string(stage == MemoryStage::Export ? "exporting" : "simulating") + " about " +
-           estimateText(estimate.fragments) + " fragments would take " + gigabytes(bytes) + " of memory; at most " +
-           gigabytes(kMaxTotalBakeBytes) + " are allowed. Use fewer seeds or levels, or a larger minimum volume.";
+    const bool isExport = stage == MemoryStage::Export;
+    return std::string(isExport ? "exporting" : "simulating") + " about " + estimateText(estimate.fragments) +
+           " fragments would take " + gigabytes(bytes) + " of memory; at most " + gigabytes(kMaxTotalBakeBytes) +
+           " are allowed. Use fewer seeds or levels, " +
+           (isExport ? "a larger minimum volume, or fewer formats." : "or a larger minimum volume.");
 }
 
 std::optional<std::string> totalSizeFault(std::size_t bakes, double bytes) {
