@@ -18,8 +18,7 @@ void addAnimationOptions(Command& command, AnimationOptions& options) {
 }
 
 Status checkAnimation(const AnimationOptions& options) {
-    if (options.file.empty() || isAnimationPath(options.file)) return success();
-    return Error{ErrorCode::BadInput, "The name of an animation ends in .glb or .usda, unlike " + options.file + "."};
+    return options.file.empty() ? success() : checkAnimationPath(options.file);
 }
 
 std::optional<TrackRecorder> recorderFor(const AnimationOptions& options, const Session& session) {

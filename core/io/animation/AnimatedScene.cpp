@@ -71,9 +71,7 @@ private:
             name = track.fragment == kNone ? wholeBodyName(names)
                                            : fragmentBodyName(names, track.asset->bake->fragmentId(track.fragment));
         }
-        std::string unique = name;
-        for (int number = 2; !m_names.insert(unique).second; ++number) unique = name + "_" + std::to_string(number);
-        return unique;
+        return uniqueName(name, m_names);
     }
 
     std::uint32_t addMesh(Mesh mesh, std::vector<std::uint32_t> materials) {

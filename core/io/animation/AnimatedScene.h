@@ -22,10 +22,6 @@ struct AnimatedMaterial {
 struct AnimatedMesh {
     Mesh mesh;
     std::vector<std::uint32_t> materials;  // by MeshFace::material; the last is that of the inside
-
-    std::uint32_t materialOf(const MeshFace& face) const {
-        return face.side == FaceSide::Inside ? materials.back() : materials[face.material];
-    }
 };
 
 /// A solid that moves.

@@ -1,21 +1,17 @@
 #include "core/io/animation/AnimationFile.h"
 
+#include "core/base/MessageText.h"
 #include "core/io/animation/GlbAnimation.h"
 #include "core/io/animation/UsdAnimation.h"
 #include "core/io/system/AtomicFile.h"
+#include "core/io/text/LetterCase.h"
 
 #include <algorithm>
 
 namespace rubble {
 namespace {
 
-std::string lowerSuffix(const std::filesystem::path& path) {
-    std::string suffix = path.extension().string();
-    for (char& letter : suffix) {
-        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-    }
-    return suffix;
-}
+std::string suffixOf(const std::filesystem::path& path) { return lowerCase(path.extension().string()); }
 
 Status saveUsd(const std::filesystem::path& path, const AnimatedScene& scene) {
     std::vector<std::string> imageFiles;
@@ -33,20 +29,19 @@ Status saveUsd(const std::filesystem::path& path, const AnimatedScene& scene) {
 
 }  // namespace
 
-bool isAnimationPath(const std::filesystem::path& path) {
-    const std::string suffix = lowerSuffix(path);
-    return suffix == ".glb" || suffix == ".usda";
+Status checkAnimationPath(const std::filesystem::path& path) {
+    const std::string suffix = suffixOf(path);
+    if (suffix == ".glb" || suffix == ".usda") return success();
+    return Error{ErrorCode::BadInput,
+                 "The name of an animation ends in .glb or .usda, unlike " + quotedPath(path) + "."};
 }
 
 Status saveAnimation(const std::filesystem::path& path, const Project& project, const SessionTracks& tracks,
                      const TaskContext& task) {
-    if (!isAnimationPath(path)) {
-        return Error{ErrorCode::BadInput,
-                     "The name of an animation ends in .glb or .usda, unlike " + path.string() + "."};
-    }
+    if (const Status valid = checkAnimationPath(path); !valid) return valid;
     const Result<AnimatedScene> scene = animatedScene(path.stem().string(), project, tracks, task);
     if (!scene) return scene.error();
-    if (lowerSuffix(path) == ".usda") return saveUsd(path, *scene);
+    if (suffixOf(path) == ".usda") return saveUsd(path, *scene);
     const Result<std::string> file = glbAnimation(*scene);
     if (!file) return file.error();
     return writeFileAtomically(path, *file);

@@ -114,15 +114,7 @@ private:
     }
 
     void writeNodes() {
-        m_json.wholeNumber("scene", std::uint64_t{0});
-        m_json.openArray("scenes");
-        m_json.openObject();
-        m_json.text("name", m_scene.name);
-        m_json.openArray("nodes");
-        for (std::uint64_t node = 0; node < m_scene.nodes.size(); ++node) m_json.wholeNumber({}, node);
-        m_json.close();
-        m_json.close();
-        m_json.close();
+        writeGlbScene(m_json, m_scene.nodes.size(), m_scene.name);
         m_json.openArray("nodes");
         for (const AnimatedNode& node : m_scene.nodes) {
             const PoseKey& pose = node.poses.front();

@@ -20,6 +20,18 @@ void writeGlbAsset(JsonWriter& json) {
     json.close();
 }
 
+void writeGlbScene(JsonWriter& json, std::uint64_t nodeCount, std::string_view name) {
+    json.wholeNumber("scene", std::uint64_t{0});
+    json.openArray("scenes");
+    json.openObject();
+    if (!name.empty()) json.text("name", name);
+    json.openArray("nodes");
+    for (std::uint64_t node = 0; node < nodeCount; ++node) json.wholeNumber({}, node);
+    json.close();
+    json.close();
+    json.close();
+}
+
 void writeGlbMaterial(JsonWriter& json, const MeshMaterial& material, std::uint64_t texture) {
     const Vec3 colour = linearColour(material.colour);
     const bool isTransparent = material.opacity < 1.0;

@@ -15,6 +15,9 @@ namespace rubble {
 /// Writes the member "asset".
 void writeGlbAsset(JsonWriter& json);
 
+/// Writes the members "scene" and "scenes": one with all nodes below `nodeCount`. Without a name if it is empty.
+void writeGlbScene(JsonWriter& json, std::uint64_t nodeCount, std::string_view name = {});
+
 /// Writes a material, with a texture if it is textured.
 void writeGlbMaterial(JsonWriter& json, const MeshMaterial& material, std::uint64_t texture = 0);
 /// Writes the member "materials": the outside ones, then the inside.

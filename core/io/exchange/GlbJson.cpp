@@ -15,14 +15,7 @@ constexpr std::uint64_t kHullIndexView = 5;
 std::uint64_t imageView(const GlbBuffer& buffer) { return buffer.hulls().empty() ? 4 : 6; }
 
 void writeNodes(JsonWriter& json, std::span<const MeshPart> parts, PartPlacement place) {
-    json.wholeNumber("scene", std::uint64_t{0});
-    json.openArray("scenes");
-    json.openObject();
-    json.openArray("nodes");
-    for (std::size_t node = 0; node < parts.size(); ++node) json.wholeNumber({}, std::uint64_t{node});
-    json.close();
-    json.close();
-    json.close();
+    writeGlbScene(json, parts.size());
     json.openArray("nodes");
     std::uint64_t mesh = 0;
     for (const MeshPart& part : parts) {

@@ -1,6 +1,7 @@
 #include "core/io/exchange/GlbPhysics.h"
 
 #include "core/base/Assert.h"
+#include "core/io/exchange/GlbElements.h"
 #include "core/io/json/VectorJson.h"
 
 namespace rubble {
@@ -137,17 +138,6 @@ void writeBodyScene(JsonWriter& json, const GlbPhysics& physics) {
     json.close();
 }
 
-void writeNamedScene(JsonWriter& json, std::uint64_t nodes) {
-    json.wholeNumber("scene", std::uint64_t{0});
-    json.openArray("scenes");
-    json.openObject();
-    json.openArray("nodes");
-    for (std::uint64_t node = 0; node < nodes; ++node) json.wholeNumber({}, node);
-    json.close();
-    json.close();
-    json.close();
-}
-
 void writePlacedNode(JsonWriter& json, const std::string& name, const MeshPart& part, PartPlacement place,
                      std::uint64_t mesh) {
     json.openObject();
@@ -162,7 +152,7 @@ void writeNamedNodes(JsonWriter& json, std::span<const MeshPart> parts, PartPlac
                      const GlbPhysics& physics) {
     std::uint64_t hulls = 0;
     for (const GlbBody& body : physics.bodies) hulls += body.body.hulls.size();
-    writeNamedScene(json, parts.size() + hulls);
+    writeGlbScene(json, parts.size() + hulls);
     json.openArray("nodes");
     std::uint64_t mesh = 0;
     for (const MeshPart& part : parts) writePlacedNode(json, part.name, part, place, mesh++);

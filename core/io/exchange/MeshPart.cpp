@@ -1,20 +1,13 @@
 #include "core/io/exchange/MeshPart.h"
 
 #include "core/io/system/FileName.h"
+#include "core/io/text/LetterCase.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 
 namespace rubble {
 namespace {
-
-/// Returns `name`, with a number from 2 on if it is in `taken` already, and adds the result to `taken`.
-std::string uniqueName(const std::string& name, std::set<std::string>& taken) {
-    std::string candidate = name;
-    for (int number = 2; !taken.insert(candidate).second; ++number) candidate = name + "_" + std::to_string(number);
-    return candidate;
-}
 
 /// Returns the fifth root of a value in (0, 1], by Newton's method from above: the same bits on every processor.
 double fifthRoot(double value) {
@@ -51,13 +44,17 @@ std::string imageFileName(const Texture& texture) {
     return fittingFileName("", meshName(stem), std::string(texture.image->suffix()));
 }
 
+std::string uniqueName(const std::string& name, std::set<std::string>& taken) {
+    std::string candidate = name;
+    for (int number = 2; !taken.insert(candidate).second; ++number) candidate = name + "_" + std::to_string(number);
+    return candidate;
+}
+
 std::optional<std::string> importerEffect(std::string_view materialName) {
     constexpr std::pair<std::string_view, const char*> kEndings[] = {
         {"alpha", "makes it transparent"}, {"vcol", "multiplies it by the colours of vertices"}};
-    std::string name(materialName.substr(0, materialName.find_last_not_of("0123456789_ ") + 1));
-    for (char& letter : name) {
-        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-    }
+    const std::size_t end = materialName.find_last_not_of("0123456789_ ") + 1;
+    const std::string name = lowerCase(std::string(materialName.substr(0, end)));
     for (const auto& [ending, effect] : kEndings) {
         for (const char separator : {'-', '_', '$'}) {
             if (name.ends_with(separator + std::string(ending))) return effect;

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,6 +52,9 @@ std::string meshName(const std::string& name);
 
 /// Returns the name of the file with a texture's image, for its name in the project.
 std::string imageFileName(const Texture& texture);
+
+/// Returns `name`, with a number from 2 on if it is in `taken` already, and adds the result to `taken`.
+std::string uniqueName(const std::string& name, std::set<std::string>& taken);
 
 /// What the importer of Godot does with a material because its name ends so, as the end of a sentence: "makes it
 /// transparent"; nothing for other names.

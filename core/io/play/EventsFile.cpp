@@ -1,6 +1,7 @@
 #include "core/io/play/EventsFile.h"
 
 #include "core/io/json/JsonWriter.h"
+#include "core/io/text/LetterCase.h"
 
 #include <algorithm>
 
@@ -106,11 +107,7 @@ void append(std::variant<std::string, CsvTable>& text, const Write& write) {
 }  // namespace
 
 EventsFormat eventsFormatOf(const std::filesystem::path& path) {
-    std::string suffix = path.extension().string();
-    std::ranges::transform(suffix, suffix.begin(), [](char letter) {
-        return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-    });
-    return suffix == ".csv" ? EventsFormat::Csv : EventsFormat::JsonLines;
+    return lowerCase(path.extension().string()) == ".csv" ? EventsFormat::Csv : EventsFormat::JsonLines;
 }
 
 EventsText::EventsText(EventsFormat format) : m_text(emptyText(format)) {}

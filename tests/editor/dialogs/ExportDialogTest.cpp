@@ -1,13 +1,10 @@
 // Tests editor/dialogs/ExportDialog.cpp and editor/dialogs/ProjectExport.cpp.
 #include "editor/dialogs/ExportDialog.h"
 
-#include "core/asset/library/StarterProject.h"
-#include "core/geometry/polygon/OutlineShapes.h"
-#include "editor/commands/InstanceEdits.h"
 #include "editor/document/FilePath.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Dialogs.h"
-#include "tests/support/editor/TestSettings.h"
+#include "tests/support/editor/SavedWall.h"
 #include "tests/support/files/FileBytes.h"
 
 #include <QCheckBox>
@@ -18,7 +15,6 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
-#include <QTemporaryDir>
 #include <QTest>
 
 using namespace rubble;
@@ -54,23 +50,21 @@ class ExportDialogTest : public QObject {
 private slots:
     void init() {
         m_folder = std::make_unique<QTemporaryDir>();
-        test::keepSettingsIn(m_folder->path());
-        m_workspace = std::make_unique<Workspace>(starterProject(), m_folder->filePath("backups"));
-        QVERIFY(m_workspace->file().saveAs(m_folder->filePath("wall.rubble")).hasValue());
-        addPrism("gable");
+        m_workspace = test::savedWall(*m_folder);
+        test::addPrism(*m_workspace, "gable");
     }
 
     void allAssetsIncludeLaterOnes() {
         exportBy([](QListWidget&) {});
         QCOMPARE(folders(), (QStringList{"gable", "wall"}));
-        addPrism("column");
+        test::addPrism(*m_workspace, "column");
         exportAgain();
         QCOMPARE(folders(), (QStringList{"column", "gable", "wall"}));
     }
     void selectedAssetsAreRemembered() {
         exportBy([](QListWidget& assets) { uncheck(assets, "wall"); });
         QCOMPARE(folders(), QStringList{"gable"});
-        addPrism("column");
+        test::addPrism(*m_workspace, "column");
         exportAgain();
         QCOMPARE(folders(), QStringList{"gable"});
         ExportDialog dialog(*m_workspace, nullptr);
@@ -85,14 +79,7 @@ private slots:
         QVERIFY(lastExportOptions(*m_workspace)->assets->empty());
     }
     void variantsAreExportedWithTheirAsset() {
-        const Id wall = m_workspace->project().assets.front().id;
-        std::vector<Id> walls;
-        for (int k = 0; k < 3; ++k) {
-            Addition added = placeInstance(m_workspace->project(), wall, {.position = {3.0 * k, 0.0, 5.0}});
-            walls.push_back(added.id);
-            m_workspace->document().push(std::move(added.edit));
-        }
-        m_workspace->document().push(assignDistinctVariants(m_workspace->project(), walls));
+        test::addVariants(*m_workspace, 3);
         exportBy([](QListWidget& assets) { uncheck(assets, "gable"); });
         QStringList expected{"wall"};
         for (const Instance& instance : m_workspace->project().instances) {
@@ -298,10 +285,6 @@ private:
     void addInstance() {
         const Id wall = m_workspace->project().assets.front().id;
         m_workspace->document().push(placeInstance(m_workspace->project(), wall, {.position = {3.0, 0.0, 5.0}}).edit);
-    }
-    void addPrism(const char* name) {
-        m_workspace->document().push(
-            addAsset(m_workspace->project(), name, {isoscelesTriangleOutline(2.0, 1.0), 0.5}).edit);
     }
     /// Clicks the check box before the name.
     static void uncheck(QListWidget& assets, const char* name) {

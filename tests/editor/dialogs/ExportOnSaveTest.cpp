@@ -1,15 +1,11 @@
 #include "editor/dialogs/ExportOnSave.h"
 
-#include "core/asset/library/StarterProject.h"
-#include "core/geometry/polygon/OutlineShapes.h"
-#include "editor/commands/InstanceEdits.h"
 #include "tests/support/Patience.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/TestSettings.h"
+#include "tests/support/editor/SavedWall.h"
 #include "tests/support/files/FileTree.h"
 
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QTest>
 
 using namespace rubble;
@@ -19,16 +15,14 @@ class ExportOnSaveTest : public QObject {
 private slots:
     void init() {
         m_folder = std::make_unique<QTemporaryDir>();
-        test::keepSettingsIn(m_folder->path());
-        m_workspace = std::make_unique<Workspace>(starterProject(), m_folder->filePath("backups"));
-        QVERIFY(m_workspace->file().saveAs(m_folder->filePath("wall.rubble")).hasValue());
+        m_workspace = test::savedWall(*m_folder);
         m_messages = std::make_unique<Messages>();
         m_exporter = std::make_unique<ExportOnSave>(*m_workspace, *m_messages, nullptr);
     }
 
     void repeatsTheLastExport() {
         exportWith({.isRepeatedOnSave = true});
-        addPrism("gable");
+        test::addPrism(*m_workspace, "gable");
         QCOMPARE(sentenceAfterStart(), QString("Exported 1 asset(s) to %1; 1 unchanged.").arg(out()));
         QVERIFY(QFile::exists(out() + "/gable/pack.json"));
         QCOMPARE(m_messages->list().back().severity, Severity::Note);
@@ -41,7 +35,7 @@ private slots:
         QVERIFY(!m_exporter->isRunning());
     }
     void doesNothingOnceItsAssetsAreDeleted() {
-        addPrism("gable");
+        test::addPrism(*m_workspace, "gable");
         const std::vector<Id> gable{m_workspace->project().assets.back().id};
         exportWith({.assets = gable, .isRepeatedOnSave = true});
         m_workspace->document().push(removeAssets(m_workspace->project(), gable));
@@ -67,7 +61,7 @@ private slots:
         exportWith({.isRepeatedOnSave = true});
         QSignalSpy finished(m_exporter.get(), &ExportOnSave::finished);
         m_exporter->start();
-        addPrism("gable");
+        test::addPrism(*m_workspace, "gable");
         m_exporter->start();
         QTRY_VERIFY_WITH_TIMEOUT(!m_exporter->isRunning(), kPatience);
         QCOMPARE(finished.size(), 1);
@@ -75,7 +69,7 @@ private slots:
     }
     void completingWaitsForTheResult() {
         exportWith({.isRepeatedOnSave = true});
-        addPrism("gable");
+        test::addPrism(*m_workspace, "gable");
         QSignalSpy finished(m_exporter.get(), &ExportOnSave::finished);
         m_exporter->start();
         m_exporter->complete(nullptr);
@@ -90,10 +84,6 @@ private:
     void exportWith(ExportOptions options) {
         options.folder = out();
         exportProject(*m_workspace, options, *m_messages, nullptr);
-    }
-    void addPrism(const char* name) {
-        m_workspace->document().push(
-            addAsset(m_workspace->project(), name, {isoscelesTriangleOutline(2.0, 1.0), 0.5}).edit);
     }
     QString sentenceAfterStart() {
         QSignalSpy finished(m_exporter.get(), &ExportOnSave::finished);

@@ -1,12 +1,9 @@
 #include "editor/dialogs/ExportTree.h"
 
-#include "core/asset/library/StarterProject.h"
-#include "editor/commands/InstanceEdits.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/editor/TestSettings.h"
+#include "tests/support/editor/SavedWall.h"
 #include "tests/support/files/FileTree.h"
 
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
@@ -20,10 +17,8 @@ class ExportTreeTest : public QObject {
 private slots:
     void init() {
         m_folder = std::make_unique<QTemporaryDir>();
-        test::keepSettingsIn(m_folder->path());
-        m_workspace = std::make_unique<Workspace>(starterProject(), m_folder->filePath("backups"));
-        QVERIFY(m_workspace->file().saveAs(m_folder->filePath("wall.rubble")).hasValue());
-        addInstancesOfVariants();
+        m_workspace = test::savedWall(*m_folder);
+        test::addVariants(*m_workspace, 2);
     }
 
     void showsWhatAnExportWrites_data() {
@@ -77,16 +72,6 @@ private slots:
     }
 
 private:
-    void addInstancesOfVariants() {
-        const Id wall = m_workspace->project().assets.front().id;
-        std::vector<Id> walls;
-        for (int k = 0; k < 2; ++k) {
-            Addition added = placeInstance(m_workspace->project(), wall, {.position = {3.0 * k, 0.0, 5.0}});
-            walls.push_back(added.id);
-            m_workspace->document().push(std::move(added.edit));
-        }
-        m_workspace->document().push(assignDistinctVariants(m_workspace->project(), walls));
-    }
     /// The relative paths of the files in a tree, sorted.
     static QStringList shownFiles(const QTreeWidget& tree) {
         QStringList files;

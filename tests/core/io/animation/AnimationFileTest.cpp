@@ -4,16 +4,13 @@
 
 #include "core/io/animation/GlbAnimation.h"
 #include "core/io/animation/UsdAnimation.h"
-#include "core/io/json/JsonDocument.h"
-#include "core/play/session/Timeline.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/House.h"
 #include "tests/support/files/FileBytes.h"
+#include "tests/support/files/GlbReading.h"
+#include "tests/support/files/TestImages.h"
 #include "tests/support/play/Sessions.h"
 
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QTemporaryDir>
 
 #include <algorithm>
@@ -44,10 +41,10 @@ AnimatedScene sceneOf(const Project& project, std::uint64_t steps = 60) {
     return *animatedScene("hit", project, tracksOf(project, steps));
 }
 
-QJsonObject animationJson(const std::string& glb) {
-    const auto size = static_cast<unsigned char>(glb[12]) | static_cast<unsigned char>(glb[13]) << 8 |
-                      static_cast<unsigned char>(glb[14]) << 16;
-    return QJsonDocument::fromJson(QByteArray::fromStdString(glb.substr(20, size))).object();
+nlohmann::json animationJson(const AnimatedScene& scene) {
+    Glb glb;
+    if (const std::string fault = openGlb(*glbAnimation(scene), glb); !fault.empty()) qFatal("%s", fault.c_str());
+    return glb.json;
 }
 
 }  // namespace
@@ -76,24 +73,21 @@ private slots:
 
     void glbHidesWhatIsNotThere() {
         const AnimatedScene scene = sceneOf(brokenBlock());
-        const QJsonObject gltf = animationJson(*glbAnimation(scene));
-        const QJsonArray nodes = gltf["nodes"].toArray();
-        QCOMPARE(nodes.size(), qsizetype{7});
-        QVERIFY(!nodes[0].toObject().contains("scale"));
-        QCOMPARE(nodes[6].toObject()["scale"].toArray(), (QJsonArray{0, 0, 0}));
-        const QJsonObject animation = gltf["animations"].toArray()[0].toObject();
+        const nlohmann::json gltf = animationJson(scene);
+        QCOMPARE(gltf["nodes"].size(), std::size_t{7});
+        QVERIFY(!gltf["nodes"][0].contains("scale"));
+        QVERIFY(gltf["nodes"][6]["scale"] == (nlohmann::json{0, 0, 0}));
         int steps = 0;
-        for (const QJsonValue& value : animation["samplers"].toArray())
-            steps += value.toObject()["interpolation"] == "STEP" ? 1 : 0;
+        for (const nlohmann::json& sampler : gltf["animations"][0]["samplers"])
+            steps += sampler["interpolation"] == "STEP" ? 1 : 0;
         QCOMPARE(steps, 7);  // the box is thrown in the first step
         QVERIFY(!gltf.contains("extensionsRequired"));
     }
 
     void whatRestsHasNoAnimation() {
-        const AnimatedScene scene = sceneOf(test::floatingBlock(), 30);
-        const QJsonObject gltf = animationJson(*glbAnimation(scene));
+        const nlohmann::json gltf = animationJson(sceneOf(test::floatingBlock(), 30));
         QVERIFY(!gltf.contains("animations"));
-        QCOMPARE(gltf["bufferViews"].toArray().size(), qsizetype{4});
+        QCOMPARE(gltf["bufferViews"].size(), std::size_t{4});
     }
 
     void usdHasTimeSamples() {
@@ -127,6 +121,24 @@ private slots:
         const Status refused = saveAnimation(place / "a.fbx", project, tracks);
         QVERIFY(!refused && refused.error().message.find(".glb or .usda") != std::string::npos);
         QVERIFY(!QFile::exists(folder.filePath("a.fbx")));
+    }
+
+    void imagesAreInGlbFilesAndBesideUsd() {
+        Project project = brokenBlock();
+        const auto image = std::make_shared<const EncodedImage>(imageOf(checkerPng()));
+        project.assets[0].texture = Texture{.name = "checker.png", .image = image, .materials = {0}};
+        const SessionTracks tracks = tracksOf(project);
+        const AnimatedScene scene = *animatedScene("hit", project, tracks);
+        QCOMPARE(scene.images.size(), std::size_t{1});
+        Glb glb;
+        QCOMPARE(openGlb(*glbAnimation(scene), glb), std::string());
+        const auto& view = glb.json["bufferViews"][glb.json["images"][0]["bufferView"].get<std::size_t>()];
+        QVERIFY(glb.binary.substr(view["byteOffset"], view["byteLength"]) == image->bytes());
+        const QTemporaryDir folder;
+        const std::filesystem::path file = folder.filePath("hit.usda").toStdString();
+        QVERIFY(saveAnimation(file, project, tracks).hasValue());
+        QVERIFY(bytesOfFile(folder.filePath("hit.usda")).contains("@./hit-checker.png@"));
+        QCOMPARE(bytesOfFile(folder.filePath("hit-checker.png")).toStdString(), image->bytes());
     }
 
     void theBytesDoNotDependOnThreads() {
