@@ -37,7 +37,7 @@ struct alignas(64) PointRows {
     FloatRow lever;          // m, from the friction centre
     FloatRow stepImpulse;    // N·s, sum over the sub-steps of this step
     FloatRow approach;       // m/s along the normal before the step, negative if approaching
-    FloatRow unused;
+    FloatRow sustained;      // N·s, before an impact in this sub-step; of the first point, -1 without one
 };
 
 /// Eight contacts, with the data that the solver reads and writes in every pass.

@@ -73,6 +73,7 @@ struct PrepareKernels : ContactLanes<W> {
         for (FloatRow* sum : {&block.stepFrictionX, &block.stepFrictionY, &block.stepTorsionalImpulse}) {
             put(F{}, *sum, part);
         }
+        put(all<W>(-1.0f), block.points[0].sustained, part);
         for (int i = 0; i < 4; ++i) {
             PointRows& point = block.points[i];
             const V position = row(point.position, part);

@@ -97,6 +97,8 @@ private:
                     const Masks<W> isImpact =
                         Friction::template applyFriction<kPass>(block, part, load, a, b, Masks<W>{});
                     if (bitsOf<W>(isImpact) != 0) settleImpacts(block, part, points, step, a, b, isImpact);
+                    const Masks<W> wasImpact = row(block.points[0].sustained, part) >= F{};
+                    if (bitsOf<W>(wasImpact) != 0) forgetImpacts(block, part, points, wasImpact);
                 }
                 putVelocities(a, block.first, part, step);
                 putVelocities(b, block.second, part, step);
@@ -116,6 +118,36 @@ private:
         }
     }
 
+    /// Notes the impulses that manifolds had before the first impact of a sub-step.
+    static void rememberSustained(ContactBlock& block, int part, int points, Masks<W> isImpact, const F* before) {
+        isImpact = isImpact & ~(row(block.points[0].sustained, part) >= F{});
+        for (int i = 0; i < points; ++i) {
+            FloatRow& sustained = block.points[i].sustained;
+            put(select<W>(isImpact, before[i], row(sustained, part)), sustained, part);
+        }
+    }
+    /// Limits what the next sub-step warm starts with to the impulses before the impact and a little more. The impulse
+    /// that stopped a body would throw it; its own contact corrects that, but the contacts solved before take it for
+    /// an approach and push.
+    static void forgetImpacts(ContactBlock& block, int part, int points, Masks<W> wasImpact) {
+        F sum{}, kept{};
+        for (int i = 0; i < points; ++i) {
+            PointRows& point = block.points[i];
+            const F impulse = row(point.impulse, part);
+            const F most =
+                row(point.sustained, part) + all<W>(ImpactKernels<W>::kMinSpeed) * row(point.effectiveMass, part);
+            const F limited = select<W>(wasImpact, lesser<W>(impulse, most), impulse);
+            put(limited, point.impulse, part);
+            sum = sum + impulse;
+            kept = kept + limited;
+        }
+        const F scale = select<W>(wasImpact, kept * inverseOrZero<W>(sum), all<W>(1.0f));
+        for (FloatRow* friction : {&block.frictionX, &block.frictionY, &block.torsionalImpulse})
+            put(row(*friction, part) * scale, *friction, part);
+        FloatRow& flag = block.points[0].sustained;
+        put(select<W>(wasImpact, all<W>(-1.0f), row(flag, part)), flag, part);
+    }
+
     /// Solves the normal impulses of W manifolds. `mask`: the manifolds that ContactPass::Settle solves.
     template <ContactPass kPass>
     [[gnu::always_inline]] static Load applyNormalImpulses(ContactBlock& block, int part, int count,
@@ -124,10 +156,10 @@ private:
         const F inverseSubStep = all<W>(1.0f / step.subStep);
         const V n = row(block.normal, part), centreOffset = row(block.centreOffset, part);
         Points points = pointsOf(block, part, count, n, centreOffset, a, b);
-        F unsettled[4]{};  // the impulses before ContactPass::Settle
+        F unsettled[4]{};  // the impulses before the pass
         for (int i = 0; i < count; ++i) unsettled[i] = row(block.points[i].impulse, part);
         NormalImpulse impulses =
-            solveImpacts<kPass>(block, part, count, points, n, centreOffset, inverseSubStep, a, b, mask);
+            solveImpacts<kPass>(block, part, count, points, n, centreOffset, inverseSubStep, a, b, mask, unsettled);
         const Load load =
             solvePoints<kPass>(block, part, count, points, step, inverseSubStep, mask, unsettled, impulses);
         apply(impulses, n, centreOffset, block, part, a, b);
@@ -191,12 +223,14 @@ private:
     template <ContactPass kPass>
     [[gnu::always_inline]] static NormalImpulse solveImpacts(ContactBlock& block, int part, int count, Points& points,
                                                              const V& n, const V& centreOffset, F inverseSubStep,
-                                                             Velocities& a, Velocities& b, Masks<W> mask) {
+                                                             Velocities& a, Velocities& b, Masks<W> mask,
+                                                             const F* before) {
         F residuals[4]{};
         computeResiduals<kPass>(block, part, count, points, inverseSubStep, residuals);
         Masks<W> isImpact = ImpactKernels<W>::impacts(residuals);
         if constexpr (kPass == ContactPass::Settle) isImpact = isImpact & mask;
         if (bitsOf<W>(isImpact) == 0) return {};
+        if constexpr (kPass != ContactPass::Settle) rememberSustained(block, part, count, isImpact, before);
         NormalImpulse impulses = ImpactKernels<W>::solve(block, part, count, isImpact, residuals, points.speed);
         if constexpr (kPass == ContactPass::Solve) {
             const Masks<W> isTrimmed = Friction::trim(block, part, count, isImpact, n, centreOffset, a, b);

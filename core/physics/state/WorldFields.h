@@ -193,7 +193,7 @@ void visitFields(Self& self, Visit& visit) {
 
 template <FieldsOf<PointRows> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
-    auto& [position, separation, impulse, effectiveMass, lever, stepImpulse, approach, unused] = self;
+    auto& [position, separation, impulse, effectiveMass, lever, stepImpulse, approach, sustained] = self;
     visit("position", position);
     visit("separation", separation);
     visit("impulse", impulse);
@@ -201,7 +201,7 @@ void visitFields(Self& self, Visit& visit) {
     visit("lever", lever);
     visit("stepImpulse", stepImpulse);
     visit("approach", approach);
-    visit("unused", unused);
+    visit("sustained", sustained);
 }
 
 template <FieldsOf<ContactBlock> Self, class Visit>

@@ -34,15 +34,21 @@ struct SplittingBody {
     Quatf rotation;
     std::shared_ptr<const Shape> shape;
     BodyKind kind = BodyKind::Dynamic;
+    float mass = 0.0f;                       // kg; 0: it is fixed
     std::vector<std::uint32_t> proxyOfHull;  // kNone: a part has it
     std::size_t proxies = 0;                 // those that no part has
 };
 
 SplittingBody splittingBody(const WorldState& state, std::uint32_t number) {
     const Body& body = state.bodies[number];
-    SplittingBody splitting{
-        number, poseOf(state, number),   body.shape->mass.centre, state.poses[number].rotation, body.shape, body.kind,
-        {},     body.shape->hulls.size()};
+    SplittingBody splitting{.number = number,
+                            .pose = poseOf(state, number),
+                            .centre = body.shape->mass.centre,
+                            .rotation = state.poses[number].rotation,
+                            .shape = body.shape,
+                            .kind = body.kind,
+                            .mass = body.mass,
+                            .proxies = body.shape->hulls.size()};
     splitting.proxyOfHull.resize(splitting.proxies);
     const std::span<const Proxy> proxies = state.proxies;
     const std::span<std::uint32_t> proxyOfHull = splitting.proxyOfHull;
@@ -154,30 +160,43 @@ std::vector<MovingContact> takeContacts(WorldState& state, const SplittingBody& 
 /// Where the rows of a block at an offset in bytes are in a stored lane.
 constexpr std::size_t wordOf(std::size_t offset) { return offset / sizeof(IndexRow); }
 
+float floatAt(std::span<const std::uint32_t> words, std::size_t word) { return std::bit_cast<float>(words[word]); }
+void setFloat(std::span<std::uint32_t> words, std::size_t word, float value) {
+    words[word] = std::bit_cast<std::uint32_t>(value);
+}
+
 /// Adds to a vector of a stored lane, whose x is the word `first`.
 void addToVector(std::span<std::uint32_t> words, std::size_t first, Vec3f v) {
-    const auto add = [&](std::size_t word, float value) {
-        words[word] = std::bit_cast<std::uint32_t>(std::bit_cast<float>(words[word]) + value);
-    };
-    add(first, v.x);
-    add(first + 1, v.y);
-    add(first + 2, v.z);
+    setFloat(words, first, floatAt(words, first) + v.x);
+    setFloat(words, first + 1, floatAt(words, first + 1) + v.y);
+    setFloat(words, first + 2, floatAt(words, first + 2) + v.z);
+}
+
+constexpr std::size_t kPoints = std::tuple_size_v<decltype(ContactBlock::points)>;
+constexpr std::size_t wordOfPoint(std::size_t point, std::size_t offset) {
+    return wordOf(offsetof(ContactBlock, points) + point * sizeof(PointRows) + offset);
+}
+
+/// Scales the impulses of a contact to a part by its mass: warm starting changes the velocity of the part as that of
+/// the whole. What holds or stops the whole would throw the part.
+void scaleImpulses(StoredContact& stored, float factor) {
+    const auto scale = [&](std::size_t word) { setFloat(stored.block, word, floatAt(stored.block, word) * factor); };
+    for (std::size_t point = 0; point < kPoints; ++point) scale(wordOfPoint(point, offsetof(PointRows, impulse)));
+    scale(wordOf(offsetof(ContactBlock, frictionX)));
+    scale(wordOf(offsetof(ContactBlock, frictionY)));
+    scale(wordOf(offsetof(ContactBlock, torsionalImpulse)));
 }
 
 /// Expresses a lane from a body's new centre of mass, which moved by `moved`, m, in the body's axes.
 void shiftLane(StoredContact& stored, std::uint32_t side, Vec3f moved) {
     constexpr std::size_t kFirst = wordOf(offsetof(ReferenceBlock, firstRotation));
     constexpr std::size_t kSecond = wordOf(offsetof(ReferenceBlock, secondRotation));
-    const auto rotation = [&](std::size_t k) {
-        return std::bit_cast<float>(stored.reference[(side == 0 ? kFirst : kSecond) + k]);
-    };
+    const auto rotation = [&](std::size_t k) { return floatAt(stored.reference, (side == 0 ? kFirst : kSecond) + k); };
     const Vec3f shift = Quatf{rotation(0), rotation(1), rotation(2), rotation(3)}.matrix() * moved;
     addToVector(stored.reference, wordOf(offsetof(ReferenceBlock, centreOffset)), side == 0 ? shift : shift * -1.0f);
     if (side != 0) return;
-    for (std::size_t point = 0; point < std::tuple_size_v<decltype(ContactBlock::points)>; ++point) {
-        const std::size_t offset = offsetof(ContactBlock, points) + point * sizeof(PointRows);
-        addToVector(stored.block, wordOf(offset + offsetof(PointRows, position)), shift * -1.0f);
-    }
+    for (std::size_t point = 0; point < kPoints; ++point)
+        addToVector(stored.block, wordOfPoint(point, offsetof(PointRows, position)), shift * -1.0f);
 }
 
 /// Puts a contact back, at the body that its proxy belongs to now.
@@ -194,6 +213,7 @@ void returnContact(WorldState& state, const SplittingBody& splitting, MovingCont
     const Vec3 centre = toDouble(state.poses[body].centre) - splitting.pose.position;
     const Vec3f moved = toFloat(glm::conjugate(splitting.pose.orientation) * centre - splitting.centre);
     shiftLane(moving.lane, moving.side, moved);
+    if (splitting.mass > 0.0f) scaleImpulses(moving.lane, state.bodies[body].mass / splitting.mass);
     returnLane(state, moving.contact, moving.lane);
     wakeBodies(state, moving.contact);
 }
