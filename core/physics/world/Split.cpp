@@ -204,9 +204,10 @@ void returnContact(WorldState& state, const SplittingBody& splitting, MovingCont
     Contact& contact = state.contacts[moving.contact];
     const std::uint32_t body = state.proxies[contact.proxies[moving.side]].body;
     contact.bodies[moving.side] = body;
-    if (contact.separatedIndex != kNone) state.separated[contact.separatedIndex].bodies = contact.bodies;
     linkContact(state, moving.contact, moving.side);
     if (!moving.hasLane) {
+        // Its gap was measured by the travel of the body that it had: it is collided again.
+        removeSeparated(state, moving.contact);
         if (state.isAwake(contact)) addSeparated(state, moving.contact);
         return;
     }

@@ -370,6 +370,17 @@ private slots:
         }
         for (const ContentHash& hash : hashes) QVERIFY(hash == hashes[0]);
     }
+    void partsOfABodyThatFellLand() {
+        for (std::uint64_t seed = 0; seed < 200; ++seed) {
+            Random random(seed);
+            FallingWall falling = fallingWall(random);
+            fall(falling, random.between(0.0, 0.6));
+            const std::vector<BodyId> bodies = splitInFall(falling, random.below(2) == 0);
+            for (int step = 0; step < 120; ++step) falling.world.step(kSplitStep);
+            for (const BodyId body : bodies)
+                QVERIFY2(height(falling.world, body) > 0.4 * kSide, qPrintable(QString("seed %1").arg(seed)));
+        }
+    }
     void partsOfALandingBodyGainNoEnergy() {
         for (std::uint64_t seed = 0; seed < 200; ++seed) {
             Random random(seed);
