@@ -7,7 +7,7 @@ namespace rubble {
 /// The settings of the interactive tools of play.
 struct PlayToolSettings {
     // Its places say nothing; the speed, of a tapped throw, counts only if it is not automatic.
-    Throw projectile{.size = {0.6, 0.6, 0.6}, .mass = 1500.0, .speed = 40.0};
+    Throw projectile{.size = {0.7, 0.7, 0.7}, .mass = 2500.0, .speed = 40.0};
     bool isSpeedAutomatic = true;                            // see reachingSpeed()
     bool throwsOnClick = false;                              // else a click selects
     double hammerImpulse = 5000.0;                           // N·s

@@ -40,10 +40,16 @@ namespace {
 
 constexpr std::string_view kMagic = "RBLSTATE";
 
-/// The fields of bonded bodies.
-constexpr std::string_view kAddedNames[] = {"structures", "structure",    "bondedNodes",
-                                            "isHeld",     "collapseStep", "partialDamage"};
-constexpr std::span<const std::string_view> kAddedInVersion2 = kAddedNames;
+/// The fields that files of earlier versions do not have: those of bonded bodies since version 2, of the time
+/// after a break since version 3.
+constexpr std::string_view kAddedNames[] = {"dividedUntil", "heldLevel", "heldUntil",    "structures",   "structure",
+                                            "bondedNodes",  "isHeld",    "collapseStep", "partialDamage"};
+constexpr std::size_t kAddedInVersion3 = 3;
+
+std::span<const std::string_view> addedSince(std::uint32_t version) {
+    const std::span<const std::string_view> added = kAddedNames;
+    return added.first(version < 2 ? added.size() : version < 3 ? kAddedInVersion3 : 0);
+}
 
 /// What a file starts with.
 struct StateHeader {
@@ -155,7 +161,7 @@ Result<SavedSession> readStateBytes(std::string_view bytes, ContentHash scene) {
     const Result<std::string> fields = uncompressed(bytes.substr(kHeaderBytes, packed), header->size);
     if (!fields) return fields.error();
     SavedSession saved;
-    StateReader reader(*fields, header->version < 2 ? kAddedInVersion2 : std::span<const std::string_view>());
+    StateReader reader(*fields, addedSince(header->version));
     visitFields(saved, reader);
     reader.finish();
     if (reader.fault()) return unreadable(*reader.fault());

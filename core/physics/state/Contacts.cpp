@@ -106,6 +106,13 @@ void removeSeparated(WorldState& state, std::uint32_t contact) {
     state.contacts[last.contact].separatedIndex = index;
 }
 
+void invalidateGaps(WorldState& state, std::uint32_t body) {
+    visitContacts(state, body, [&](std::uint32_t contact, std::uint32_t) {
+        const std::uint32_t index = state.contacts[contact].separatedIndex;
+        if (index != kNone) state.separated[index].collideAtTravel = kNeverCollided;
+    });
+}
+
 void linkContact(WorldState& state, std::uint32_t contact, std::uint32_t side) {
     Contact& record = state.contacts[contact];
     Body& body = state.bodies[record.bodies[side]];

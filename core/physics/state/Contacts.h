@@ -19,6 +19,9 @@ void endTouching(WorldState& state, std::uint32_t contact);
 /// Adds a contact without a manifold to the separated contacts, or removes it, as its bodies wake and fall asleep.
 void addSeparated(WorldState& state, std::uint32_t contact);
 void removeSeparated(WorldState& state, std::uint32_t contact);
+/// Has the separated contacts of a body collided again, whatever its bodies have travelled since: what they can do in a
+/// step has changed.
+void invalidateGaps(WorldState& state, std::uint32_t body);
 /// Stores the lane of a contact while its bodies sleep, and restores it.
 void storeContact(WorldState& state, std::uint32_t contact);
 void restoreContact(WorldState& state, std::uint32_t contact);

@@ -107,7 +107,7 @@ struct WorldState {
     std::vector<Proxy> proxies;
     std::vector<std::uint32_t> freeProxies;
     DynamicBoxTree tree;
-    std::vector<std::uint32_t> rebox;  // bodies added or moved by the caller since the last collide()
+    std::vector<std::uint32_t> rebox;  // bodies added, moved or pushed by the caller since the last collide()
 
     std::vector<Contact> contacts;
     std::vector<std::uint32_t> freeContacts;

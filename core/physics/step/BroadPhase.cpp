@@ -58,7 +58,7 @@ void updateBoxes(WorldState& state, ThreadPool& threads, const Regions& regions,
     scratch.moved.clear();
     scratch.isMoved.assign(state.bodies.size(), 0);
     for (std::uint32_t body : state.rebox) {
-        if (state.bodies[body].shape == nullptr) continue;
+        if (state.bodies[body].shape == nullptr || scratch.isMoved[body] != 0) continue;
         state.predictedTravel[body] = state.poses[body].travel + predictedDistance(state, body, dt);
         updateFatBoxes(state, body, dt);
         markMoved(scratch, body);

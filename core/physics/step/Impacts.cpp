@@ -66,17 +66,6 @@ int computeCentroid(const ContactBlock& block, std::size_t lane, const Counts& c
     return count;
 }
 
-/// The least separation of the points that will touch within dt seconds, m; minus infinity if none will.
-float firstSeparation(const ContactBlock& block, std::size_t lane, float dt, float tolerance) {
-    constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    float first = kInfinity;
-    for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
-        const float speed = -block.points[i].approach[lane], separation = block.points[i].separation[lane];
-        if (speed > kMinImpactSpeed && separation <= speed * dt + tolerance) first = std::min(first, separation);
-    }
-    return first < kInfinity ? first : -kInfinity;
-}
-
 /// A body's contribution to the inverse effective mass at a point along a direction.
 float inverseEffectiveMass(const WorldState& state, std::uint32_t body, Vec3f arm, Vec3f normal) {
     const Vec3f turning = cross(arm, normal);
@@ -91,6 +80,31 @@ Vec3f velocityAt(const WorldState& state, std::uint32_t body, Vec3f arm) {
 /// The acceleration of a body by gravity.
 Vec3f gravityOn(const WorldState& state, std::uint32_t body, Vec3f gravity) {
     return state.bodies[body].isDynamic() ? gravity : Vec3f(0.0f);
+}
+
+/// The speed at which a point approaches when it touches, m/s, negative where it moves away; `gain`: what gravity adds to
+/// the approach, m/s². The impact of a drop must not depend on where in the step it ends.
+float speedAtImpact(float approach, float separation, float gain) {
+    const float squared = std::abs(approach) * approach + 2.0f * gain * std::max(separation, 0.0f);
+    return squared > 0.0f ? std::sqrt(squared) : -std::sqrt(-squared);
+}
+
+/// What gravity adds to the approach of the bodies of a contact, m/s².
+float approachGain(const WorldState& state, const ContactBlock& block, std::size_t lane, Vec3f normal) {
+    const Vec3f gravity = state.gravity;
+    return -dot(gravityOn(state, block.second[lane], gravity) - gravityOn(state, block.first[lane], gravity), normal);
+}
+
+/// The least separation of the points that will touch within dt seconds, m; minus infinity if none will.
+float firstSeparation(const ContactBlock& block, std::size_t lane, float gain, float dt, float tolerance) {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    float first = kInfinity;
+    for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
+        const float separation = block.points[i].separation[lane];
+        const float speed = speedAtImpact(-block.points[i].approach[lane], separation, gain);
+        if (speed > kMinImpactSpeed && separation <= speed * dt + tolerance) first = std::min(first, separation);
+    }
+    return first < kInfinity ? first : -kInfinity;
 }
 
 /// Whether a contact of a block may be a hit, which few are.
@@ -202,12 +216,9 @@ std::optional<SeparatedImpact> impactAt(const WorldState& state, const ContactBl
     impact.first = state.idOf(a);
     impact.second = state.idOf(b);
     impact.normal = toDouble(normal);
-    // Gravity accelerates them until the time of impact: the impact of a drop must not depend on where in the step
-    // it ends.
     const float approach = -dot(velocityAt(state, b, armSecond) - velocityAt(state, a, armFirst), normal);
-    const float gain = -dot(gravityOn(state, b, step.gravity) - gravityOn(state, a, step.gravity), normal);
-    const float squared = approach * approach + 2.0f * gain * std::max(separation, 0.0f);
-    impact.approachSpeed = std::sqrt(std::max(squared, 0.0f));
+    impact.approachSpeed =
+        std::max(0.0f, speedAtImpact(approach, separation, approachGain(state, block, lane, normal)));
     impact.point = toDouble(state.poses[a].centre + armFirst);
     impact.effectiveMass = 1.0f / inverseMass;
     impact.restitution = impact.approachSpeed > step.restitutionSpeed ? block.restitution[lane] : 0.0f;
@@ -241,9 +252,11 @@ std::vector<Impact> findImpacts(const WorldState& state, const SolverStep& step,
     const float tolerance = (length(step.gravity) * step.dt + kRoundingSpeed) * step.dt;
     visitContacts(state, [&](const ContactBlock& block, std::size_t lane) {
         if (!isWanted.empty() && (isWanted[block.first[lane]] | isWanted[block.second[lane]]) == 0) return;
-        const float first = firstSeparation(block, lane, step.dt, tolerance);
+        const float gain = approachGain(state, block, lane, block.normal.at(lane));
+        const float first = firstSeparation(block, lane, gain, step.dt, tolerance);
         const auto approaches = [&](const PointRows& point) {
-            return -point.approach[lane] > kMinImpactSpeed && point.separation[lane] <= first + kImpactDepth;
+            return point.separation[lane] <= first + kImpactDepth &&
+                   speedAtImpact(-point.approach[lane], point.separation[lane], gain) > kMinImpactSpeed;
         };
         Vec3f position(0.0f);
         if (computeCentroid(block, lane, approaches, position) == 0) return;

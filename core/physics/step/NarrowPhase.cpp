@@ -226,6 +226,20 @@ void storeGap(WorldState& state, std::uint32_t number, const HullCollision& coll
     contact.axis = collision.axis;
 }
 
+bool isApart(const WorldState& state, const Contact& contact) {
+    const ContactBlock& block = state.colours.block(contact.slot);
+    const auto lane = static_cast<std::size_t>(ContactColours::laneOf(contact.slot));
+    for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
+        if (block.points[i].separation[lane] <= 0.0f) return false;
+    }
+    return true;
+}
+
+void outdateManifold(WorldState& state, const Contact& contact) {
+    const auto lane = static_cast<std::size_t>(ContactColours::laneOf(contact.slot));
+    state.colours.reference(contact.slot).slack[lane] = -1.0f;
+}
+
 RelativePose relativePose(const BodyPose& first, Vec3f firstOffset, const BodyPose& second, Vec3f secondOffset) {
     const Mat3f rotation = first.rotation.matrix(), secondRotation = second.rotation.matrix();
     return {rotation.transposed() * secondRotation,

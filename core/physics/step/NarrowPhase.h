@@ -20,6 +20,11 @@ void storeManifold(WorldState& state, std::uint32_t contact, const HullCollision
 /// Sets when a contact without a manifold must be collided again: when its bodies may have closed most of the gap.
 void storeGap(WorldState& state, std::uint32_t contact, const HullCollision& collision);
 
+/// Whether no point of a manifold touched when contacts were prepared last.
+bool isApart(const WorldState& state, const Contact& contact);
+/// Has a manifold collided again in the next findManifolds().
+void outdateManifold(WorldState& state, const Contact& contact);
+
 /// The collision of a contact.
 struct ContactCollision {
     std::uint32_t contact;

@@ -55,11 +55,26 @@ void pullGrabbed(WorldState& state, const SolverStep& step) {
     motion.angularVelocity += pose.inverseInertia * (turning * impulse);
 }
 
+/// What sub-steps of h seconds lack of the parabola of a body that nothing touched, m. They move bodies by the velocity
+/// at their end, which gives -g h dt / 2 too much. The body of a step without contact moved by n h (v - (n - 1) h g / 2),
+/// v being its velocity at the end.
+Vec3f parabolaCorrection(const WorldState& state, const BodyMotion& motion, int subSteps, float h) {
+    constexpr float kTolerance = 0.02f;  // of the correction: less is no contact
+    constexpr float kRounding = 1e-6f;   // of the displacement
+    const auto n = static_cast<float>(subSteps);
+    const Vec3f correction = state.gravity * (-0.5f * n * h * h);
+    if (motion.inverseMass == 0.0f || motion.linearDamping != 0.0f) return Vec3f(0.0f);
+    const Vec3f free = (motion.velocity - state.gravity * (0.5f * (n - 1.0f) * h)) * (n * h);
+    const float most = kTolerance * length(correction) + kRounding * length(motion.deltaPosition);
+    return lengthSquared(motion.deltaPosition - free) <= most * most ? correction : Vec3f(0.0f);
+}
+
 /// Applies the displacement of the step to the pose.
 void finishBody(WorldState& state, std::uint32_t number, int subSteps, float h) {
     Body& body = state.bodies[number];
     BodyPose& pose = state.poses[number];
     BodyMotion& motion = state.motions[number];
+    motion.deltaPosition += parabolaCorrection(state, motion, subSteps, h);
     pose.travel += length(motion.deltaPosition) + 2.0f * length(motion.deltaRotation.vector()) * pose.boundingRadius;
     // Compensated summation: free flight stays on its parabola for minutes.
     const Vec3f moved = motion.deltaPosition + body.centreRemainder, centre = pose.centre + moved;

@@ -180,8 +180,23 @@ double World::restitution(BodyId body) const {
 }
 
 void World::collide(double dt) {
+    RUBBLE_ASSERT(!m_context->isCollided || m_context->dt == static_cast<float>(dt));
+    collide(dt, m_context->isCollided ? CollideBodies::Changed : CollideBodies::All);
+}
+
+void World::recollide(double dt, std::span<const BodyId> bodies) {
+    WorldState& state = *m_state;
+    for (const BodyId body : bodies) {
+        visitContacts(state, body.index, [&](std::uint32_t number, std::uint32_t) {
+            const Contact& contact = state.contacts[number];
+            if (contact.slot.isSet() && isApart(state, contact)) outdateManifold(state, contact);
+        });
+    }
+    collide(dt, CollideBodies::All);
+}
+
+void World::collide(double dt, CollideBodies bodies) {
     StepContext& context = *m_context;
-    RUBBLE_ASSERT(!context.isCollided || context.dt == static_cast<float>(dt));
     Stopwatch watch;
     if (!context.isCollided) {
         m_state->events.began.clear();
@@ -192,7 +207,7 @@ void World::collide(double dt) {
         context.times = {};
         context.counts.separatingAxisTests = 0;
     }
-    const bool newOnly = context.isCollided;
+    const bool newOnly = bodies == CollideBodies::Changed;
     if (!newOnly) context.threadCount = context.threadCountFor(*m_state);
     context.dt = static_cast<float>(dt);
     context.isCollided = true;
@@ -205,6 +220,8 @@ void World::collide(double dt) {
                                                         context.kernels, solverStep(*m_state, context.dt), newOnly);
     context.times.collide += watch.lap();
 }
+
+bool World::hasUncollided() const { return !m_state->rebox.empty(); }
 
 void World::sleepInPlace(double dt) {
     RUBBLE_ASSERT(!m_context->isCollided);

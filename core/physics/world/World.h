@@ -135,8 +135,13 @@ public:
     std::optional<GrabSpring> grabSpring() const;
 
     /// Finds the contacts of the coming step of dt > 0 seconds. Called again in a step, with the same dt, after bodies
-    /// were added and removed, it considers only the new ones.
+    /// were added, removed and pushed, it considers only those.
     void collide(double dt);
+    /// Begins the step anew, with a length of its own. Manifolds of some bodies with what they do not touch are not
+    /// recycled: the features that were closest then need not be the ones that meet.
+    void recollide(double dt, std::span<const BodyId> bodies);
+    /// Whether bodies were added, moved or pushed since the last collide().
+    bool hasUncollided() const;
     /// Adds a contact of two bodies known to touch, such as sibling fragments, so that collide() need not find it, with
     /// the manifolds if these are cached. Call collide(), also if it was called in this step, between it and solve().
     void addContact(BodyId first, BodyId second, std::span<const CachedManifold> manifolds = {});
@@ -191,6 +196,8 @@ public:
 
 private:
     struct StepContext;  // threads and memory reused from step to step; not part of the state
+    enum class CollideBodies : std::uint8_t { All, Changed };
+    void collide(double dt, CollideBodies bodies);
     /// Sets the hits and the energy that contacts took, after the sub-steps.
     void findContactEvents(const SolverStep& step);
 

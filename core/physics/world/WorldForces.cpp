@@ -36,7 +36,11 @@ void applyStrongImpulse(WorldState& state, std::uint32_t body, Vec3 impulse, Vec
     motion.angularVelocity = toFloat(limited(toDouble(motion.angularVelocity) + turned, kMaxSpeed));
 }
 
+/// What the body may reach in the coming step has changed: collide() considers it again, also where the step has been
+/// collided already.
 void applyImpulseAt(WorldState& state, std::uint32_t body, Vec3 impulse, Vec3 point) {
+    invalidateGaps(state, body);
+    state.rebox.push_back(body);
     const Vec3f arm = toFloat(point) - state.poses[body].centre;
     const BodyMotion& motion = state.motions[body];
     if (isWithin(impulse, kMaxImpulse)) {

@@ -182,6 +182,7 @@ Status applyDamage(const SessionParts& parts, const SessionDamage& damage) {
         if (target.asset == nullptr) applyToBonds(parts, origin, target.damage);
     }
     planMortarCollapse(parts);
+    for (PlayBody& body : state.bodies) body.heldUntil = 0.0;  // as if it had broken long ago
     for (Diagnostic& one : state.events.diagnostics) before.diagnostics.push_back(std::move(one));
     state.events = std::move(before);
     for (const auto& [origin, target] : *targets) {

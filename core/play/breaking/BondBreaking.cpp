@@ -42,12 +42,6 @@ std::vector<BondStrike> strikesOf(const SessionParts& parts, std::span<const Imp
     return all;
 }
 
-/// The structure of a body with bonds, whether or not any is damaged.
-std::shared_ptr<const PlayStructure> knownStructure(const SessionParts& parts, const PlayBody& body) {
-    if (body.structure != kNone) return parts.state.structures[body.structure].structure;
-    return structureIn(parts.scene, parts.state.origins[body.origin], body.fragment);
-}
-
 /// Tells a hit that changes no bond as if the weakest one got all of it.
 void tellWeakHit(const SessionParts& parts, const PlayStructure& structure, const BondStrike& strike) {
     const double breaking = structure.leastImpulse / structure.rule.damageFrom;
@@ -121,6 +115,11 @@ void breakByLoads(const SessionParts& parts, const PlayBody& body, std::vector<B
 }
 
 }  // namespace
+
+std::shared_ptr<const PlayStructure> knownStructure(const SessionParts& parts, const PlayBody& body) {
+    if (body.structure != kNone) return parts.state.structures[body.structure].structure;
+    return structureIn(parts.scene, parts.state.origins[body.origin], body.fragment);
+}
 
 bool breakHitBonds(const SessionParts& parts, std::span<const Impact> impacts) {
     std::map<std::uint32_t, BrokenBonds> broken;  // by body

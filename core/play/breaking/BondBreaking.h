@@ -8,6 +8,9 @@
 
 namespace rubble {
 
+/// The structure of a body with bonds, whether or not any is damaged.
+std::shared_ptr<const PlayStructure> knownStructure(const SessionParts& parts, const PlayBody& body);
+
 /// Breaks the bonds of bodies that are hit in a step whose collisions are known, by the simple rule, and splits them.
 /// What the bonds took is an impulse between the body and its impactor. True if any body came free.
 bool breakHitBonds(const SessionParts& parts, std::span<const Impact> impacts);

@@ -310,10 +310,19 @@ void pushPlug(const SessionParts& parts, const PlaySplit& split, double restitut
     parts.state.events.energy.push_back(entry);
 }
 
+/// Has the clusters of a body, and of all that it falls apart into, hold deeper levels than that at which it broke.
+void holdDeeperLevels(const SessionParts& parts, PlayBody& body, ClusterLevel level) {
+    constexpr double kRounding = 1e-9;  // s
+    const bool isHeld = timeOf(parts.state, parts.settings.dt) < body.heldUntil;
+    body.heldLevel = isHeld ? std::min(body.heldLevel, level) : level;
+    body.heldUntil = timeOf(parts.state, parts.settings.dt) + kLevelTime - kRounding;
+}
+
 /// Splits a body whose bonds broke, and tells of it. True if any body came free.
 bool splitBody(const SessionParts& parts, BrokenBonds broken) {
     PlayBody& body = *findBody(parts.state, broken.body);
     StructureState& state = structureOf(parts, body);
+    holdDeeperLevels(parts, body, broken.level);
     PlaySplit split{.step = parts.state.step + 1,
                     .body = body,
                     .impactorNumber = broken.impactor,
@@ -349,12 +358,8 @@ bool splitBody(const SessionParts& parts, BrokenBonds broken) {
 
 HeldClusters heldClusters(const SessionParts& parts, const PlayBody& body) {
     HeldClusters held = clustersOf(parts.state.structures[body.structure], body);
-    if (held.levels.empty()) return held;
-    for (const PlaySplit& split : parts.state.events.splits) {
-        const bool wasPart =
-            split.body.structure == body.structure && std::ranges::binary_search(split.body.nodes, body.nodes.front());
-        if (wasPart) held.breaking = std::min(held.breaking, split.level);
-    }
+    if (timeOf(parts.state, parts.settings.dt) < body.heldUntil)
+        held.breaking = std::min(held.breaking, body.heldLevel);
     return held;
 }
 

@@ -28,8 +28,9 @@ struct BrokenBonds {
 /// longer, see brokenMortar(). True if any body came free.
 bool splitBodies(const SessionParts& parts, std::vector<BrokenBonds> broken);
 
-/// The clusters of a body that hold in this step: of a body that was part of another one at the beginning of the step,
-/// those that held in that, so that levels break one after the other. Of a body with damaged bonds.
+/// The clusters of a body that hold now: for kLevelTime after a break, also all deeper levels than that which broke, so
+/// that levels break one after the other. Of a body with damaged bonds.
+inline constexpr double kLevelTime = 1.0 / 60.0;  // s
 HeldClusters heldClusters(const SessionParts& parts, const PlayBody& body);
 
 /// Breaks the bonds of what lost its support and has to come off in this step. True if any did.

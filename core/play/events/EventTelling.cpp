@@ -27,8 +27,7 @@ Id insideMaterialOf(const SessionParts& parts, const PlayBody& body) {
 
 /// The record of a body, with what all kinds have.
 EventRecord recordOf(const SessionParts& parts, EventKind kind, const PlayBody& body) {
-    return {.step = parts.state.step,
-            .kind = kind,
+    return {.kind = kind,
             .body = body.number,
             .instance = parts.state.origins[body.origin].instance,
             .materials = {materialIdOf(parts, body), 0}};
@@ -347,6 +346,7 @@ void tellEvents(const SessionParts& parts, std::vector<EventRecord> happened) {
         all.resize(shares[kind]);
         std::ranges::sort(all, {}, [](const EventRecord& one) { return std::pair(one.body, one.other); });
         for (EventRecord& record : all) {
+            record.step = parts.state.step;
             record.fragment = fragmentPathOf(parts, record.body);
             report.records.push_back(std::move(record));
         }

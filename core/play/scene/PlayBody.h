@@ -2,6 +2,7 @@
 
 #include "core/physics/world/World.h"
 #include "core/play/scene/PlayAsset.h"
+#include "core/structure/clusters/ClusterLevels.h"
 
 #include <optional>
 
@@ -31,6 +32,8 @@ struct PlayBody {
     std::vector<std::uint32_t> nodes;        // of the structure, ascending: what it consists of; empty: one solid
     bool isHeld = false;                     // bonded: by anchors
     std::uint64_t collapseStep = kNever;     // bonded: in which it loses what has no support
+    ClusterLevel heldLevel = kEveryLevel;    // bonded: its bonds of deeper levels hold until heldUntil
+    double heldUntil = 0.0;                  // s since the start of the session
 
     /// Whether it is removed by the rules of Debris: fragments are, also those of a thrown asset; what is whole is not.
     bool isDebris() const { return role == PlayRole::Debris; }

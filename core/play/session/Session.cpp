@@ -6,6 +6,8 @@
 #include "core/play/breaking/ApplyDamage.h"
 #include "core/play/breaking/BondBreaking.h"
 #include "core/play/breaking/DebrisRemoval.h"
+#include "core/play/breaking/HitIntervals.h"
+#include "core/play/breaking/SharedImpacts.h"
 #include "core/play/breaking/Splitting.h"
 #include "core/play/breaking/Swap.h"
 #include "core/play/events/EventTelling.h"
@@ -14,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace rubble {
 namespace {
@@ -34,21 +38,20 @@ std::vector<BodyId> breakableBodies(const SessionState& state) {
     return bodies;
 }
 
-/// Breaks what is hit hard enough in the coming step. A body that broke bonds and goes on meets what they held in the
-/// same step; what came of a swap breaks in the next one at the earliest.
-void breakBodies(const SessionParts& parts) {
-    constexpr int kMaxPasses = 8;  // of a hit through bonds, within a step
-    const std::vector<Impact> impacts = parts.world.impacts(breakableBodies(parts.state));
-    bool isChanged = collapseUnsupported(parts);
+/// Breaks what is hit hard enough in the coming dt seconds. A body that broke bonds and goes on meets what they held in
+/// the same time; what came of a swap breaks in the next at the earliest.
+void breakBodies(const SessionParts& parts, std::span<const Impact> impacts, double dt) {
+    constexpr int kMaxPasses = 8;  // of a hit through bonds
+    collapseUnsupported(parts);
     // Bonds first: what breaks whole is gone after its swap, and could not take the impulse of bonds.
-    bool hasFreed = breakHitBonds(parts, impacts);
-    isChanged |= breakHitBodies(parts, impacts);
+    const std::vector<Impact> shared = sharedImpacts(parts.world, impacts);
+    bool hasFreed = breakHitBonds(parts, shared);
+    breakHitBodies(parts, shared);
     for (int pass = 1; hasFreed && pass < kMaxPasses; ++pass) {
-        parts.world.collide(parts.settings.dt);
-        isChanged = false;
-        hasFreed = breakHitBonds(parts, parts.world.impacts(breakableBodies(parts.state)));
+        parts.world.collide(dt);
+        hasFreed = breakHitBonds(parts, sharedImpacts(parts.world, parts.world.impacts(breakableBodies(parts.state))));
     }
-    if (isChanged || hasFreed) parts.world.collide(parts.settings.dt);
+    if (parts.world.hasUncollided()) parts.world.collide(dt);
     const auto wasHeld = [](const PlaySplit& split) { return split.body.isHeld; };
     if (std::ranges::any_of(parts.state.events.splits, wasHeld)) planMortarCollapse(parts);
 }
@@ -105,19 +108,52 @@ Status Session::add(const Shot& shot) {
 void Session::step() {
     const SessionParts parts{*m_scene, m_settings, *m_state, m_world};
     m_state->events = {};
+    m_swapMilliseconds = 0.0;
     applyInputs(parts);
     m_world.collide(m_settings.dt);
+    std::vector<Impact> impacts = m_world.impacts(breakableBodies(*m_state));
+    const bool isDivided = mayBreak(parts, impacts) || timeOf(*m_state, m_settings.dt) < m_state->dividedUntil;
+    const int intervals = isDivided ? hitIntervals(m_settings.dt) : 1;
+    const double dt = m_settings.dt / intervals;
+    std::vector<EventRecord> happened;
+    PlayEvents events;
+    for (int k = 0; k < intervals; ++k) {
+        m_state->elapsed = k * dt;
+        if (intervals > 1) impacts = impactsWithin(dt);
+        if (mayBreak(parts, impacts)) impacts = hitsWithin(dt);
+        playInterval(impacts, dt);
+        std::ranges::move(happenedEvents(parts), std::back_inserter(happened));
+        append(std::exchange(m_state->events, {}), events);
+    }
+    m_state->events = std::move(events);
+    m_state->elapsed = 0.0;
+    ++m_state->step;
+    removeDebris(parts);
+    tellEvents(parts, std::move(happened));
+}
+
+std::vector<Impact> Session::impactsWithin(double dt) {
+    m_world.recollide(dt, {});
+    return m_world.impacts(breakableBodies(*m_state));
+}
+
+std::vector<Impact> Session::hitsWithin(double dt) {
+    const std::vector<BodyId> breakable = breakableBodies(*m_state);
+    m_world.recollide(dt, breakable);
+    return m_world.impacts(breakable);
+}
+
+void Session::playInterval(std::span<const Impact> impacts, double dt) {
+    const SessionParts parts{*m_scene, m_settings, *m_state, m_world};
     Stopwatch watch;
-    breakBodies(parts);
-    m_swapMilliseconds = watch.lap();
+    breakBodies(parts, impacts, dt);
+    m_swapMilliseconds += watch.lap();
     if (m_settings.checksEnergy) {
         RUBBLE_ASSERT(std::ranges::all_of(m_state->events.energy, &EnergyEntry::isConserved));
     }
-    m_world.solve(m_settings.dt);
-    ++m_state->step;
-    std::vector<EventRecord> happened = happenedEvents(parts);
-    removeDebris(parts);
-    tellEvents(parts, std::move(happened));
+    if (!m_state->events.breaks.empty() || !m_state->events.splits.empty())
+        m_state->dividedUntil = timeOf(*m_state, m_settings.dt) + kDividedTime;
+    m_world.solve(dt);
 }
 
 std::uint64_t Session::stepsDone() const { return m_state->step; }

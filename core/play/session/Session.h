@@ -7,7 +7,7 @@ namespace rubble {
 
 /// A project while it is simulated: its instances on its ground, inputs, and bodies that are swapped for their
 /// fragments when they break. A step is: apply inputs, collide, break and swap, collide the fragments, solve, remove
-/// debris.
+/// debris. Where something is hit that may break, the step is played in intervals, see HitIntervals.h.
 ///
 /// The same scene, inputs and step length give the same bits, on any number of threads and lanes.
 class Session {
@@ -77,6 +77,12 @@ public:
 
 private:
     Session(std::shared_ptr<const PlayScene> scene, const SessionSettings& settings);
+    /// The impacts of the coming dt seconds on what may break.
+    std::vector<Impact> impactsWithin(double dt);
+    /// The same, exactly: no manifold of what does not touch yet is recycled.
+    std::vector<Impact> hitsWithin(double dt);
+    /// Breaks what impacts break in an interval of a step, and simulates it.
+    void playInterval(std::span<const Impact> impacts, double dt);
 
     std::shared_ptr<const PlayScene> m_scene;
     SessionSettings m_settings;

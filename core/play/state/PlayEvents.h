@@ -76,4 +76,7 @@ struct PlayEvents {
     EventReport told;                     // the strongest of all that, and of what contacts did
 };
 
+/// Adds what happened in an interval of a step to what happened in it before.
+void append(PlayEvents&& interval, PlayEvents& step);
+
 }  // namespace rubble

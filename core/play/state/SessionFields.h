@@ -169,7 +169,7 @@ void visitFields(Self& self, Visit& visit) {
 template <FieldsOf<PlayBody> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
     [[maybe_unused]] auto& [number, body, role, origin, asset, fragment, hull, born, isUnbreakable, restCentre,
-                            structure, nodes, isHeld, collapseStep] = self;
+                            structure, nodes, isHeld, collapseStep, heldLevel, heldUntil] = self;
     visit("number", number);
     visit("body", body);
     visit("role", role);
@@ -182,6 +182,8 @@ void visitFields(Self& self, Visit& visit) {
     visit("bondedNodes", nodes);
     visit("isHeld", isHeld);
     visit("collapseStep", collapseStep);
+    visit("heldLevel", heldLevel);
+    visit("heldUntil", heldUntil);
 }
 
 template <FieldsOf<StructureState> Self, class Visit>
@@ -212,9 +214,11 @@ void visitFields(Self& self, Visit& visit) {
 
 template <FieldsOf<SessionState> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
-    [[maybe_unused]] auto& [step, hasDestruction, bodies, nextNumber, origins, damage, structures, pending, materials,
-                            assetThresholds, instanceThresholds, lowest, events, toldImpacts] = self;
+    [[maybe_unused]] auto& [step, elapsed, dividedUntil, hasDestruction, bodies, nextNumber, origins, damage,
+                            structures, pending, materials, assetThresholds, instanceThresholds, lowest, events,
+                            toldImpacts] = self;
     visit("step", step);
+    visit("dividedUntil", dividedUntil);
     visit("hasDestruction", hasDestruction);
     visit("bodies", bodies);
     visit("nextNumber", nextNumber);

@@ -30,6 +30,8 @@ struct ToldImpact {
 /// Everything in a session that changes, except its world.
 struct SessionState {
     std::uint64_t step = 0;
+    double elapsed = 0.0;       // s: of the step that is being played
+    double dividedUntil = 0.0;  // s: until then steps are played in intervals, see HitIntervals.h
     bool hasDestruction = true;
     std::vector<PlayBody> bodies;  // ascending number
     std::uint32_t nextNumber = 0;
@@ -49,6 +51,11 @@ struct SessionSnapshot {
     SessionState state;
     std::shared_ptr<const Snapshot> world;
 };
+
+/// The time that has been simulated, s, by steps of dt.
+inline double timeOf(const SessionState& state, double dt) {
+    return static_cast<double>(state.step) * dt + state.elapsed;
+}
 
 /// The memory of a state, in bytes: of everything that grows with its bodies. Assets and hulls are shared and not
 /// counted.

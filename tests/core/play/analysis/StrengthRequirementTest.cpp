@@ -58,7 +58,9 @@ Trial tried(Project project, const StrengthRequirement& requirement, double thre
     }
     for (double time = 0.0; time < 2.0 && session.events().impacts.empty(); time += dt) session.step();
     if (session.events().impacts.empty()) return {};
-    return {session.events().impacts[0].damage, !session.events().breaks.empty()};
+    const auto& [breaks, impacts] = std::tie(session.events().breaks, session.events().impacts);
+    // The first impact: a body that turns over it may hit harder in the same step.
+    return {impacts[0].damage, !breaks.empty() && breaks[0].impact == impacts[0].damage};
 }
 
 StrengthRequirement randomIntent(Random& random) {

@@ -142,7 +142,7 @@ private slots:
             session.restore(*start);
             const std::set<std::pair<int, int>> before = openCells(session, point);
             const Ray ray{kFirstEye, glm::normalize(point - kFirstEye)};
-            Throw thrown{.size = Vec3(0.6), .mass = 1500.0};
+            Throw thrown{.size = Vec3(0.7), .mass = 2500.0};
             thrown.speed = reachingSpeed(session, thrown, ray);
             test::addInput(session, ShotInput{"throw", throwAlong(session, thrown, ray)});
             for (int step = 0; step < 120; ++step) session.step();

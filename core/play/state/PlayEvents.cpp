@@ -1,0 +1,34 @@
+#include "core/play/state/PlayEvents.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace rubble {
+namespace {
+
+template <class Element>
+void move(std::vector<Element>& from, std::vector<Element>& to) {
+    std::ranges::move(from, std::back_inserter(to));
+}
+
+}  // namespace
+
+void append(PlayEvents&& interval, PlayEvents& step) {
+    auto& [inputs, breaks, splits, impacts, born, removed, diagnostics, energy, told] = interval;
+    move(inputs, step.inputs);
+    move(breaks, step.breaks);
+    move(splits, step.splits);
+    move(impacts, step.impacts);
+    move(born, step.born);
+    move(removed, step.removed);
+    move(diagnostics, step.diagnostics);
+    move(energy, step.energy);
+    move(told.records, step.told.records);
+    for (std::size_t kind = 0; kind < kEventKinds; ++kind) {
+        step.told.omitted[kind].count += told.omitted[kind].count;
+        step.told.omitted[kind].energy += told.omitted[kind].energy;
+    }
+    step.told.restEnergy += told.restEnergy;
+}
+
+}  // namespace rubble
