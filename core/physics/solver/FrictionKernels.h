@@ -13,7 +13,12 @@
 //     λ  N·s    normal impulses of the points; l, m, their distances from c: lever
 //
 //     τ' = clamp(τ - J n . (wB - wA), ± μ Σ λ l)
-//     f' = f - M u, shortened to at most μ Σ λ
+//     f' = f - M u               if it is at most μ Σ λ
+//     f' = (1 + s M)⁻¹ (f - M u)  else, with the s > 0, 1/kg, that makes it so long
+//
+// The slip that friction leaves is -s f': friction at its limit acts against the slip, whatever the masses along both
+// tangents are (the principle of maximum dissipation; Moreau 1970). Scaling f - M u instead would make it act along
+// M u.
 
 namespace rubble {
 
@@ -110,6 +115,36 @@ private:
         put(row(sum, part) + (kPass == ContactPass::Relax ? after : after - before), sum, part);
     }
 
+    /// Replaces p = f - M u, where it is longer than `limit`, by (1 + s M)⁻¹ p of that length. 1/|f'| is nearly
+    /// linear in s; one step of Newton's method from the s of a mass that is the same in all directions finds the
+    /// direction within half a degree for masses that differ by 1 : 7, and exactly for equal ones. With p of length 1
+    /// and the limit ρ, with D the determinant of 1 + s M and F = D f':
+    ///     s' = s + F² (|F| - ρ D) / (ρ (F M F + s det M F²))
+    /// Source: Moré, Sorensen 1983, "Computing a trust region step".
+    [[gnu::always_inline]] static void limitToCone(F xx, F xy, F yy, F limit, F& x, F& y) {
+        constexpr float kMinFraction = 1e-6f;  // of p: where the limit is less, the direction hardly depends on it
+        const F size = x * x + y * y;
+        const Masks<W> isLoaded = limit > F{}, isBeyond = isLoaded & (size > limit * limit);
+        x = select<W>(isLoaded, x, F{});  // many points are only near
+        y = select<W>(isLoaded, y, F{});
+        if (bitsOf<W>(isBeyond) == 0) return;
+        const F inverseLength = inverseOrZero<W>(squareRoot<W>(size)), px = x * inverseLength, py = y * inverseLength;
+        const F least = greater<W>(limit * inverseLength, all<W>(kMinFraction));  // ρ
+        const F determinant = greater<W>(xx * yy - xy * xy, F{});
+        const F adjX = yy * px - xy * py, adjY = xx * py - xy * px;  // det M · M⁻¹ p
+        const F massAlong = px * (xx * px + xy * py) + py * (xy * px + yy * py);
+        F s = (1.0f - least) * inverseOrZero<W>(least * massAlong);
+        F fx = px + s * adjX, fy = py + s * adjY, squared = fx * fx + fy * fy;
+        const F excess = squareRoot<W>(squared) - least * (1.0f + s * (xx + yy + s * determinant));
+        const F slope = fx * (xx * fx + xy * fy) + fy * (xy * fx + yy * fy) + s * determinant * squared;
+        s = greater<W>(s + squared * excess * inverseOrZero<W>(least * slope), F{});
+        fx = px + s * adjX;
+        fy = py + s * adjY;
+        const F scale = limit * inverseOrZero<W>(squareRoot<W>(fx * fx + fy * fy));
+        x = select<W>(isBeyond, fx * scale, x);
+        y = select<W>(isBeyond, fy * scale, y);
+    }
+
     template <ContactPass kPass>
     [[gnu::always_inline]] static Masks<W> applyTangential(ContactBlock& block, int part, const V& n, F limit,
                                                            Velocities& a, Velocities& b, Masks<W> mask) {
@@ -122,10 +157,7 @@ private:
                 yy = row(block.tangentMassYY, part);  // M
         const F beforeX = row(block.frictionX, part), beforeY = row(block.frictionY, part);
         F x = beforeX - (xx * slipX + xy * slipY), y = beforeY - (xy * slipX + yy * slipY);  // f - M u
-        const F size = x * x + y * y;
-        const F scale = shortening(size > limit * limit, size, limit);  // μ Σ λ / |f - M u|
-        x = x * scale;
-        y = y * scale;
+        limitToCone(xx, xy, yy, limit, x, y);
         if constexpr (kPass == ContactPass::Settle) {
             x = select<W>(mask, x, beforeX);
             y = select<W>(mask, y, beforeY);

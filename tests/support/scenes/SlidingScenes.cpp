@@ -4,6 +4,8 @@
 #include "tests/support/scenes/BodyShapes.h"
 #include "tests/support/scenes/SceneParts.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -151,7 +153,35 @@ std::vector<Slide> slidesOverGrids() {
     };
 }
 
+/// A box that slides over one tile, in the `direction`-th of sixteen directions.
+Slide slideAcross(Vec2 footprint, double height, int direction) {
+    const std::string name = std::to_string(footprint.x) + " x " + std::to_string(height) + " x " +
+                             std::to_string(footprint.y) + ", direction " + std::to_string(direction);
+    return {.name = name,
+            .hulls = {boxOf({footprint.x, height, footprint.y})},
+            .height = height,
+            .speed = 4.0,
+            .friction = 0.3,
+            .direction = 22.5 * direction,
+            .tiles = {.size = {20.0, 20.0}}};
+}
+
 }  // namespace
+
+std::vector<SlidingScene> obliqueSlidingScenes() {
+    constexpr std::array kFootprints{Vec2(0.7, 0.3), Vec2(0.3, 0.3), Vec2(1.0, 0.2), Vec2(2.0, 0.5),  Vec2(0.5, 0.1),
+                                     Vec2(0.2, 0.8), Vec2(0.4, 0.5), Vec2(1.5, 0.3), Vec2(0.6, 0.15), Vec2(0.9, 0.7)};
+    std::vector<SlidingScene> scenes;
+    for (const Vec2& footprint : kFootprints) {
+        for (const double fraction : {0.3, 0.8, 1.5}) {
+            const double height = fraction * std::min(footprint.x, footprint.y);
+            for (int direction = 0; direction < 16; ++direction) {
+                scenes.push_back(sceneOf(slideAcross(footprint, height, direction)));
+            }
+        }
+    }
+    return scenes;
+}
 
 std::vector<SlidingScene> slidingScenes() {
     std::vector<SlidingScene> scenes;

@@ -19,4 +19,8 @@ struct SlidingScene {
 /// bodies, and tiles that are hulls of one body.
 std::vector<SlidingScene> slidingScenes();
 
+/// Boxes of ten footprints, square and oblong, and of three heights, that slide in sixteen directions over one flat
+/// ground.
+std::vector<SlidingScene> obliqueSlidingScenes();
+
 }  // namespace rubble::test

@@ -42,6 +42,12 @@ struct PhysicsCase {
 
 double horizontalDistance(Vec3 a, Vec3 b) { return std::hypot(b.x - a.x, b.z - a.z); }
 
+/// The distance of a point from the line along which a body started, m, horizontally.
+double asideOf(const SceneBody& start, Vec3 end) {
+    const Vec3 moved = end - start.pose.position, along = start.velocity;
+    return std::abs(moved.x * along.z - moved.z * along.x) / std::hypot(along.x, along.z);
+}
+
 void addRows(const char* kind) {
     QTest::addColumn<PhysicsCase>("each");
     const QJsonObject cases = test::readJson(kCorpus + "cases.json");
@@ -60,8 +66,8 @@ Q_DECLARE_METATYPE(PhysicsCase)
 
 /// Scenes that once went wrong, and others of their kinds. cases.json says how long each is simulated, at how many
 /// steps a second, and what must hold at the end: whether all bodies are asleep (`asleep`); at most which `penetration`
-/// and horizontal `drift`, m; which `distance`, m, the last body has moved; and within which bounds the `energy` stays,
-/// as a fraction of that at the start.
+/// and horizontal `drift`, m; which `distance`, m, the last body has moved, and how far, m, at most `aside` of the line
+/// of its velocity; and within which bounds the `energy` stays, as a fraction of that at the start.
 class PhysicsCorpusTest : public QObject {
     Q_OBJECT
 private slots:
@@ -95,11 +101,13 @@ private slots:
         const double distance = each.row["distance"].toDouble();
         SceneWorld moved = test::worldOf(each.scene);
         test::simulate(moved.world, each.row["seconds"].toDouble(), 1.0 / each.row["hertz"].toDouble());
-        const double gone = horizontalDistance(each.scene.bodies.back().pose.position,
-                                               moved.world.state(moved.bodies.back()).pose.position);
-        qInfo("%.3f of %.3f m", gone, distance);
+        const SceneBody& start = each.scene.bodies.back();
+        const Vec3 end = moved.world.state(moved.bodies.back()).pose.position;
+        const double gone = horizontalDistance(start.pose.position, end), aside = asideOf(start, end);
+        qInfo("%.3f of %.3f m, %.3f m aside", gone, distance, aside);
         QVERIFY(gone >= kLeast * distance);
         QVERIFY(gone <= kMost * distance);
+        if (each.row.contains("aside")) QVERIFY(aside <= each.row["aside"].toDouble());
     }
 
 private:

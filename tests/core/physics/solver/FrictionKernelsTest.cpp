@@ -1,7 +1,10 @@
+#include "core/base/math/Trigonometry.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/scenes/OneContact.h"
 
 #include <QTest>
+
+#include <numbers>
 
 using namespace rubble;
 using namespace rubble::test;
@@ -45,6 +48,30 @@ private slots:
             QVERIFY(isClose(contact.block.frictionY[0], -1.6f));
             QVERIFY(isClose(contact.cube().velocity.x, 3.0f - 0.6f));
             QVERIFY(isClose(contact.cube().velocity.z, -4.0f + 0.8f));
+        }
+    }
+    /// Of a body that is easier to tilt one way than the other, too: what is left of the slip is opposite to the
+    /// friction impulse, whatever the directions of slip.
+    void frictionAtItsLimitActsAgainstTheSlip() {
+        for (const SimdWidth width : availableSimdWidths()) {
+            const SolverKernels& kernels = kernelsOf(width);
+            for (int direction = 0; direction < 16; ++direction) {
+                const double angle = 2.0 * std::numbers::pi * direction / 16.0;
+                const Vec3f velocity = toFloat(10.0 * Vec3(cosine(angle), 0.0, sine(angle)));
+                OneContact contact({kUnderCentre});
+                contact.poses[OneContact::kCube].inverseInertia = {9.0f, 1.0f, -1.5f, 3.0f, 0.5f, 1.0f};
+                contact.cube().velocity = velocity;
+                contact.impulse(0) = 4.0f;
+                contact.prepare(kernels, 0.0f);
+                contact.apply(kernels.relax);
+                const Vec3f friction(contact.block.frictionX[0], 0.0f, -contact.block.frictionY[0]);
+                const Vec3f slip =
+                    contact.cube().velocity + cross(contact.cube().angularVelocity, Vec3f(0.0f, -0.5f, 0.0f));
+                QVERIFY(isClose(length(friction), 0.5f * contact.impulse(0)));  // μ λ
+                const float across = friction.x * slip.z - friction.z * slip.x;
+                QVERIFY(std::abs(across) < 0.005f * length(friction) * length(slip));  // 0.3 degrees
+                QVERIFY(friction.x * slip.x + friction.z * slip.z < 0.0f);
+            }
         }
     }
     void frictionOfFormerSubStepsCounts() {
