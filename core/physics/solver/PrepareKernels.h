@@ -145,8 +145,15 @@ struct PrepareKernels : ContactLanes<W> {
             part);
     }
 
-    static void prepare(std::span<ContactBlock> blocks, std::span<const ReferenceBlock> references,
+    /// Empty lanes have bodies that are not dynamic.
+    [[gnu::always_inline]] static Masks<W> differ(const Velocities& a, const Velocities& b) {
+        const F heavier = lesser<W>(a.inverseMass, b.inverseMass), lighter = greater<W>(a.inverseMass, b.inverseMass);
+        return (heavier > F{}) & (lighter > kMaxLoadRatio * heavier);
+    }
+
+    static bool prepare(std::span<ContactBlock> blocks, std::span<const ReferenceBlock> references,
                         const SolverStep& step) {
+        Masks<W> massesDiffer{};
         for (std::size_t i = 0; i < blocks.size(); ++i) {
             ContactBlock& block = blocks[i];
             for (int part = 0; part < kBlockLanes / W; ++part) {
@@ -158,8 +165,10 @@ struct PrepareKernels : ContactLanes<W> {
                 updatePoints(block, references[i], part, a, b, va, vb);
                 computeNormalMasses(block, part, a, b, va.inverseMass + vb.inverseMass);
                 computeFrictionMasses(block, part, a, b, va.inverseMass + vb.inverseMass);
+                massesDiffer |= differ(va, vb);
             }
         }
+        return bitsOf<W>(massesDiffer) != 0;
     }
 };
 

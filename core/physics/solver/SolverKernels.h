@@ -17,6 +17,9 @@ struct Softness {
     float impulseScale = 0.0f;  // [0, 1): the part of the impulse that is released
 };
 
+/// The largest load on a body, as a multiple of its mass, that the sub-steps carry well.
+inline constexpr float kMaxLoadRatio = 10.0f;
+
 /// The parameters of a step, for all passes.
 struct SolverStep {
     BodyMotion* motions = nullptr;    // by body
@@ -36,8 +39,9 @@ struct SolverKernels {
     /// One bit per lane: set if its manifold is outdated, since its bodies moved or rotated too far relative to each
     /// other.
     unsigned (*staleLanes)(const ContactBlock& block, const ReferenceBlock& reference, const SolverStep& step);
-    /// Computes current separations and effective masses.
-    void (*prepare)(std::span<ContactBlock> blocks, std::span<const ReferenceBlock> references, const SolverStep& step);
+    /// Computes current separations and effective masses. Returns whether any two dynamic bodies differ by more than
+    /// kMaxLoadRatio in mass.
+    bool (*prepare)(std::span<ContactBlock> blocks, std::span<const ReferenceBlock> references, const SolverStep& step);
     /// Applies the impulses of the last sub-step.
     void (*warmStart)(std::span<ContactBlock> blocks, const SolverStep& step);
     /// Normal impulses, with a bias velocity that resolves overlaps.

@@ -117,6 +117,7 @@ private:
         std::vector<SolveStage>& stages = m_scratch.subStep;
         stages.clear();
         stages.push_back({.over = SolveStage::Over::Velocities});
+        if (!m_scratch.scaled.empty()) stages.push_back({.over = SolveStage::Over::Scaled});
         if (m_state.grabbed.index != 0) stages.push_back({.over = SolveStage::Over::Grabbed});
         planColours(stages, m_kernels.warmStart);
         planColours(stages, m_kernels.solve);
@@ -138,6 +139,9 @@ private:
             case SolveStage::Over::Contacts: return passContacts(stage, region);
             case SolveStage::Over::Velocities: return m_kernels.integrateVelocities(m_regions.bodies(region), m_step);
             case SolveStage::Over::Positions: return moveBodies(region);
+            case SolveStage::Over::Scaled:
+                if (region == 0) correctGravity(m_state, m_scratch.scaled, m_step);
+                return;
             case SolveStage::Over::Grabbed:
                 if (region == 0) pullGrabbed(m_state, m_step);
         }
@@ -188,16 +192,19 @@ SolverStep solverStep(WorldState& state, float dt) {
             kMinRestitutionSpeed};
 }
 
-void prepareContacts(WorldState& state, ThreadPool& threads, const Regions& regions, const SolverKernels& kernels,
-                     const SolverStep& step) {
+void prepareContacts(WorldState& state, ThreadPool& threads, const Regions& regions, SolveScratch& scratch,
+                     const SolverKernels& kernels, const SolverStep& step) {
+    clearLists(scratch.unequalBlocks, regions.count());
     regions.forEach(threads, [&](std::size_t region) {
         for (std::size_t number = 0; number < ContactColours::kLists; ++number) {
             ContactColours::List& list = state.colours.lists()[number];
             const std::span blocks = regions.part(number, std::span(list.blocks), region);
             const std::span references = regions.part(number, std::span<const ReferenceBlock>(list.references), region);
             regions.forEachBlockRange(blocks.size(), region, [&](IndexRange range) {
-                kernels.prepare(blocks.subspan(range.begin, range.size()),
-                                references.subspan(range.begin, range.size()), step);
+                for (std::size_t i = range.begin; i < range.end; ++i) {
+                    const bool isUnequal = kernels.prepare(blocks.subspan(i, 1), references.subspan(i, 1), step);
+                    if (isUnequal) scratch.unequalBlocks[region].push_back(&blocks[i]);
+                }
             });
         }
     });

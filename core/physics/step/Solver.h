@@ -4,12 +4,13 @@
 #include "core/physics/solver/SolverKernels.h"
 #include "core/physics/state/Regions.h"
 #include "core/physics/state/WorldState.h"
+#include "core/physics/step/MassScaling.h"
 
 namespace rubble {
 
 /// A parallel stage between two barriers: a pass over the contacts of a colour, or over bodies.
 struct SolveStage {
-    enum class Over : std::uint8_t { Contacts, Velocities, Positions, Grabbed };
+    enum class Over : std::uint8_t { Contacts, Velocities, Scaled, Positions, Grabbed };
     Over over = Over::Contacts;
     void (*pass)(std::span<ContactBlock>, const SolverStep&) = nullptr;
     std::uint32_t list = 0;  // the first of the colour's two lists
@@ -21,14 +22,17 @@ struct SolveScratch {
     std::vector<std::vector<std::uint32_t>> slowRotating;  // by region: the other awake bodies
     std::vector<SolveStage> subStep;
     std::vector<SolveStage> restitution;
+    std::vector<BlockList> unequalBlocks;  // by region, of prepareContacts(), in this step
+    std::vector<ScaledBody> scaled;        // of scaleMasses(), in this step
 };
 
 /// The parameters of a step of dt > 0 seconds.
 SolverStep solverStep(WorldState& state, float dt);
 
-/// Computes separations and effective masses; call before solveSubSteps().
-void prepareContacts(WorldState& state, ThreadPool& threads, const Regions& regions, const SolverKernels& kernels,
-                     const SolverStep& step);
+/// Computes separations and effective masses, and finds the blocks with dynamic bodies that differ by more than
+/// kMaxLoadRatio in mass; call before solveSubSteps().
+void prepareContacts(WorldState& state, ThreadPool& threads, const Regions& regions, SolveScratch& scratch,
+                     const SolverKernels& kernels, const SolverStep& step);
 /// Solves the sub-steps of a step. The displacements are in the bodies' motions, not yet in their poses.
 void solveSubSteps(WorldState& state, ThreadPool& threads, const Regions& regions, SolveScratch& scratch,
                    const SolverKernels& kernels, const SolverStep& step);

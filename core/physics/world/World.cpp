@@ -258,7 +258,7 @@ bool World::areTouching(BodyId first, BodyId second) const {
 std::vector<Impact> World::impacts() {
     RUBBLE_ASSERT(m_context->isCollided);
     const SolverStep step = solverStep(*m_state, m_context->dt);
-    prepareContacts(*m_state, m_context->threads, m_context->regions, m_context->kernels, step);
+    prepareContacts(*m_state, m_context->threads, m_context->regions, m_context->solve, m_context->kernels, step);
     return findImpacts(*m_state, step);
 }
 
@@ -268,7 +268,7 @@ std::vector<Impact> World::impacts(std::span<const BodyId> bodies) {
     std::vector<std::uint8_t> isWanted(m_state->bodies.size(), 0);
     for (const BodyId body : bodies) isWanted[body.index] = 1;
     const SolverStep step = solverStep(*m_state, m_context->dt);
-    prepareContacts(*m_state, m_context->threads, m_context->regions, m_context->kernels, step);
+    prepareContacts(*m_state, m_context->threads, m_context->regions, m_context->solve, m_context->kernels, step);
     return findImpacts(*m_state, step, isWanted);
 }
 
@@ -281,12 +281,14 @@ void World::solve(double dt) {
     updateAwakeBodies(*m_state);
     context.regions.assignBodies(*m_state, context.threadCount);
     context.regions.sortContacts(*m_state, context.threads);
-    prepareContacts(*m_state, context.threads, context.regions, context.kernels, step);
-    softenSharedContacts(*m_state, context.threads, context.regions, step);
+    prepareContacts(*m_state, context.threads, context.regions, context.solve, context.kernels, step);
     const bool hasContacts = m_state->colours.contactCount() > 0;
     if (hasContacts) saveStartMotions(*m_state, context.threads, context.regions, context.energy);
+    context.solve.scaled = scaleMasses(*m_state, context.solve.unequalBlocks, context.kernels, step);
+    softenSharedContacts(*m_state, context.threads, context.regions, step);
     context.times.prepare = watch.lap();
     solveSubSteps(*m_state, context.threads, context.regions, context.solve, context.kernels, step);
+    restoreMasses(*m_state, context.solve.scaled);
     context.times.solve = watch.lap();
     if (hasContacts) findContactEvents(step);
     clampFastBodies(*m_state, context.threads, context.regions, context.fastBodies);

@@ -27,7 +27,7 @@ struct RestingScene {
 
 // Deterministic; the ground is the first body, its top the plane y = 0; density 1000 kg/m³, friction 0.6.
 
-/// Bodies that lie flat on each other: of several hulls, round, thin, high, and under a load of 300 times their mass.
+/// Bodies that lie flat on each other: of several hulls, round, thin, high, and under a load of 1,000 times their mass.
 std::span<const RestingScene> stackScenes();
 /// Slender, flat, compact and concave bodies that fall onto each other from a low height.
 std::span<const RestingScene> pileScenes();
