@@ -81,7 +81,7 @@ void addIslands(const SessionState& session, MortarUnits& units, MortarUnits::Me
         if (structure.holdsHeaviest && !isAnchored) {
             const auto number = state.bodyOfNode[islands[k].nodes.front()];
             const auto body = std::ranges::lower_bound(session.bodies, number, {}, &PlayBody::number);
-            isAnchored = body != session.bodies.end() && body->number == number && body->role == PlayRole::Instance;
+            isAnchored = body != session.bodies.end() && body->number == number && body->isHeld;
         }
         units.anchoredFlags.push_back(isAnchored);
     }

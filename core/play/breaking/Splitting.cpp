@@ -95,17 +95,18 @@ double volumeOf(const PlayStructure& structure, std::span<const std::uint32_t> n
     return volume;
 }
 
-/// The islands of a body, the heaviest first, then by lowest node.
-std::vector<PartOfBody> islandsOfBody(const StructureState& state, std::span<const std::uint32_t> nodes) {
+/// The islands of nodes of a body, the heaviest first, then by lowest node. Only what was held can be held.
+std::vector<PartOfBody> islandsOfBody(const StructureState& state, std::span<const std::uint32_t> nodes, bool wasHeld) {
     const Islands islands = islandsOf(state.structure->graph, state.damage, nodes);
     std::vector<PartOfBody> made;
     for (std::uint32_t k = 0; k < islands.count(); ++k) {
         const Island island = islands[k];
-        made.push_back(
-            {{island.nodes.begin(), island.nodes.end()}, island.isAnchored, volumeOf(*state.structure, island.nodes)});
+        made.push_back({{island.nodes.begin(), island.nodes.end()},
+                        wasHeld && island.isAnchored,
+                        volumeOf(*state.structure, island.nodes)});
     }
     const auto heaviest = std::ranges::max_element(made, {}, &PartOfBody::volume);
-    if (state.structure->holdsHeaviest) heaviest->isHeld = true;
+    if (wasHeld && state.structure->holdsHeaviest) heaviest->isHeld = true;
     std::rotate(made.begin(), heaviest, heaviest + 1);
     return made;
 }
@@ -337,7 +338,7 @@ bool splitBody(const SessionParts& parts, BrokenBonds broken) {
         breakUnsupported(state, unsupportedOf(parts, body, state, body.nodes, held), broken.bonds);
     }
     crumble(state, body.nodes, broken.bonds);
-    std::vector<PartOfBody> islands = islandsOfBody(state, body.nodes);
+    std::vector<PartOfBody> islands = islandsOfBody(state, body.nodes, body.isHeld);
     const bool isChanged = islands.size() > 1 || islands.front().isHeld != body.isHeld;
     if (isChanged) {
         replaceBody(parts, split.body, islands, split.freed);
@@ -380,7 +381,7 @@ void removeNodes(const SessionParts& parts, std::uint32_t number, std::span<cons
     breakUnsupported(state, unsupportedOf(parts, body, state, kept, heldClusters(parts, body)), broken);
     crumble(state, kept, broken);
     std::vector<std::uint32_t> freed;
-    replaceBody(parts, PlayBody(body), islandsOfBody(state, kept), freed);
+    replaceBody(parts, PlayBody(body), islandsOfBody(state, kept, body.isHeld), freed);
 }
 
 StructureState& structureOf(const SessionParts& parts, PlayBody& body) {

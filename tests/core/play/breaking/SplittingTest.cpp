@@ -111,6 +111,20 @@ private slots:
         QVERIFY2(test::wallOf(session).nodes.size() > 20 && session.bodies().size() > 3,
                  QByteArray::number(test::wallOf(session).nodes.size()));
     }
+    void freePartsOfWhatIsFixedInTheAirAreNotHeld() {
+        Project project = test::bondedWall(60);
+        project.instances[0].isAnchored = false;
+        project.instances[0].isFixed = true;
+        project.instances[0].pose.position.y = 20.0;
+        Session session = test::sessionOf(project);
+        for (const double x : {-1.5, 0.0, 1.5}) {
+            test::addInput(session,
+                           ShotInput{"blast", Explosion{.at = {x, 20.0, 0.5}, .impulse = 900.0, .radius = 1.5}});
+            for (int k = 0; k < 10; ++k) session.step();
+        }
+        QVERIFY(session.bodies().size() > 5);
+        for (const PlayBody& body : session.bodies()) QVERIFY(!body.isHeld || body.number == 1);
+    }
     void fragmentsBreakFurtherByTheirLevel() {
         Project project = test::bondedWall(12);
         project.assets[0].levels = {{.pattern = test::patternOf(project, {UniformScatter{.count = 6}})}};
