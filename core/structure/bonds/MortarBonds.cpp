@@ -80,15 +80,16 @@ std::vector<Bond> bondsOfContacts(std::vector<HullContact> contacts, std::span<c
 }  // namespace
 
 std::vector<Bond> mortarBonds(std::span<const MortarNode> nodes, double tolerance, double leastArea) {
+    const double farthest = tolerance + kFaceRounding;
     const std::vector<NodeHull> hulls = hullsOf(nodes);
     const BoxTree tree = treeOf(hulls);
     std::vector<HullContact> contacts;
     for (std::size_t k = 0; k < hulls.size(); ++k) {
         const NodeHull& hull = hulls[k];
-        tree.visitOverlapping(boxOfHull(*hull.hull, tolerance), [&](std::uint32_t j) {
+        tree.visitOverlapping(boxOfHull(*hull.hull, farthest), [&](std::uint32_t j) {
             const NodeHull& other = hulls[j];
             if (other.node <= hull.node || nodes[other.node].body == nodes[hull.node].body) return;
-            if (const auto contact = faceContact(*hull.hull, *other.hull, tolerance, 0.0))
+            if (const auto contact = faceContact(*hull.hull, *other.hull, farthest, 0.0))
                 contacts.push_back({hull.node, other.node, {k, j}, *contact});
         });
     }
@@ -97,12 +98,13 @@ std::vector<Bond> mortarBonds(std::span<const MortarNode> nodes, double toleranc
 
 std::vector<Bond> anchorBonds(std::span<const MortarNode> nodes, std::span<const Polytope> supports, double tolerance,
                               double leastArea) {
+    const double farthest = tolerance + kFaceRounding;
     const std::vector<NodeHull> hulls = hullsOf(nodes);
     const BoxTree tree = treeOf(hulls);
     std::vector<HullContact> contacts;
     for (std::size_t k = 0; k < supports.size(); ++k) {
-        tree.visitOverlapping(boxOfHull(supports[k], tolerance), [&](std::uint32_t j) {
-            if (const auto contact = faceContact(*hulls[j].hull, supports[k], tolerance, 0.0))
+        tree.visitOverlapping(boxOfHull(supports[k], farthest), [&](std::uint32_t j) {
+            if (const auto contact = faceContact(*hulls[j].hull, supports[k], farthest, 0.0))
                 contacts.push_back({hulls[j].node, kNone, {j, k}, *contact});
         });
     }

@@ -16,6 +16,10 @@ struct MortarNode {
     std::vector<Polytope> hulls;  // that fill it
 };
 
+/// Faces that touch are this far apart at most for the rounding of their coordinates, m: of rotated ones at 100 km, and
+/// of files with six decimals. It is added to all tolerances below.
+inline constexpr double kFaceRounding = 1e-6;
+
 /// The bonds between fragments of different bodies whose faces lie against each other, see faceContact(): those of all
 /// their hulls are one bond. By first, then second. Pairs of less than `leastArea` (m²) are not joined.
 /// O(n log n) in the hulls, and their contacts.

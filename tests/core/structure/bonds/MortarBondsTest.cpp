@@ -81,6 +81,22 @@ private slots:
         QVERIFY(isNear(bonds[0].seedDistance, 0.5 + 0.00025));  // half of it at half of the joint
         QCOMPARE(bonds[1].first, 2u);
     }
+    /// Wherever rounding puts them, as long as they are apart by it alone.
+    void touchingFacesAreJoinedWithoutATolerance() {
+        Random random(7);
+        for (int round = 0; round < 1000; ++round) {
+            const double far = round % 2 == 0 ? 10.0 : 1e5;
+            const Vec3 at{random.between(-far, far), random.between(-far, far), random.between(-far, far)};
+            const Vec3 size{random.between(0.1, 3.0), random.between(0.1, 3.0), random.between(0.1, 3.0)};
+            const Vec3 next = at + Vec3(size.x, 0.0, 0.0);
+            const std::vector<MortarNode> nodes{boxNode(0, at, at + size), boxNode(1, next, next + size)};
+            QCOMPARE(mortarBonds(nodes, 0.0, 0.0).size(), std::size_t{1});
+            const std::vector<Polytope> support{boxBetween(next, next + size)};
+            QCOMPARE(anchorBonds({nodes.data(), 1}, support, 0.0, 0.0).size(), std::size_t{1});
+            const Vec3 apart = next + Vec3(1e-5, 0.0, 0.0);
+            QVERIFY(mortarBonds(std::vector{nodes[0], boxNode(1, apart, apart + size)}, 0.0, 0.0).empty());
+        }
+    }
     void allPairsWithinToleranceAreJoined() {
         for (std::uint64_t seed = 0; seed < 100; ++seed) {
             Random random(seed);
