@@ -113,7 +113,8 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
         const auto start = std::chrono::steady_clock::now();
         session->step();
         const auto end = std::chrono::steady_clock::now();
-        record.add(step, session->world(), std::chrono::duration<double, std::milli>(end - start).count());
+        record.add(step, session->world(), std::chrono::duration<double, std::milli>(end - start).count(),
+                   plan.simulation.isTraced ? session->heldPotential() : 0.0);
         if (recorder) {
             recorder->add(*session);
             if (const Status fits = recorded.add(recorder->replay()); !fits) return fits.error();

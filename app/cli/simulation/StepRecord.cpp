@@ -30,14 +30,14 @@ StepRecord::StepRecord(const SimulationPlan& plan) : m_plan(plan) {
     if (plan.isTraced) m_trace = std::string(kHeader) + (plan.isTimed ? kTimeHeader : "") + "\n";
 }
 
-void StepRecord::add(int step, const World& world, double milliseconds) {
+void StepRecord::add(int step, const World& world, double milliseconds, double heldPotential) {
     if (m_plan.isTimed) m_milliseconds.push_back(milliseconds);
     if (step > m_plan.steps - kCountedSteps) {
         m_sums.bodies += world.counts().bodies;
         m_sums.pairs += world.counts().candidatePairs;
         m_sums.contactPoints += world.counts().contactPoints;
     }
-    if (m_plan.isTraced) addRow(step, world);
+    if (m_plan.isTraced) addRow(step, world, heldPotential);
 }
 
 SimulatedCounts StepRecord::means() const {
@@ -51,12 +51,12 @@ std::optional<StepMilliseconds> StepRecord::milliseconds() const {
                             percentile(m_milliseconds, 1.0)};
 }
 
-void StepRecord::addRow(int step, const World& world) {
+void StepRecord::addRow(int step, const World& world, double heldPotential) {
     const StepCounts& counts = world.counts();
     const Momenta momenta = world.momenta();
     appendRow(m_trace, {static_cast<double>(step), step * m_plan.stepLength, static_cast<double>(counts.awake),
                         static_cast<double>(counts.candidatePairs), static_cast<double>(counts.contacts),
-                        static_cast<double>(counts.contactPoints), momenta.kinetic, momenta.potential});
+                        static_cast<double>(counts.contactPoints), momenta.kinetic, momenta.potential + heldPotential});
     if (m_plan.isTimed) {
         const StepTimes& times = world.times();
         m_trace += ',';

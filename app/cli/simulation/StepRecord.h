@@ -35,8 +35,8 @@ class StepRecord {
 public:
     explicit StepRecord(const SimulationPlan& plan);
 
-    /// Records a step, counted from 1.
-    void add(int step, const World& world, double milliseconds);
+    /// Records a step, counted from 1. `heldPotential`: potential energy of what is not dynamic yet, J.
+    void add(int step, const World& world, double milliseconds, double heldPotential = 0.0);
 
     /// The mean counts of the last 120 steps.
     SimulatedCounts means() const;
@@ -46,7 +46,7 @@ public:
     std::string trace() && { return std::move(m_trace); }
 
 private:
-    void addRow(int step, const World& world);
+    void addRow(int step, const World& world, double heldPotential);
 
     const SimulationPlan& m_plan;
     SimulatedCounts m_sums;

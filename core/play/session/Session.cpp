@@ -186,6 +186,8 @@ Status Session::apply(const SessionDamage& damage) {
 }
 
 const PlayEvents& Session::events() const { return m_state->events; }
+double Session::heldPotential() const { return rubble::heldPotential(*m_scene, *m_state, m_world); }
+
 double Session::swapMilliseconds() const { return m_swapMilliseconds; }
 
 std::shared_ptr<const SessionSnapshot> Session::snapshot() const {

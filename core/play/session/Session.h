@@ -63,6 +63,9 @@ public:
     Status apply(const SessionDamage& damage);
 
     const PlayEvents& events() const;
+    /// The potential energy of the fragments that anchors hold, J, zero at the origin as World::momenta(): with that it
+    /// is continuous where they come free.
+    double heldPotential() const;
     /// The time that the last step spent on breaks and swaps, ms; the rest is World::times().
     double swapMilliseconds() const;
     ContentHash hash() const { return world().hash(); }

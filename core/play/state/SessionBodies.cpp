@@ -113,6 +113,30 @@ double distanceToBody(const World& world, BodyId body, Vec3 point) {
     return least;
 }
 
+double heldPotential(const PlayScene& scene, const SessionState& state, const World& world) {
+    double potential = 0.0;
+    for (const PlayBody& body : state.bodies) {
+        if (!body.isHeld) continue;
+        const Pose pose = world.state(body.body).pose;
+        const Vec3 frame = frameOf(body);
+        double volume = 0.0;
+        Vec3 moment(0.0);  // of volume
+        const auto add = [&](const MassProperties& mass, Vec3 centre) {
+            volume += mass.volume;
+            moment += mass.volume * (pose.position + pose.orientation * (centre - frame));
+        };
+        for (const std::uint32_t fragment : fragmentsOf(body)) {
+            const PlaySolid& solid = body.asset->fragments[fragment];
+            add(solid.shape->mass, centreInAsset(solid));
+        }
+        const PlaySolid& whole = body.asset->solid(body.fragment);
+        if (volume == 0.0) add(whole.shape->mass, centreInAsset(whole));
+        const double density = materialOf(state, scene, body.asset->bake->asset).density;
+        potential -= density * glm::dot(world.gravity(), moment);
+    }
+    return potential;
+}
+
 Result<std::uint32_t> addBody(const SessionParts& parts, BodyDefinition definition, PlayBody body) {
     SessionState& state = parts.state;
     definition.tag = state.nextNumber;

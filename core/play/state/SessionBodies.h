@@ -15,6 +15,9 @@ PlayBody* findBody(SessionState& state, std::uint32_t number);
 /// The distance of a point from a body, m; 0 inside.
 double distanceToBody(const World& world, BodyId body, Vec3 point);
 
+/// The potential energy of the fragments in held bodies, J, zero at the origin.
+double heldPotential(const PlayScene& scene, const SessionState& state, const World& world);
+
 /// Adds a body to world and list, with the next number.
 ///
 /// Errors: those of World::addBody().

@@ -111,6 +111,25 @@ private slots:
         QVERIFY2(test::wallOf(session).nodes.size() > 20 && session.bodies().size() > 3,
                  QByteArray::number(test::wallOf(session).nodes.size()));
     }
+    /// Potential energy counts what is held, so that it is continuous where that comes free.
+    void energyIsContinuousWhereAHeldWallFalls() {
+        Session session = test::sessionOf(test::bondedPortal(1.5, 0.2));
+        const auto energy = [&] {
+            const Momenta momenta = session.world().momenta();
+            return momenta.kinetic + momenta.potential + session.heldPotential();
+        };
+        const double start = energy();
+        QVERIFY(start > 1e4);
+        breakLeftFoot(session);
+        double before = start;
+        QVERIFY(std::abs(energy() - start) < 1e-5 * start);
+        for (int k = 0; k < 25; ++k) {  // before what falls lands
+            session.step();
+            QVERIFY2(std::abs(energy() - before) < 1e-3 * start, QByteArray::number(energy() - before));
+            before = energy();
+        }
+        QVERIFY(test::wallOf(session).nodes.size() < 40);
+    }
     void freePartsOfWhatIsFixedInTheAirAreNotHeld() {
         Project project = test::bondedWall(60);
         project.instances[0].isAnchored = false;
