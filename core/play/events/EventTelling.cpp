@@ -120,7 +120,7 @@ EventRecord impactRecord(const SessionParts& parts, const HitEvent& hit) {
     record.normal = normal;
     record.impulse = hit.impulse;
     record.speed = hit.approachSpeed;
-    record.energy = hit.energy;
+    record.energy = std::max(hit.energy, 0.0);  // what pushes them apart counts in restEnergy
     record.materials[1] = materialIdOf(parts, *other);
     record.box.include(hit.point);
     return record;
@@ -141,8 +141,8 @@ void addImpacts(const SessionParts& parts, std::vector<EventRecord>& records) {
         begin = end;
         const std::uint32_t first = numberOf(parts.world, hit.first), second = numberOf(parts.world, hit.second);
         if (told.contains(first, second)) continue;
-        rest -= hit.energy;
         records.push_back(impactRecord(parts, hit));
+        rest -= records.back().energy;
         if (hit.energy >= parts.scene.project.events.leastEnergy) told.add(first, second);
     }
 }
