@@ -34,9 +34,12 @@ public:
         : m_first(first), m_second(second), m_pose(pose), m_displacement(displacement) {}
 
     /// Intersects the interval with that of an axis. False if it becomes empty.
-    bool narrow(const SeparatingAxis& axis) {
+    bool narrow(const SeparatingAxis& axis) { return narrow(axis, m_pose.rotation.transposedTimes(axis.normal)); }
+    /// The same of an axis whose direction in the second hull's frame is known: rounded twice, it would miss a far
+    /// corner of a large face by more than a contact's depth.
+    bool narrow(const SeparatingAxis& axis, Vec3f inSecond) {
         const Interval a = projection(m_first, axis.normal);
-        Interval b = projection(m_second, m_pose.rotation.transposedTimes(axis.normal));
+        Interval b = projection(m_second, inSecond);
         const float offset = dot(axis.normal, m_pose.offset), speed = dot(axis.normal, m_displacement);
         b = {b.low + offset, b.high + offset};
         // If other edges or corners lie farther out, the axis gives the time, but not the touching features.
@@ -108,8 +111,9 @@ TimeOfImpact timeOfImpact(const Hull& first, const Hull& second, const RelativeP
     }
     for (std::size_t face = 0; face < second.planes.size(); ++face) {
         const auto number = static_cast<std::uint16_t>(face);
-        const Vec3f normal = pose.rotation * second.planes[face].normal * -1.0f;
-        if (!overlap.narrow({AxisKind::SecondFace, 0, number, 0.0f, normal})) return {};
+        const Vec3f inSecond = second.planes[face].normal * -1.0f;
+        const Vec3f normal = pose.rotation * inSecond;
+        if (!overlap.narrow({AxisKind::SecondFace, 0, number, 0.0f, normal}, inSecond)) return {};
     }
     for (std::size_t i = 0; i < first.edges.size(); ++i) {
         const Vec3f u = first.corner(first.edges[i].to) - first.corner(first.edges[i].from);

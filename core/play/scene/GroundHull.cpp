@@ -1,12 +1,14 @@
 #include "core/play/scene/GroundHull.h"
 
+#include "core/physics/state/Body.h"
+
 #include <vector>
 
 namespace rubble {
 namespace {
 
-constexpr double kGroundExtent = 200.0;  // m to each side; farther out single precision cannot resolve 0.1 mm
-constexpr double kGroundDepth = 10.0;    // m
+constexpr double kGroundExtent = 1.1 * kMaxCoordinate;  // m to each side: it holds wherever a body can be
+constexpr double kGroundDepth = 10.0;                   // m
 
 Polytope groundBox() {
     const std::vector<Vec2> ring{

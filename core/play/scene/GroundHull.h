@@ -6,7 +6,7 @@
 
 namespace rubble {
 
-/// The box that is the ground, its top at height 0.
+/// The box that is the ground, its top at height 0. It reaches farther than any body can be, kMaxCoordinate.
 std::shared_ptr<const Polytope> groundHull();
 
 }  // namespace rubble

@@ -49,6 +49,21 @@ private slots:
     void overlappingCubesHaveNone() {
         QVERIFY(timeOfCubes(Vec3f(0.5f, 0.5f, 0.5f), Vec3f(0.0f, -4.0f, 0.0f)).axis.kind == AxisKind::None);
     }
+    /// A cube, turned, falls from 2 m onto a floor of 200 km: rounding of the floor's normal by the turn does not count.
+    void largeFacesAreWhereTheyAre() {
+        const Hull cube = hullOf(boxOf(Vec3(1.0))), floor = hullOf(boxOf(Vec3(2e5, 10.0, 2e5)));
+        for (const double angle : {0.1, 0.7, 1.9}) {
+            const Quat turned = glm::angleAxis(angle, glm::normalize(Vec3(0.3, 1.0, -0.4)));
+            const Mat3 inverse = glm::transpose(glm::mat3_cast(turned));
+            double lowest = 0.0;
+            for (int k = 0; k < cube.cornerCount; ++k) lowest = std::min(lowest, (turned * toDouble(cube.corner(k))).y);
+            const auto inCube = [&](Vec3 v) { return toFloat(inverse * v); };
+            const Mat3f rotation(toFloat(inverse[0]), toFloat(inverse[1]), toFloat(inverse[2]));
+            const Vec3 gap{0.0, lowest - 5.0 - 2.0, 0.0};
+            const TimeOfImpact impact = timeOfImpact(cube, floor, {rotation, inCube(gap)}, inCube({0.0, 4.0, 0.0}));
+            QVERIFY2(std::abs(impact.fraction - 0.5f) < 1e-5f, QByteArray::number(impact.fraction));
+        }
+    }
     /// An edge along z, in front, meets the side at x = 0.5.
     void edgeTouchesAFace() {
         const float s = kHalfDiagonal;

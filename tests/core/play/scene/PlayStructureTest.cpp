@@ -1,7 +1,6 @@
-// Tests core/play/scene/PlayStructure.cpp, core/play/scene/PlayBodyShape.cpp and core/play/scene/GroundHull.cpp.
+// Tests core/play/scene/PlayStructure.cpp and core/play/scene/PlayBodyShape.cpp.
 #include "core/play/scene/PlayStructure.h"
 
-#include "core/play/scene/GroundHull.h"
 #include "core/play/scene/PlayBodyShape.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/play/BondedWalls.h"
@@ -113,11 +112,6 @@ private slots:
         QVERIFY(shapeOf(body)->mass.centre == body.asset->whole.shape->mass.centre);
         body.nodes.clear();
         QVERIFY(shapeOf(body) == body.asset->whole.shape);
-    }
-    void groundLiesBelowZero() {
-        double top = -1e9;
-        for (const Vec3& vertex : groundHull()->vertices) top = std::max(top, vertex.y);
-        QCOMPARE(top, 0.0);
     }
 };
 
