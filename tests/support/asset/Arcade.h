@@ -46,7 +46,7 @@ inline Project arcade() {
     asset.breakAs = BreakAs::Bonded;
     asset.bonding.impulsePerArea = 400.0;
     asset.bonding.radius = 0.5;
-    asset.bonding.span = 0.5;
+    asset.bonding.span = 0.7;
     asset.bonding.collapseDelay = 0.3;
     asset.bonding.minimumIsland = 4;
     const Id id =
