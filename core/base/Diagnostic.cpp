@@ -34,7 +34,8 @@ const char* nameOf(DiagnosticCode code) {
                                           "LeftWorld",
                                           "ReplayMismatch",
                                           "RepeatedPoint",
-                                          "IdleMortar"};
+                                          "IdleMortar",
+                                          "BeyondSpan"};
     static_assert(kNames.size() == kDiagnosticCodes);
     return kNames[static_cast<std::size_t>(code)];
 }

@@ -41,8 +41,9 @@ enum class DiagnosticCode {
     ReplayMismatch,     // a step differs from the recording
     RepeatedPoint,      // of an outline in a file: equal to the one before, which is kept
     IdleMortar,         // joins nothing that is anchored
+    BeyondSpan,         // bonded fragments that are farther from an anchor than the span before anything is hit
 };
-inline constexpr int kDiagnosticCodes = 29;
+inline constexpr int kDiagnosticCodes = 30;
 
 /// The code's name in JSON, messages and lists: "DuplicateSeed".
 const char* nameOf(DiagnosticCode code);
@@ -77,7 +78,7 @@ struct Diagnostic {
     DiagnosticPlace place;
     std::string message;  // one sentence that names the place
     /// The measured value: m² for Gap, ThinPiece, MergedPiece, DroppedSeed and VanishedPiece; m for LooseCut,
-    /// OverlappingPieces and CloseHulls; seeds for NoRoom; aspect ratio for Sliver; m³ for TinyPiece; hulls for
+    /// OverlappingPieces, CloseHulls and BeyondSpan; seeds for NoRoom; aspect ratio for Sliver; m³ for TinyPiece; hulls for
     /// ManyHulls; N·s for UnknownStrength; m/s for PushedPiece; points for RepeatedPoint; relative to that of the
     /// whole for SwapDrift and GapVolume.
     double value = 0.0;

@@ -494,9 +494,9 @@ struct Island {
 inline std::vector<Island> islandsOf(const Structure& structure, const std::vector<Damage>& damage,
                                      const std::vector<std::uint32_t>& body);
 
-/// The fragments of a body that do not reach an anchor within a distance sideways, ascending: see pack.md. Those of a
-/// cluster of its breakingLevel() only if none of them does. `span` in m, 0: any distance; `up` of length 1, in the
-/// asset's frame.
+/// The fragments of a body that have lost their support, ascending: those farther sideways from an anchor than `span`,
+/// m, and than they are without any damage; see pack.md. Those of a cluster of its breakingLevel() only if all of them
+/// have. `span` 0: any distance; `up` of length 1, in the asset's frame.
 inline std::vector<std::uint32_t> unsupported(const Structure& structure, const std::vector<Damage>& damage,
                                               const std::vector<std::uint32_t>& body, double span, Vec3 up);
 
@@ -1551,10 +1551,16 @@ inline std::uint32_t otherEnd(const Structure& structure, std::uint32_t bond, st
     return ends[0] == number ? ends[1] : ends[0];
 }
 
+/// Whether a bond holds nothing: without capacity it never did.
+inline bool isBroken(const Structure& structure, const std::vector<Damage>& damage, std::size_t bond) {
+    return damage[bond] == kBroken || !(structure.bonds[bond].capacity > 0.0);
+}
+
 inline bool isAnchored(const Structure& structure, const std::vector<Damage>& damage, std::uint32_t number) {
     const std::vector<std::uint32_t>& bonds = structure.fragmentBonds[number];
-    return std::any_of(bonds.begin(), bonds.end(),
-                       [&](std::uint32_t bond) { return structure.ends[bond][1] == kNone && damage[bond] != kBroken; });
+    return std::any_of(bonds.begin(), bonds.end(), [&](std::uint32_t bond) {
+        return structure.ends[bond][1] == kNone && !isBroken(structure, damage, bond);
+    });
 }
 
 /// The length sideways of a step from a fragment over one of its bonds, m.
@@ -1567,6 +1573,40 @@ inline double sidewaysStep(const Structure& structure, std::uint32_t bond, std::
     const double height = dot(apart, up);
     const double sideways = length(minus(apart, {height * up.x, height * up.y, height * up.z}));
     return upwards >= kStandsOn ? std::max(0.0, sideways - kCorbel * height) : sideways;
+}
+
+/// The distance of each fragment of a body from the nearest anchor, m, by number: up to its limit, else infinite. Those
+/// that are not of the body stay below 0.
+/// Source: Dijkstra 1959, by (distance, number).
+inline std::vector<double> anchorDistances(const Structure& structure, const std::vector<Damage>& damage,
+                                           const std::vector<std::uint32_t>& body, const std::vector<double>& limits,
+                                           const Vec3& up) {
+    using Entry = std::pair<double, std::uint32_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    std::vector<double> distances(structure.fragments.size(), -1.0);
+    const auto reach = [&](std::uint32_t number, double distance) {
+        if (!(distance < distances[number])) return;
+        distances[number] = distance;
+        queue.push({distance, number});
+    };
+    for (const std::uint32_t fragment : body)
+        distances[structure.numberOf(fragment)] = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t fragment : body) {
+        const std::uint32_t number = structure.numberOf(fragment);
+        if (isAnchored(structure, damage, number)) reach(number, 0.0);
+    }
+    while (!queue.empty()) {
+        const auto [distance, number] = queue.top();
+        queue.pop();
+        if (distance > distances[number]) continue;
+        for (const std::uint32_t bond : structure.fragmentBonds[number]) {
+            const std::uint32_t next = otherEnd(structure, bond, number);
+            if (next == kNone || isBroken(structure, damage, bond)) continue;
+            const double reached = distance + sidewaysStep(structure, bond, number, up);
+            if (reached <= limits[next]) reach(next, reached);
+        }
+    }
+    return distances;
 }
 
 inline double loadFraction(const Bonding& rule, double distance) {
@@ -1620,7 +1660,7 @@ inline void addClusters(const Structure& structure, const std::vector<Damage>& d
         for (const std::uint32_t bond : structure.fragmentBonds[number]) {
             const std::uint32_t other = otherEnd(structure, bond, number);
             if (other == kNone || !isIn[other] || isFound[other]) continue;
-            if (damage[bond] == kBroken || structure.bonds[bond].clusterLevel <= level) continue;
+            if (isBroken(structure, damage, bond) || structure.bonds[bond].clusterLevel <= level) continue;
             isFound[other] = true;
             found.push_back(other);
         }
@@ -1646,7 +1686,8 @@ public:
         std::vector<LoadedBond> loaded;
         for (std::uint32_t bond = 0; bond < m_structure.bonds.size(); ++bond) {
             const auto [first, second] = m_structure.ends[bond];
-            if (damage[bond] == kBroken || !m_isIn[first] || (second != kNone && !m_isIn[second])) continue;
+            if (isBroken(m_structure, damage, bond) || !m_isIn[first]) continue;
+            if (second != kNone && !m_isIn[second]) continue;
             if (m_structure.bonds[bond].clusterLevel > m_level) continue;
             const double distance = distanceOf(m_structure.bonds[bond].centroid);
             const bool isStruck = m_isStruck[first] || (second != kNone && m_isStruck[second]);
@@ -2095,7 +2136,7 @@ inline std::uint32_t breakingLevel(const Structure& structure, const std::vector
     std::uint32_t level = kNone;
     for (std::size_t bond = 0; bond < structure.bonds.size(); ++bond) {
         const auto [first, second] = structure.ends[bond];
-        if (second == kNone || !isIn[first] || !isIn[second] || damage[bond] == kBroken) continue;
+        if (second == kNone || !isIn[first] || !isIn[second] || detail::isBroken(structure, damage, bond)) continue;
         if (std::isfinite(structure.bonds[bond].capacity)) level = std::min(level, structure.bonds[bond].clusterLevel);
     }
     return level;
@@ -2135,7 +2176,7 @@ inline std::vector<Island> islandsOf(const Structure& structure, const std::vect
         parents[number] = number;
         for (const std::uint32_t bond : structure.fragmentBonds[number]) {
             const std::uint32_t other = detail::otherEnd(structure, bond, number);
-            if (other >= number || parents[other] == kNone || damage[bond] == kBroken) continue;
+            if (other >= number || parents[other] == kNone || detail::isBroken(structure, damage, bond)) continue;
             const std::uint32_t one = rootOf(number), two = rootOf(other);
             parents[std::max(one, two)] = std::min(one, two);
         }
@@ -2156,36 +2197,14 @@ inline std::vector<Island> islandsOf(const Structure& structure, const std::vect
 
 inline std::vector<std::uint32_t> unsupported(const Structure& structure, const std::vector<Damage>& damage,
                                               const std::vector<std::uint32_t>& body, double span, Vec3 up) {
-    // Dijkstra 1959, by (distance, number). Those that are not of the body stay below 0.
-    constexpr double kUnreached = std::numeric_limits<double>::infinity();
-    using Entry = std::pair<double, std::uint32_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    std::vector<double> distances(structure.fragments.size(), -1.0);
-    const auto reach = [&](std::uint32_t number, double distance) {
-        if (!(distance < distances[number])) return;
-        distances[number] = distance;
-        queue.push({distance, number});
-    };
-    for (const std::uint32_t fragment : body) distances[structure.numberOf(fragment)] = kUnreached;
-    for (const std::uint32_t fragment : body) {
-        const std::uint32_t number = structure.numberOf(fragment);
-        if (detail::isAnchored(structure, damage, number)) reach(number, 0.0);
-    }
-    const double farthest = span > 0.0 ? span : std::numeric_limits<double>::max();
-    while (!queue.empty()) {
-        const auto [distance, number] = queue.top();
-        queue.pop();
-        if (distance > distances[number]) continue;
-        for (const std::uint32_t bond : structure.fragmentBonds[number]) {
-            const std::uint32_t next = detail::otherEnd(structure, bond, number);
-            if (next == kNone || damage[bond] == kBroken) continue;
-            const double reached = distance + detail::sidewaysStep(structure, bond, number, up);
-            if (reached <= farthest) reach(next, reached);
-        }
-    }
+    const std::vector<double> unlimited(structure.fragments.size(), std::numeric_limits<double>::infinity());
+    const std::vector<Damage> none(structure.bonds.size());
+    std::vector<double> limits = detail::anchorDistances(structure, none, structure.fragments, unlimited, up);
+    for (double& limit : limits) limit = std::max(limit, span > 0.0 ? span : std::numeric_limits<double>::max());
+    const std::vector<double> distances = detail::anchorDistances(structure, damage, body, limits, up);
     std::vector<bool> isHeld(distances.size());
     for (std::size_t number = 0; number < distances.size(); ++number)
-        isHeld[number] = distances[number] >= 0.0 && distances[number] < kUnreached;
+        isHeld[number] = distances[number] >= 0.0 && distances[number] <= limits[number];
     detail::addClusters(structure, damage, detail::flagsOf(structure, body), breakingLevel(structure, damage, body),
                         isHeld);
     std::vector<std::uint32_t> found;
@@ -2202,7 +2221,7 @@ inline std::vector<std::uint32_t> breakOff(const Structure& structure, const std
     for (std::uint32_t bond = 0; bond < structure.bonds.size(); ++bond) {
         const auto [first, second] = structure.ends[bond];
         if (!isOff[first] && (second == kNone || !isOff[second])) continue;
-        if (damage[bond] == kBroken || !std::isfinite(structure.bonds[bond].capacity)) continue;
+        if (detail::isBroken(structure, damage, bond) || !std::isfinite(structure.bonds[bond].capacity)) continue;
         if (structure.bonds[bond].clusterLevel > level) continue;
         damage[bond] = kBroken;
         broken.push_back(bond);

@@ -1,5 +1,7 @@
 #include "editor/background/ProblemWatch.h"
 
+#include "core/play/scene/SupportProblems.h"
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -36,8 +38,9 @@ ProblemWatch::ProblemWatch(const Document& document, const Bakes& bakes, QObject
         m_delay.start();
     });
     connect(&document, &Document::changed, this, [this](const Changes& changes) {
-        // An asset may be gone, or its derived threshold have changed.
-        if (changes.touches(Part::Asset) || changes.touches(Part::Material)) m_delay.start();
+        // An asset may be gone, its derived threshold have changed, or what holds its instances.
+        for (const Part part : {Part::Asset, Part::Material, Part::Instance, Part::Mortar, Part::Scene})
+            if (changes.touches(part)) m_delay.start();
     });
 }
 
@@ -46,14 +49,21 @@ void ProblemWatch::check() {
     for (const Id asset : m_stale) {
         if (auto found = m_bakes.find(asset); found && found->asset) baked.push_back(std::move(found));
     }
-    m_job.start([baked](const TaskContext& task) { return search(baked, task); },
-                [this, baked](std::vector<std::vector<Diagnostic>> problems) { apply(baked, std::move(problems)); });
+    const Project& project = m_document.project();
+    // Bakes that are not finished call it again.
+    const bool hasScene = mayHaveSceneProblems(project) && m_bakes.areCurrent(project);
+    m_job.start(
+        [baked, project = hasScene ? project : Project(),
+         bakes = hasScene ? m_bakes.assetBakes() : AssetBakes()](const TaskContext& task) {
+            return Found{search(baked, task), sceneProblems(project, bakes, task)};
+        },
+        [this, baked](Found found) { apply(baked, std::move(found)); });
 }
 
-void ProblemWatch::apply(const Baked& baked, std::vector<std::vector<Diagnostic>> problems) {
+void ProblemWatch::apply(const Baked& baked, Found all) {
     m_stale.clear();
     for (std::size_t k = 0; k < baked.size(); ++k) {
-        m_results[baked[k]->asset->id] = {baked[k]->bake, std::move(problems[k]), {}};
+        m_results[baked[k]->asset->id] = {baked[k]->bake, std::move(all.ofBakes[k]), {}};
     }
     const Project& project = m_document.project();
     std::erase_if(m_results, [&](const auto& found) { return !findAsset(project, found.first); });
@@ -62,6 +72,8 @@ void ProblemWatch::apply(const Baked& baked, std::vector<std::vector<Diagnostic>
         found.problems = found.ofBake;
         std::ranges::move(strengthProblems(asset, *findMaterial(project, asset.material)),
                           std::back_inserter(found.problems));
+        std::ranges::copy_if(all.ofScene, std::back_inserter(found.problems),
+                             [&](const Diagnostic& problem) { return problem.place.asset == id; });
     }
     emit changed();
 }

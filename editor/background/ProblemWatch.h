@@ -14,7 +14,7 @@
 
 namespace rubble {
 
-/// The problems of every asset's last bake. Searches again, in the background, when the bakes have not changed for a
+/// The problems of every asset's last bake, and of its instances in the scene. Searches again, in the background, when the bakes have not changed for a
 /// moment; a search of bakes that change meanwhile is cancelled.
 class ProblemWatch : public QObject {
     Q_OBJECT
@@ -37,13 +37,17 @@ private:
     struct Entry {
         std::shared_ptr<const Bake> bake;
         std::vector<Diagnostic> ofBake;
-        std::vector<Diagnostic> problems;  // ofBake and those of its strength in the current project
+        std::vector<Diagnostic> problems;  // ofBake, those of its strength in the current project and of its instances
+    };
+    struct Found {
+        std::vector<std::vector<Diagnostic>> ofBakes;
+        std::vector<Diagnostic> ofScene;
     };
     using Baked = std::vector<std::shared_ptr<const BakedAsset>>;
 
     void check();
     /// Applies the problems of each bake.
-    void apply(const Baked& baked, std::vector<std::vector<Diagnostic>> problems);
+    void apply(const Baked& baked, Found all);
 
     const Document& m_document;
     const Bakes& m_bakes;

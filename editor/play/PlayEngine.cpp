@@ -106,8 +106,10 @@ Result<std::unique_ptr<PlayEngine>> PlayEngine::create(const std::shared_ptr<con
 PlayEngine::PlayEngine(const std::shared_ptr<const PlayScene>& scene, Timeline timeline,
                        std::vector<std::uint64_t> hashes)
     : m_scene(scene), m_timeline(std::move(timeline)), m_builder(scene), m_hashes(std::move(hashes)) {
-    std::ranges::copy_if(scene->diagnostics, std::back_inserter(m_update.diagnostics),
-                         [](const Diagnostic& one) { return one.code == DiagnosticCode::IdleMortar; });
+    const auto isOfSupport = [](const Diagnostic& one) {
+        return one.code == DiagnosticCode::IdleMortar || one.code == DiagnosticCode::BeyondSpan;
+    };
+    std::ranges::copy_if(scene->diagnostics, std::back_inserter(m_update.diagnostics), isOfSupport);
 }
 
 bool PlayEngine::hasDestruction() const {

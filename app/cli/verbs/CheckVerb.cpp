@@ -19,6 +19,7 @@
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/play/scene/InstanceOverlaps.h"
+#include "core/play/scene/SupportProblems.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -68,6 +69,7 @@ struct CheckResult {
     std::optional<Finding> fault;
     std::vector<Finding> warnings;  // and notes
     std::optional<CheckedItem> item;
+    std::shared_ptr<const Bake> bake;  // if it is kept
 };
 
 CheckResult cannotCheck(const Error& error, std::string file) { return {.status = error, .file = std::move(file)}; }
@@ -76,9 +78,12 @@ CheckResult faulty(const char* code, FindingPlace place, const std::string& mess
     return {.fault = Finding{Severity::Error, code, std::move(place), message}};
 }
 
-CheckResult checkAsset(const std::string& file, const Asset& asset, const TaskContext& task) {
+/// Whether the bake of an asset without faults is needed afterwards.
+enum class KeepBake { No, Yes };
+
+CheckResult checkAsset(const std::string& file, const Asset& asset, KeepBake keep, const TaskContext& task) {
     const FindingPlace place{.file = file, .asset = asset.name};
-    const Result<Bake> baked = bake(asset, task);
+    Result<Bake> baked = bake(asset, task);
     if (!baked) {
         const bool isChecked = baked.error().code != ErrorCode::Cancelled && baked.error().code != ErrorCode::Limit;
         if (!isChecked) return cannotCheck(baked.error(), file);
@@ -90,6 +95,7 @@ CheckResult checkAsset(const std::string& file, const Asset& asset, const TaskCo
     CheckResult result{.item = CheckedItem{"asset", file, asset.name, baked->fragmentCount(), baked->whole.volume}};
     for (const Diagnostic& problem : problemsOf(asset, *baked))
         result.warnings.push_back(findingOf(problem, file, asset.name));
+    if (keep == KeepBake::Yes) result.bake = std::make_shared<const Bake>(std::move(*baked));
     return result;
 }
 
@@ -152,14 +158,33 @@ std::vector<CheckResult> checkAssets(const std::string& file, const Project& pro
     std::size_t done = 0;
     const std::vector<AssetVariant> variants = usedVariants(project);
     std::vector<CheckResult> results(variants.size());
+    const KeepBake keep = mayHaveSceneProblems(project) ? KeepBake::Yes : KeepBake::No;
     forEachIndex(variants.size(), threads, [&](std::size_t index) {
         const auto [asset, variant] = variants[index];
-        results[index] = checkAsset(file, variantOf(*findAsset(project, asset), variant), {.cancel = context.cancel});
+        results[index] =
+            checkAsset(file, variantOf(*findAsset(project, asset), variant), keep, {.cancel = context.cancel});
         const std::lock_guard lock(guard);
         line.show(static_cast<double>(++done) / static_cast<double>(variants.size()));
     });
     line.clear();
     return results;
+}
+
+/// Warnings of what only the scene of a project shows.
+std::vector<Finding> sceneWarnings(const std::string& file, const Project& project,
+                                   const std::vector<CheckResult>& results, const TaskContext& task) {
+    AssetBakes bakes;
+    const std::vector<AssetVariant> variants = usedVariants(project);
+    for (std::size_t k = 0; k < variants.size(); ++k) {
+        if (results[k].bake == nullptr) return {};
+        bakes[variants[k]] = results[k].bake;
+    }
+    std::vector<Finding> warnings;
+    for (const Diagnostic& problem : sceneProblems(project, bakes, task)) {
+        const Asset* asset = findAsset(project, problem.place.asset);
+        warnings.push_back(findingOf(problem, file, asset != nullptr ? asset->name : std::string()));
+    }
+    return warnings;
 }
 
 /// What importers do with materials because of their names. Objects and files have names without such endings.
@@ -184,6 +209,7 @@ void checkProject(const std::string& path, const CheckArguments& arguments, Verb
     for (const CheckResult& result : results) {
         for (const Finding& warning : result.warnings) add(warning);
     }
+    std::ranges::for_each(sceneWarnings(path, *project, results, {.cancel = context.cancel}), add);
     std::ranges::move(results, std::back_inserter(all));
     for (const Asset& asset : project->assets) {  // once for all variants
         for (const Diagnostic& problem : strengthProblems(asset, *findMaterial(*project, asset.material)))

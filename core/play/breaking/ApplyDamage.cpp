@@ -50,6 +50,7 @@ InstanceDamage damageOfBonds(const PlayScene& scene, const SessionState& state, 
         if (structure.origin != index) continue;
         const std::uint32_t first = layout.firstBond[layout.structureOf(structure.parent)];
         for (std::uint32_t bond = 0; bond < structure.damage.size(); ++bond) {
+            if (structure.structure->initialDamage[bond] == kBroken) continue;  // it never held
             const BondDamage one = structure.damage[bond];
             if (one == kBroken) damage.broken[first + bond] = true;
             if (one != kBroken && one != kIntact) damage.partial[first + bond] = one;

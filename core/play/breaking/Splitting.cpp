@@ -45,20 +45,13 @@ void breakBonds(StructureState& state, std::span<const std::uint32_t> nodes, con
     }
 }
 
-/// Upwards in the frame of a body's structure; nothing without gravity.
-std::optional<Vec3> upwardsIn(const SessionParts& parts, const PlayBody& body) {
-    const Vec3 gravity = parts.world.gravity();
-    if (gravity == Vec3(0.0)) return std::nullopt;
-    return glm::conjugate(parts.world.state(body.body).pose.orientation) * -glm::normalize(gravity);
-}
-
-/// Nodes of a held body that lose their bonds, since they have no support.
+/// Nodes of a held body that lose their bonds, since they have lost their support.
 struct Unsupported {
     std::vector<std::uint32_t> nodes;  // ascending
     HeldClusters held;                 // whose bonds they keep
 };
 
-/// Of nodes beyond all support, those that lose their bonds: clusters that hold have support where one of their nodes
+/// Of nodes without support, those that lose their bonds: clusters that hold have support where one of their nodes
 /// has. `nodes`: all of the body.
 Unsupported losingNodes(const StructureState& state, std::span<const std::uint32_t> nodes, const HeldClusters& held,
                         std::span<const std::uint32_t> beyond) {
@@ -69,9 +62,12 @@ Unsupported losingNodes(const StructureState& state, std::span<const std::uint32
 Unsupported unsupportedOf(const SessionParts& parts, const PlayBody& body, const StructureState& state,
                           std::span<const std::uint32_t> nodes, const HeldClusters& held) {
     const PlayStructure& structure = *state.structure;
-    const std::optional<Vec3> up = upwardsIn(parts, body);
-    if (!body.isHeld || structure.span <= 0.0 || structure.holdsHeaviest || !structure.mortar.empty() || !up) return {};
-    return losingNodes(state, nodes, held, unsupportedNodes(structure.graph, state.damage, nodes, structure.span, *up));
+    const Vec3 gravity = parts.world.gravity();
+    if (!body.isHeld || !structure.hasSpan() || !structure.mortar.empty() || gravity == Vec3(0.0)) return {};
+    const Instance& instance = *findInstance(parts.scene.project, parts.state.origins[body.origin].instance);
+    const Vec3 up = upIn(poseOf(instance), gravity);  // what is held stays where it was placed
+    const std::vector<double> limits = supportLimitsOf(structure, up);
+    return losingNodes(state, nodes, held, unsupportedNodes(structure.graph, state.damage, nodes, limits, up));
 }
 
 /// The clusters of a body that hold, whatever broke in this step.
@@ -355,6 +351,25 @@ bool splitBody(const SessionParts& parts, BrokenBonds broken) {
     return isChanged;
 }
 
+/// Whether bonds join all nodes of a structure at the start.
+bool isJoined(const PlayStructure& structure) {
+    if (std::ranges::find(structure.initialDamage, kBroken) == structure.initialDamage.end()) return true;
+    return islandsOf(structure.graph, structure.initialDamage, allNodes(structure)).count() == 1;
+}
+
+/// The bodies none of whose bonds broke yet, but with islands that no bond with a strength joins.
+std::vector<BrokenBonds> unjoinedBodies(const SessionParts& parts) {
+    std::vector<BrokenBonds> unjoined;
+    if (!parts.scene.hasUnjoined) return unjoined;
+    for (PlayBody& body : parts.state.bodies) {
+        if (body.structure != kNone || body.bondedFracture() == nullptr) continue;
+        if (isJoined(*structureIn(parts.scene, parts.state.origins[body.origin], body.fragment))) continue;
+        structureOf(parts, body);
+        unjoined.push_back({.body = body.number, .point = parts.world.state(body.body).centre});
+    }
+    return unjoined;
+}
+
 }  // namespace
 
 HeldClusters heldClusters(const SessionParts& parts, const PlayBody& body) {
@@ -391,7 +406,7 @@ StructureState& structureOf(const SessionParts& parts, PlayBody& body) {
     StructureState begun{.origin = body.origin,
                          .parent = body.fragment,
                          .structure = structureIn(parts.scene, parts.state.origins[body.origin], body.fragment)};
-    begun.damage.assign(begun.structure->graph.bondCount(), kIntact);
+    begun.damage = begun.structure->initialDamage;
     begun.bodyOfNode.assign(begun.structure->nodeCount(), body.number);
     body.structure = static_cast<std::uint32_t>(structures.size());
     body.nodes = allNodes(*begun.structure);
@@ -404,9 +419,12 @@ bool splitBodies(const SessionParts& parts, std::vector<BrokenBonds> broken) {
     while (!broken.empty()) {
         for (BrokenBonds& one : broken) isAnyFree |= splitBody(parts, std::move(one));
         broken = brokenMortar(parts);
+        std::ranges::move(unjoinedBodies(parts), std::back_inserter(broken));
     }
     return isAnyFree;
 }
+
+void splitUnjoined(const SessionParts& parts) { splitBodies(parts, unjoinedBodies(parts)); }
 
 void planMortarCollapse(const SessionParts& parts) {
     const UnsupportedNodes unsupported = unsupportedByMortar(parts);

@@ -1,5 +1,6 @@
 #include "core/play/scene/PlayMortar.h"
 
+#include "core/play/scene/JoinedSupport.h"
 #include "core/structure/graph/Support.h"
 
 #include <algorithm>
@@ -141,6 +142,20 @@ void addSteps(PlayStructure& structure, const Instance& instance, Vec3 gravity) 
     }
 }
 
+/// Adds the limits of support of structures that mortar joins.
+void addJoinedLimits(const std::map<Id, std::shared_ptr<PlayStructure>>& structures,
+                     const std::map<Id, MortarMember>& members, Vec3 gravity) {
+    std::map<Id, JoinedStructure> joined;
+    for (const auto& [id, structure] : structures)
+        joined[id] = joinedAtStart(*structure, upIn(poseOf(*members.at(id).instance), gravity));
+    const auto hasSpan = [](const auto& entry) { return entry.second.structure->hasSpan(); };
+    if (gravity == Vec3(0.0) || std::ranges::none_of(joined, hasSpan)) return;
+    NodeFractions limits = joinedSupportLimits(joined);
+    for (const auto& [id, structure] : structures) {
+        if (structure->hasSpan()) structure->supportLimits = std::move(limits.at(id));
+    }
+}
+
 /// A structure with the mortar that `joints` adds to it. The links lead to bonds among the added ones of the others,
 /// whose structures have `firstMortar` bonds without them.
 std::shared_ptr<PlayStructure> withMortar(const PlayStructure& structure, const AddedAnchors& added,
@@ -148,13 +163,14 @@ std::shared_ptr<PlayStructure> withMortar(const PlayStructure& structure, const 
     auto made = std::make_shared<PlayStructure>(structure);
     std::vector<Bond> bonds = structure.graph.bonds;
     bonds.insert(bonds.end(), added.bonds.begin(), added.bonds.end());
-    made->capacities.insert(made->capacities.end(), added.capacities.begin(), added.capacities.end());
+    std::vector<double> capacities = structure.capacities;
+    capacities.insert(capacities.end(), added.capacities.begin(), added.capacities.end());
+    made->setCapacities(std::move(capacities));
     made->graph = bondGraph(structure.graph.centres, std::move(bonds));
     made->mortar = added.links;
     for (MortarLink& link : made->mortar) {
         if (link.instance != 0) link.bond += firstMortar.at(link.instance);
     }
-    made->leastImpulse = leastImpulse(made->capacities, made->rule);
     return made;
 }
 
@@ -168,13 +184,15 @@ std::vector<JoinedMortar> addMortar(const Project& project, std::span<const Fixe
     const std::set<Id> anchored = anchoredThroughMortar(members, joints);
     std::map<Id, std::uint32_t> firstMortar;
     for (const auto& [id, member] : members) firstMortar[id] = member.structure->graph.bondCount();
+    std::map<Id, std::shared_ptr<PlayStructure>> made;
     for (auto& [id, member] : members) {
         const AddedAnchors& added = joints.added().at(id);
         if (!anchored.contains(id) || added.bonds.empty()) continue;
-        const std::shared_ptr<PlayStructure> made = withMortar(*member.structure, added, firstMortar);
-        addSteps(*made, *member.instance, project.gravity);
-        member.structure = made;
+        made[id] = withMortar(*member.structure, added, firstMortar);
+        addSteps(*made[id], *member.instance, project.gravity);
+        member.structure = made[id];
     }
+    addJoinedLimits(made, members, project.gravity);
     const auto isOfAnchored = [&](const MortarJoint& joint) { return anchored.contains(joint.first); };
     for (JoinedMortar& one : joined) one.isHeld = std::ranges::any_of(one.joints, isOfAnchored);
     return joined;

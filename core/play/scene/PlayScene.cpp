@@ -6,6 +6,10 @@
 #include "core/asset/project/Names.h"
 #include "core/base/MessageText.h"
 #include "core/play/scene/PlayMortar.h"
+#include "core/play/scene/SupportProblems.h"
+
+#include <algorithm>
+#include <iterator>
 
 namespace rubble {
 namespace {
@@ -59,6 +63,17 @@ void joinByMortar(PlayScene& scene, std::span<const FixedSolid> surroundings) {
     for (auto& [id, member] : members) scene.structures[id] = std::move(member.structure);
 }
 
+bool hasBondsWithoutStrength(const PlayScene& scene) {
+    const auto hasAny = [](const auto& entry) {
+        return std::ranges::find(entry.second->initialDamage, kBroken) != entry.second->initialDamage.end();
+    };
+    const auto hasNoStrength = [](const Instance& instance) { return instance.bondStrength <= 0.0; };
+    return std::ranges::any_of(scene.structures, hasAny) ||
+           std::ranges::any_of(scene.assetStructures,
+                               [&](const auto& entry) { return std::ranges::any_of(entry.second, hasAny); }) ||
+           std::ranges::any_of(scene.project.instances, hasNoStrength);
+}
+
 }  // namespace
 
 void addStructures(PlayScene& scene) {
@@ -86,6 +101,12 @@ void addStructures(PlayScene& scene) {
             instanceStructure(*whole->second, asset, *findMaterial(project, asset.material), instance, surroundings);
     }
     if (!project.mortars.empty()) joinByMortar(scene, surroundings);
+    for (const Instance& instance : project.instances) {
+        const auto found = scene.structures.find(instance.id);
+        if (found != scene.structures.end())
+            found->second = withSupportLimits(found->second, instance, project.gravity);
+    }
+    scene.hasUnjoined = hasBondsWithoutStrength(scene);
 }
 
 std::shared_ptr<const PlayStructure> structureIn(const PlayScene& scene, const PlayOrigin& origin,
@@ -123,6 +144,7 @@ Result<std::shared_ptr<const PlayScene>> playScene(const Project& project, const
     }
     if (const Status checked = checkAssets(*scene); !checked) return checked.error();
     addStructures(*scene);
+    std::ranges::move(supportProblems(*scene), std::back_inserter(scene->diagnostics));
     return std::shared_ptr<const PlayScene>(std::move(scene));
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/Assert.h"
 #include "core/play/scene/GroundHull.h"
+#include "core/structure/graph/Support.h"
 #include "core/structure/strength/BondCapacities.h"
 
 #include <algorithm>
@@ -70,7 +71,36 @@ std::vector<MortarNode> mortarNodes(const PlayStructure& structure, Id instance,
 }
 
 bool PlayStructure::isHeld() const {
-    return holdsHeaviest || std::ranges::any_of(graph.bonds, [](const Bond& bond) { return bond.second == kNone; });
+    if (holdsHeaviest) return true;
+    for (std::uint32_t bond = 0; bond < graph.bondCount(); ++bond)
+        if (graph.bonds[bond].second == kNone && initialDamage[bond] != kBroken) return true;
+    return false;
+}
+
+void PlayStructure::setCapacities(std::vector<double> all) {
+    capacities = std::move(all);
+    initialDamage.clear();
+    std::vector<double> holding;
+    for (const double capacity : capacities) {
+        initialDamage.push_back(capacity > 0.0 ? kIntact : kBroken);
+        if (capacity > 0.0) holding.push_back(capacity);
+    }
+    leastImpulse = rubble::leastImpulse(holding, rule);
+}
+
+std::vector<double> supportLimitsOf(const PlayStructure& structure, Vec3 up) {
+    if (!structure.supportLimits.empty() && structure.up == up) return structure.supportLimits;
+    return supportLimits(structure.graph, structure.initialDamage, structure.span, up);
+}
+
+std::shared_ptr<const PlayStructure> withSupportLimits(std::shared_ptr<const PlayStructure> structure,
+                                                       const Instance& instance, Vec3 gravity) {
+    if (!structure->hasSpan() || !structure->isHeld() || !structure->mortar.empty() || gravity == Vec3(0.0))
+        return structure;
+    auto made = std::make_shared<PlayStructure>(*structure);
+    made->up = upIn(poseOf(instance), gravity);
+    made->supportLimits = supportLimitsOf(*made, made->up);
+    return made;
 }
 
 std::vector<FixedSolid> fixedSolids(const Project& project,
@@ -98,17 +128,16 @@ std::shared_ptr<const PlayStructure> playStructure(const Asset& asset, const Mat
         centres.push_back(centreInAsset(ready->fragments[baked.first + node]));
     }
     const SimpleRule rule = simpleRuleOf(asset.bonding);
-    const double least = leastImpulse(capacities, rule);
-    return std::make_shared<PlayStructure>(PlayStructure{.asset = std::move(ready),
-                                                         .parent = parent,
-                                                         .graph = bondGraph(std::move(centres), std::move(bonds)),
-                                                         .capacities = std::move(capacities),
-                                                         .clusterLevels = std::move(levels),
-                                                         .rule = rule,
-                                                         .leastImpulse = least,
-                                                         .span = asset.bonding.span,
-                                                         .collapseDelay = asset.bonding.collapseDelay,
-                                                         .minimumIsland = asset.bonding.minimumIsland});
+    auto made = std::make_shared<PlayStructure>(PlayStructure{.asset = std::move(ready),
+                                                              .parent = parent,
+                                                              .graph = bondGraph(std::move(centres), std::move(bonds)),
+                                                              .clusterLevels = std::move(levels),
+                                                              .rule = rule,
+                                                              .span = asset.bonding.span,
+                                                              .collapseDelay = asset.bonding.collapseDelay,
+                                                              .minimumIsland = asset.bonding.minimumIsland});
+    made->setCapacities(std::move(capacities));
+    return made;
 }
 
 std::shared_ptr<const PlayStructure> instanceStructure(const PlayStructure& whole, const Asset& asset,
@@ -117,9 +146,10 @@ std::shared_ptr<const PlayStructure> instanceStructure(const PlayStructure& whol
     auto made = std::make_shared<PlayStructure>(*strengthened(whole, instance.bondStrength));
     const Bake& bake = *whole.asset->bake;
     std::vector<Bond> bonds = made->graph.bonds;
-    const auto add = [&](const std::vector<Bond>& anchors, const std::vector<double>& capacities) {
+    std::vector<double> capacities = made->capacities;
+    const auto add = [&](const std::vector<Bond>& anchors, const std::vector<double>& held) {
         bonds.insert(bonds.end(), anchors.begin(), anchors.end());
-        made->capacities.insert(made->capacities.end(), capacities.begin(), capacities.end());
+        capacities.insert(capacities.end(), held.begin(), held.end());
     };
     const std::vector<Bond> painted = paintedAnchors(asset, bake);
     add(painted, std::vector<double>(painted.size(), std::numeric_limits<double>::infinity()));
@@ -129,14 +159,15 @@ std::shared_ptr<const PlayStructure> instanceStructure(const PlayStructure& whol
     }
     made->holdsHeaviest = instance.isFixed && bonds.size() == whole.graph.bonds.size();
     made->graph = bondGraph(made->graph.centres, std::move(bonds));
-    made->leastImpulse = leastImpulse(made->capacities, made->rule);
+    made->setCapacities(std::move(capacities));
     return made;
 }
 
 std::shared_ptr<const PlayStructure> strengthened(const PlayStructure& structure, double factor) {
     auto made = std::make_shared<PlayStructure>(structure);
-    for (double& capacity : made->capacities) capacity = std::isfinite(capacity) ? capacity * factor : capacity;
-    made->leastImpulse = leastImpulse(made->capacities, made->rule);
+    std::vector<double> capacities = structure.capacities;
+    for (double& capacity : capacities) capacity = std::isfinite(capacity) ? capacity * factor : capacity;
+    made->setCapacities(std::move(capacities));
     return made;
 }
 

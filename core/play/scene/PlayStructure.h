@@ -3,6 +3,7 @@
 #include "core/asset/project/Variants.h"
 #include "core/play/scene/PlayAsset.h"
 #include "core/structure/bonds/MortarBonds.h"
+#include "core/structure/graph/BondDamage.h"
 #include "core/structure/graph/BondGraph.h"
 #include "core/structure/rule/SimpleRule.h"
 
@@ -28,6 +29,7 @@ struct PlayStructure {
     BondGraph graph;                          // with the bonds to anchors, of which the last are mortar
     std::vector<MortarLink> mortar;           // of these
     std::vector<double> capacities;           // N·s, of each bond; infinite: it never breaks
+    std::vector<BondDamage> initialDamage;    // of each bond: those without capacity are broken from the start
     std::vector<ClusterLevel> clusterLevels;  // of the bonds between nodes; empty: there are no clusters
     SimpleRule rule;
     double leastImpulse = 0.0;        // N·s: a weaker hit breaks and damages nothing
@@ -35,8 +37,10 @@ struct PlayStructure {
     double collapseDelay = 0.0;       // s
     std::uint32_t minimumIsland = 1;  // nodes
     bool holdsHeaviest = false;       // fixed, though it touches nothing that is: its heaviest island stays
-    Vec3 up{0.0};                     // joined by mortar, with a span: against the scene's gravity, in its frame
-    std::vector<double> steps;        // m, then: sidewaysStep() of each link of the graph; 0 to anchors
+    Vec3 up{0.0};                     // held, with a span: against the scene's gravity, in its frame
+    /// Then, of each node: supportLimits(), m; or joinedSupportLimits() where mortar joins it.
+    std::vector<double> supportLimits;
+    std::vector<double> steps;  // m, where mortar joins it: sidewaysStep() of each link of the graph; 0 to anchors
 
     const PlayFracture& fracture() const { return *asset->fractureOf(parent); }
     std::uint32_t nodeCount() const { return graph.nodeCount(); }
@@ -51,8 +55,12 @@ struct PlayStructure {
     }
     /// The solid that all nodes together are.
     const PlaySolid& whole() const { return asset->solid(parent); }
-    /// Whether it is fixed until its bonds to anchors break.
+    /// Whether anchors hold it at the start; some of its islands then may still be without one.
     bool isHeld() const;
+    /// Whether it is supported up to a span only, where it is held.
+    bool hasSpan() const { return span > 0.0 && !holdsHeaviest; }
+    /// Sets the capacities of all bonds, and what follows from them.
+    void setCapacities(std::vector<double> all);
 };
 
 /// The structure of a fracture of an asset, without anchors. `asset` is the variant that is baked.
@@ -64,6 +72,14 @@ Pose poseOf(const Instance& instance);
 
 /// The direction against gravity in a frame, of length 1; zero without gravity. Gravity is rounded as in a world.
 Vec3 upIn(const Pose& frame, Vec3 gravity);
+
+/// The limits of support of a structure that mortar does not join, with `up` in its frame: supportLimits(). Those that
+/// it has, or others where gravity has changed.
+std::vector<double> supportLimitsOf(const PlayStructure& structure, Vec3 up);
+
+/// The structure of an instance with its limits of support against gravity, where it has any by itself.
+std::shared_ptr<const PlayStructure> withSupportLimits(std::shared_ptr<const PlayStructure> structure,
+                                                       const Instance& instance, Vec3 gravity);
 
 /// The nodes of a structure, in a frame in which the structure's is at `pose`, as mortar and anchors see them.
 std::vector<MortarNode> mortarNodes(const PlayStructure& structure, Id instance, const Pose& pose);

@@ -81,8 +81,10 @@ Result<Session> Session::start(std::shared_ptr<const PlayScene> scene, const Ses
         return Error{ErrorCode::BadInput, "A step must be " + rangeText(range) + " s long."};
     }
     Session session(std::move(scene), settings);
-    const Status placed = placeScene({*session.m_scene, session.m_settings, *session.m_state, session.m_world});
-    if (!placed) return placed.error();
+    const SessionParts parts{*session.m_scene, session.m_settings, *session.m_state, session.m_world};
+    if (const Status placed = placeScene(parts); !placed) return placed.error();
+    splitUnjoined(parts);
+    session.m_state->events = {};
     return session;
 }
 
@@ -186,6 +188,7 @@ Status Session::apply(const SessionDamage& damage) {
 }
 
 const PlayEvents& Session::events() const { return m_state->events; }
+
 double Session::heldPotential() const { return rubble::heldPotential(*m_scene, *m_state, m_world); }
 
 double Session::swapMilliseconds() const { return m_swapMilliseconds; }

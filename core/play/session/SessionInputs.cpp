@@ -9,6 +9,7 @@
 #include "core/play/breaking/Blow.h"
 #include "core/play/breaking/BondBreaking.h"
 #include "core/play/breaking/PartRemoval.h"
+#include "core/play/breaking/Splitting.h"
 #include "core/play/breaking/Swap.h"
 #include "core/play/scene/Projectile.h"
 #include "core/play/session/Blast.h"
@@ -246,6 +247,7 @@ void applyInputs(const SessionParts& parts) {
         parts.state.events.inputs.push_back(std::move(timed));
     }
     applyBreaks(parts, std::move(breaks));
+    splitUnjoined(parts);
 }
 
 }  // namespace rubble

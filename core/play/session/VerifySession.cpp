@@ -106,6 +106,8 @@ Fault completeStructures(const PlayScene& scene, SessionState& state) {
         if (one.damage.size() != one.structure->graph.bondCount()) {
             return elementOf("structures", k, ".damage is not of its bonds");
         }
+        for (std::size_t bond = 0; bond < one.damage.size(); ++bond)
+            one.damage[bond] = std::max(one.damage[bond], one.structure->initialDamage[bond]);
         one.bodyOfNode.assign(one.structure->nodeCount(), kNone);
     }
     return std::nullopt;

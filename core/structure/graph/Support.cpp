@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -20,17 +21,17 @@ constexpr double kNotGiven = -1.0;
 /// Distances from the nearest anchor by node, m; those of nodes that are not given stay below zero.
 class AnchorDistances {
 public:
-    AnchorDistances(const BondGraph& graph, std::span<const BondDamage> damage, std::span<const std::uint32_t> nodes)
-        : m_graph(graph), m_damage(damage), m_distances(graph.nodeCount(), kNotGiven) {
+    AnchorDistances(const BondGraph& graph, std::span<const BondDamage> damage)
+        : m_graph(graph), m_damage(damage), m_distances(graph.nodeCount(), kNotGiven) {}
+
+    /// Lets distances spread over `nodes`, to each up to its limit; without limits, to any distance.
+    void spread(std::span<const std::uint32_t> nodes, std::span<const double> limits, Vec3 up) {
         for (const std::uint32_t node : nodes) m_distances[node] = kUnreached;
         for (const std::uint32_t node : nodes) {
-            for (const BondLink& link : graph.linksOf(node)) {
-                if (link.node == kNone && damage[link.bond] != kBroken) reach(node, 0.0);
+            for (const BondLink& link : m_graph.linksOf(node)) {
+                if (link.node == kNone && m_damage[link.bond] != kBroken) reach(node, 0.0);
             }
         }
-    }
-
-    void spread(double span, Vec3 up) {
         while (!m_queue.empty()) {
             const auto [distance, node] = m_queue.top();
             m_queue.pop();
@@ -38,12 +39,13 @@ public:
             for (const BondLink& link : m_graph.linksOf(node)) {
                 if (link.node == kNone || m_damage[link.bond] == kBroken) continue;
                 const double reached = distance + sidewaysStep(m_graph, node, link, up);
-                if (reached <= span) reach(link.node, reached);
+                if (limits.empty() || reached <= limits[link.node]) reach(link.node, reached);
             }
         }
     }
 
-    bool isReached(std::uint32_t node) const { return m_distances[node] < kUnreached; }
+    double operator[](std::uint32_t node) const { return m_distances[node]; }
+    std::vector<double> all() && { return std::move(m_distances); }
 
 private:
     void reach(std::uint32_t node, double distance) {
@@ -70,14 +72,31 @@ double sidewaysStep(const BondGraph& graph, std::uint32_t from, BondLink link, V
     return upwards >= kStandsOn ? std::max(0.0, sideways - kCorbel * rise) : sideways;
 }
 
-std::vector<std::uint32_t> unsupportedNodes(const BondGraph& graph, std::span<const BondDamage> damage,
-                                            std::span<const std::uint32_t> nodes, double span, Vec3 up) {
+std::vector<double> anchorDistances(const BondGraph& graph, std::span<const BondDamage> damage, Vec3 up) {
     RUBBLE_ASSERT(damage.size() == graph.bonds.size());
-    AnchorDistances distances(graph, damage, nodes);
-    distances.spread(span > 0.0 ? span : std::numeric_limits<double>::max(), up);
+    std::vector<std::uint32_t> nodes(graph.nodeCount());
+    std::iota(nodes.begin(), nodes.end(), 0u);
+    AnchorDistances distances(graph, damage);
+    distances.spread(nodes, {}, up);
+    return std::move(distances).all();
+}
+
+std::vector<double> supportLimits(const BondGraph& graph, std::span<const BondDamage> atStart, double span, Vec3 up) {
+    std::vector<double> limits = anchorDistances(graph, atStart, up);
+    const double farthest = span > 0.0 ? span : std::numeric_limits<double>::max();
+    for (double& limit : limits) limit = std::max(limit, farthest);
+    return limits;
+}
+
+std::vector<std::uint32_t> unsupportedNodes(const BondGraph& graph, std::span<const BondDamage> damage,
+                                            std::span<const std::uint32_t> nodes, std::span<const double> limits,
+                                            Vec3 up) {
+    RUBBLE_ASSERT(damage.size() == graph.bonds.size() && limits.size() == graph.nodeCount());
+    AnchorDistances distances(graph, damage);
+    distances.spread(nodes, limits, up);
     std::vector<std::uint32_t> unsupported;
     for (const std::uint32_t node : nodes) {
-        if (!distances.isReached(node)) unsupported.push_back(node);
+        if (distances[node] > limits[node]) unsupported.push_back(node);
     }
     return unsupported;
 }

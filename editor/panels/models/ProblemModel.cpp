@@ -25,6 +25,7 @@ QString textOf(DiagnosticCode kind) {
         case DiagnosticCode::TinyPiece: return ProblemModel::tr("Tiny fragment");
         case DiagnosticCode::ManyHulls: return ProblemModel::tr("Many collision hulls");
         case DiagnosticCode::UnknownStrength: return ProblemModel::tr("Unknown strength");
+        case DiagnosticCode::BeyondSpan: return ProblemModel::tr("Beyond the span");
         default: break;  // notes are no problems
     }
     return {};
@@ -123,6 +124,7 @@ QString ProblemModel::valueText(const Diagnostic& problem, double value) const {
         case DiagnosticCode::TinyPiece: return localizedQuantity(QuantityKind::Volume, value, m_units);
         case DiagnosticCode::ManyHulls: return tr("%Ln hull(s)", nullptr, static_cast<int>(value));
         case DiagnosticCode::NoRoom: return tr("%Ln seed(s)", nullptr, static_cast<int>(value));
+        case DiagnosticCode::BeyondSpan: return localizedQuantity(QuantityKind::Length, value, m_units);
         case DiagnosticCode::UnknownStrength: return localizedQuantity(QuantityKind::Impulse, value);
         case DiagnosticCode::Gap:
         case DiagnosticCode::ThinPiece:

@@ -163,8 +163,8 @@ private slots:
         QVERIFY2(test::wallOf(session).nodes.size() + 8 <= standing, QByteArray::number(standing));
         QVERIFY(test::wallOf(session).isHeld && test::wallOf(session).collapseStep == PlayBody::kNever);
     }
-    /// A bar of 8 x 2 fragments, of which the lowest at its left end is anchored: within the span are the first four
-    /// columns. A cluster of one of those with two of the next column keeps its bonds, also those to what has support.
+    /// A bar of 8 x 2 fragments, of which the lowest at both ends are anchored until the right one is removed: within
+    /// the span then are the first four columns. A cluster of one of those with two of the next column keeps its bonds, also those to what has support.
     void clustersWithSupportKeepTheirBonds() {
         Project project = test::bondedWall(1, 1e4);
         Asset& asset = project.assets[0];
@@ -172,19 +172,21 @@ private slots:
         asset.pattern = test::patternOf(project, {JitteredGrid{.columns = 8, .rows = 2, .jitter = 0.0}});
         asset.bonding.span = 3.2;
         asset.bonding.collapseDelay = 0.05;
-        asset.bonding.strokes = {{.radius = 0.1, .points = {{0.5, 0.5}}}};
+        asset.bonding.strokes = {{.radius = 0.1, .points = {{0.5, 0.5}}}, {.radius = 0.1, .points = {{7.5, 0.5}}}};
         project.instances[0].pose.position = {0.0, 5.0, 0.0};
         const Bake baked = *bake(asset);
         FragmentCluster cluster;
+        FragmentPath last;
         for (std::uint32_t node = 0; node < baked.fragmentCount(); ++node) {
             const Vec3 centre = baked.fragment(node).solid.offset();
             const auto column = static_cast<int>(centre.x);
+            if (column == 7 && centre.y < 1.0) last = baked.fragmentPath(node);
             if (column == 4 || (column == 3 && centre.y < 1.0)) cluster.fragments.push_back(baked.fragmentPath(node));
         }
         asset.bonding.clusters = {cluster};
         sortClusters(asset.bonding.clusters);
         Session session = test::sessionOf(project);
-        test::addInput(session, ShotInput{"tap", Hammer{.at = {7.5, 5.5, 0.125}, .impulse = {0.0, 0.0, -8000.0}}});
+        test::addInput(session, RemoveInput{{project.instances[0].id, {last}}});
         for (int k = 0; k < 20; ++k) session.step();
         QCOMPARE(test::wallOf(session).nodes.size(), std::size_t{10});
         const PlayStructure& structure = *session.scene().structures.begin()->second;

@@ -144,6 +144,25 @@ private slots:
         QVERIFY(session.bodies().size() > 5);
         for (const PlayBody& body : session.bodies()) QVERIFY(!body.isHeld || body.number == 1);
     }
+    /// Thrown and placed bodies come apart where only bonds without strength join them, deeper levels when they come
+    /// off.
+    void whatNothingJoinsIsApart() {
+        Project project = test::bondedWall(12);
+        project.assets[0].bonding.heightStrengths = {{.height = 0.0, .factor = 0.0}};
+        project.assets[0].levels = {{.pattern = test::patternOf(project, {UniformScatter{.count = 3}})}};
+        Session session = test::sessionOf(project);
+        QVERIFY(session.events().splits.empty() && session.damage().begin()->second.isIntact());
+        const std::size_t placed = session.bodies().size();
+        QVERIFY(placed > 30);
+        for (const PlayBody& body : session.bodies()) QVERIFY(!body.isHeld && body.bondedFracture() == nullptr);
+        Throw thrown = test::ballAtWall();
+        thrown.kind = ProjectileKind::Asset;
+        thrown.asset = project.assets[0].id;
+        thrown.from.z = 8.0;
+        test::addInput(session, ShotInput{"wall", thrown});
+        session.step();
+        QCOMPARE(session.bodies().size(), 2 * placed - 1);
+    }
     void fragmentsBreakFurtherByTheirLevel() {
         Project project = test::bondedWall(12);
         project.assets[0].levels = {{.pattern = test::patternOf(project, {UniformScatter{.count = 6}})}};

@@ -113,6 +113,18 @@ private slots:
         body.nodes.clear();
         QVERIFY(shapeOf(body) == body.asset->whole.shape);
     }
+    void bondsWithoutStrengthAreBrokenFromTheStart() {
+        Project project = test::bondedWall(20);
+        const auto scene = test::playSceneOf(project);
+        const PlayStructure& wall = *scene->structures.begin()->second;
+        QCOMPARE(std::ranges::count(wall.initialDamage, kBroken), std::ptrdiff_t{0});
+        QVERIFY(wall.isHeld() && !scene->hasUnjoined);
+        const auto weak = strengthened(wall, 0.0);
+        QCOMPARE(std::ranges::count(weak->initialDamage, kBroken), std::ptrdiff_t{weak->graph.bondCount()});
+        QVERIFY(!weak->isHeld());
+        QCOMPARE(weak->leastImpulse, std::numeric_limits<double>::infinity());
+        QVERIFY(strengthened(wall, 1e-9)->isHeld());
+    }
 };
 
 RUBBLE_TEST(PlayStructureTest)

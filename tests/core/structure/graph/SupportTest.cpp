@@ -14,10 +14,27 @@ using Nodes = std::vector<std::uint32_t>;
 
 constexpr Vec3 kUp{0.0, 1.0, 0.0};
 
-Nodes unsupported(const BondGraph& graph, double span, const std::vector<std::uint32_t>& brokenBonds = {}) {
+/// Limits of all nodes by the span alone; 0: any distance.
+std::vector<double> limitsOf(const BondGraph& graph, double span) {
+    return std::vector<double>(graph.nodeCount(), span > 0.0 ? span : std::numeric_limits<double>::max());
+}
+
+std::vector<BondDamage> damageWith(const BondGraph& graph, const Nodes& brokenBonds) {
     std::vector<BondDamage> damage(graph.bondCount(), kIntact);
     for (const std::uint32_t bond : brokenBonds) damage[bond] = kBroken;
-    return unsupportedNodes(graph, damage, test::allNodes(graph), span, kUp);
+    return damage;
+}
+
+Nodes unsupported(const BondGraph& graph, double span, const Nodes& brokenBonds = {}) {
+    return unsupportedNodes(graph, damageWith(graph, brokenBonds), test::allNodes(graph), limitsOf(graph, span), kUp);
+}
+
+/// What bonds that break take the support of, where others are broken from the start.
+Nodes losingSupport(const BondGraph& graph, double span, const Nodes& openFromStart, const Nodes& brokenBonds) {
+    std::vector<BondDamage> damage = damageWith(graph, openFromStart);
+    const std::vector<double> limits = supportLimits(graph, damage, span, kUp);
+    for (const std::uint32_t bond : brokenBonds) damage[bond] = kBroken;
+    return unsupportedNodes(graph, damage, test::allNodes(graph), limits, kUp);
 }
 
 /// The bonds that hold a node from below, and those to its left and right.
@@ -110,7 +127,7 @@ private slots:
     void pathsStayAmongTheGivenNodes() {
         const BondGraph wall = test::wallOfCubes(1, 3);
         const std::vector<BondDamage> intact(wall.bondCount(), kIntact);
-        QCOMPARE(unsupportedNodes(wall, intact, Nodes{0, 2}, 1.0, kUp), Nodes{2});
+        QCOMPARE(unsupportedNodes(wall, intact, Nodes{0, 2}, limitsOf(wall, 1.0), kUp), Nodes{2});
     }
     void supportIsThatOfRelaxation() {
         for (std::uint64_t seed = 0; seed < 3000; ++seed) {
@@ -119,9 +136,44 @@ private slots:
             const std::vector<BondDamage> damage = test::randomDamage(random, graph.bonds.size());
             const Nodes nodes = test::randomNodes(random, graph);
             const double span = seed % 5 == 0 ? 0.0 : random.between(0.0, 15.0);
-            QVERIFY2(
-                unsupportedNodes(graph, damage, nodes, span, kUp) == relaxedUnsupported(graph, damage, nodes, span),
-                qPrintable(faultOfSeed(seed, "support differs from that of relaxation")));
+            QVERIFY2(unsupportedNodes(graph, damage, nodes, limitsOf(graph, span), kUp) ==
+                         relaxedUnsupported(graph, damage, nodes, span),
+                     qPrintable(faultOfSeed(seed, "support differs from that of relaxation")));
+        }
+    }
+    // Two arches of cubes on three piers, 5 m apart; their middles are 2 m from the nearest pier.
+    void onlyWhatLosesSupportFalls() {
+        const BondGraph wall = test::wallOfCubes(11, 2);
+        Nodes open;
+        for (const std::uint32_t node : {1u, 2u, 3u, 4u, 6u, 7u, 8u, 9u})
+            open.push_back(test::bondAt(wall, node, kNone)), open.push_back(test::bondAt(wall, node, node + 11));
+        for (std::uint32_t node = 0; node < 10; ++node) open.push_back(test::bondAt(wall, node, node + 1));
+        QCOMPARE(unsupported(wall, 1.5, open), (Nodes{1, 2, 3, 4, 6, 7, 8, 9, 13, 14, 18, 19}));
+        QCOMPARE(losingSupport(wall, 1.5, open, {}), Nodes{});
+        // A bond between what is beyond the span, and one of a pier: what had a shorter way over them falls.
+        QCOMPARE(losingSupport(wall, 1.5, open, {test::bondAt(wall, 13, 14)}), Nodes{});
+        QCOMPARE(losingSupport(wall, 1.5, open, {test::bondAt(wall, 12, 13)}), Nodes{13});
+        QCOMPARE(losingSupport(wall, 1.5, open, {test::bondAt(wall, 0, kNone)}), (Nodes{0, 11, 12, 13}));
+        QCOMPARE(losingSupport(wall, 0.0, open, {test::bondAt(wall, 0, kNone), test::bondAt(wall, 0, 11)}), Nodes{0});
+    }
+    void nothingIsUnsupportedAtTheStart() {
+        for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+            Random random(seed);
+            const BondGraph graph = test::randomBondGraph(random);
+            std::vector<BondDamage> damage = test::randomDamage(random, graph.bonds.size());
+            const double span = seed % 5 == 0 ? 0.0 : random.between(0.0, 5.0);
+            const std::vector<double> before = anchorDistances(graph, damage, kUp);
+            const std::vector<double> limits = supportLimits(graph, damage, span, kUp);
+            QCOMPARE(unsupportedNodes(graph, damage, test::allNodes(graph), limits, kUp), Nodes{});
+            for (BondDamage& one : damage) one = random.below(5) == 0 ? kBroken : one;
+            const std::vector<double> after = anchorDistances(graph, damage, kUp);
+            const Nodes fallen = unsupportedNodes(graph, damage, test::allNodes(graph), limits, kUp);
+            for (std::uint32_t node = 0; node < graph.nodeCount(); ++node) {
+                const bool hasFallen = std::ranges::binary_search(fallen, node);
+                const QByteArray fault = faultOfSeed(seed, "node " + std::to_string(node)).toUtf8();
+                QVERIFY2(!hasFallen || before[node] < 1e300, fault);
+                QVERIFY2(hasFallen || after[node] <= limits[node], fault);
+            }
         }
     }
 };
