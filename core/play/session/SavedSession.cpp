@@ -61,6 +61,13 @@ std::shared_ptr<const Shape> shapeOf(const SessionState& state, const PlayBody& 
     return projectileBody(*state.origins[body.origin].thrown, nullptr, nullptr)->shape;
 }
 
+/// Lets the ground of a state that was saved when it ended 200 m from the origin reach as far as now.
+void widenGround(WorldState& world, std::uint32_t index, const Shape& ground) {
+    if (index >= world.poses.size() || !(world.poses[index].boundingRadius < ground.boundingRadius)) return;
+    world.poses[index].boundingRadius = ground.boundingRadius;
+    world.rebox.push_back(index);
+}
+
 /// Gives the bodies of a world their shapes. Returns the place of a body that is not one of the session's.
 std::optional<std::string> addShapes(const PlayScene& scene, const SessionState& state, WorldState& world) {
     for (std::size_t k = 0; k < state.bodies.size(); ++k) {
@@ -72,6 +79,7 @@ std::optional<std::string> addShapes(const PlayScene& scene, const SessionState&
         const bool isOwn = home.generation == body.body.generation && home.tag == body.number;
         if (!isOwn || home.shape != nullptr || home.kind != kindOf(scene, state, body)) return place;
         home.shape = shapeOf(state, body);
+        if (body.role == PlayRole::Ground) widenGround(world, index, *home.shape);
     }
     return std::nullopt;
 }
