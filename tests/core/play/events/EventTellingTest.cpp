@@ -236,7 +236,9 @@ private slots:
                 flight += lostInFlight(session);
                 before += gainedByDetaching(session);
                 QVERIFY2(faultOf(report, 16).empty(), faultOf(report, 16).c_str());
+                QVERIFY(report.omitted[static_cast<std::size_t>(EventKind::Impact)].energy >= 0.0);
                 for (const EventRecord& record : report.records) {
+                    if (record.kind == EventKind::Impact) QVERIFY(record.energy >= 0.0);
                     if (record.kind == EventKind::Broken) QVERIFY(broken.insert(record.body).second);
                     if (record.kind == EventKind::Detached) QVERIFY(detached.insert(record.body).second);
                 }
