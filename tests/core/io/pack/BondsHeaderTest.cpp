@@ -195,7 +195,7 @@ private slots:
         Random random(kSeed);
         std::size_t broken = 0, damaged = 0, islands = 0, unsupported = 0;
         std::ptrdiff_t unbonded = 0;
-        for (int round = 0; round < 80; ++round) {
+        for (int round = 0; round < 100; ++round) {
             Asset ring = randomRing(random, round);
             addRandomClusters(random, ring);
             BothStructures both{std::move(ring)};
