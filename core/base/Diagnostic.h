@@ -78,9 +78,9 @@ struct Diagnostic {
     DiagnosticPlace place;
     std::string message;  // one sentence that names the place
     /// The measured value: m² for Gap, ThinPiece, MergedPiece, DroppedSeed and VanishedPiece; m for LooseCut,
-    /// OverlappingPieces, CloseHulls and BeyondSpan; seeds for NoRoom; aspect ratio for Sliver; m³ for TinyPiece; hulls for
-    /// ManyHulls; N·s for UnknownStrength; m/s for PushedPiece; points for RepeatedPoint; relative to that of the
-    /// whole for SwapDrift and GapVolume.
+    /// OverlappingPieces, CloseHulls and BeyondSpan; seeds for NoRoom; aspect ratio for Sliver; m³ for TinyPiece;
+    /// hulls for ManyHulls; N·s for UnknownStrength; m/s for PushedPiece; points for RepeatedPoint; relative to that
+    /// of the whole for SwapDrift and GapVolume.
     double value = 0.0;
     double limit = 0.0;  // of the value; 0: none
     bool operator==(const Diagnostic&) const = default;

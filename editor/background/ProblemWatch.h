@@ -14,8 +14,8 @@
 
 namespace rubble {
 
-/// The problems of every asset's last bake, and of its instances in the scene. Searches again, in the background, when the bakes have not changed for a
-/// moment; a search of bakes that change meanwhile is cancelled.
+/// The problems of every asset's last bake, and of its instances in the scene. Searches again, in the background, when
+/// these have not changed for a moment; a search of bakes that change meanwhile is cancelled.
 class ProblemWatch : public QObject {
     Q_OBJECT
 public:

@@ -27,8 +27,8 @@ double sidewaysStep(const BondGraph& graph, std::uint32_t from, BondLink link, V
 std::vector<double> anchorDistances(const BondGraph& graph, std::span<const BondDamage> damage, Vec3 up);
 
 /// The distance from an anchor up to which each node of a structure is supported, m: the span (0: any), or the
-/// distance with the damage at the start where that is larger. What is beyond the span from the start so keeps the support that
-/// it has.
+/// distance with the damage at the start where that is larger. So what is beyond the span from the start keeps the
+/// support that it has.
 std::vector<double> supportLimits(const BondGraph& graph, std::span<const BondDamage> atStart, double span, Vec3 up);
 
 /// The nodes that have lost their support, ascending: those farther from an anchor than their limit, over paths of

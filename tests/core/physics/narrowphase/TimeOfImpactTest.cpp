@@ -49,7 +49,7 @@ private slots:
     void overlappingCubesHaveNone() {
         QVERIFY(timeOfCubes(Vec3f(0.5f, 0.5f, 0.5f), Vec3f(0.0f, -4.0f, 0.0f)).axis.kind == AxisKind::None);
     }
-    /// A cube, turned, falls from 2 m onto a floor of 200 km: rounding of the floor's normal by the turn does not count.
+    /// A rotated cube falls from 2 m onto a floor of 200 km: it does not matter how the floor's normal is rounded.
     void largeFacesAreWhereTheyAre() {
         const Hull cube = hullOf(boxOf(Vec3(1.0))), floor = hullOf(boxOf(Vec3(2e5, 10.0, 2e5)));
         for (const double angle : {0.1, 0.7, 1.9}) {

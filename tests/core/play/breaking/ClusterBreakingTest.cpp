@@ -164,7 +164,8 @@ private slots:
         QVERIFY(test::wallOf(session).isHeld && test::wallOf(session).collapseStep == PlayBody::kNever);
     }
     /// A bar of 8 x 2 fragments, of which the lowest at both ends are anchored until the right one is removed: within
-    /// the span then are the first four columns. A cluster of one of those with two of the next column keeps its bonds, also those to what has support.
+    /// the span then are the first four columns. A cluster of one of those with two of the next column keeps its bonds,
+    /// also those to what has support.
     void clustersWithSupportKeepTheirBonds() {
         Project project = test::bondedWall(1, 1e4);
         Asset& asset = project.assets[0];
