@@ -126,16 +126,16 @@ private:
             put(select<W>(isImpact, before[i], row(sustained, part)), sustained, part);
         }
     }
-    /// Limits what the next sub-step warm starts with to the impulses before the impact and a little more. The impulse
-    /// that stopped a body would throw it; its own contact corrects that, but the contacts solved before take it for
-    /// an approach and push.
+    /// Limits what the next sub-step warm starts with to the impulses before the impact and half as much again, and a
+    /// little more, so that a load can build up. The impulse that stopped a body would throw it; its own contact
+    /// corrects that, but the contacts solved before take it for an approach and push.
     static void forgetImpacts(ContactBlock& block, int part, int points, Masks<W> wasImpact) {
         F sum{}, kept{};
         for (int i = 0; i < points; ++i) {
             PointRows& point = block.points[i];
             const F impulse = row(point.impulse, part);
-            const F most =
-                row(point.sustained, part) + all<W>(ImpactKernels<W>::kMinSpeed) * row(point.effectiveMass, part);
+            const F most = 1.5f * row(point.sustained, part) +
+                           all<W>(ImpactKernels<W>::kMinSpeed) * row(point.effectiveMass, part);
             const F limited = select<W>(wasImpact, lesser<W>(impulse, most), impulse);
             put(limited, point.impulse, part);
             sum = sum + impulse;
