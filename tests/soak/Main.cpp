@@ -1,0 +1,222 @@
+#include "tests/soak/ChildProcess.h"
+#include "tests/soak/Shrink.h"
+
+#include <poll.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <memory>
+
+namespace {
+
+using namespace rubble::soak;
+using rubble::Result;
+
+constexpr const char* kUsage =
+    R"(usage: soak [--seed S] [--scenes N] [--minutes M] [--jobs J] [--only INVARIANT] [--keep FOLDER] [--shrink N]
+            [--corpus FOLDER] [--show SEED|FILE]
+
+Plays random scenes with random inputs, and checks after every step what must always hold. Prints what does not, with
+the seed. Exits with 1 if anything did not hold.
+
+  --seed S        The seed of the first scene; the others follow (default: 1)
+  --scenes N      So many scenes (default: 200)
+  --minutes M     For so long instead
+  --jobs J        Processes at a time (default: 1)
+  --only NAME     Check this invariant only
+  --keep FOLDER   Shrink the first failure of each invariant, and save it in FOLDER
+  --shrink N      So many of each invariant instead of one
+  --corpus FOLDER First play what was saved in FOLDER
+  --show WHAT     Play the scene of a seed, or a *.soak file, in this process, and print all that fails
+)";
+
+struct Options {
+    std::uint64_t seed = 1;
+    std::uint64_t scenes = 200;
+    double minutes = 0.0;
+    std::size_t jobs = 1;
+    std::string only;
+    std::filesystem::path keep;
+    std::uint64_t shrunk = 1;
+    std::filesystem::path corpus;
+    std::string show;
+};
+
+[[noreturn]] void fail(const std::string& message) {
+    std::fprintf(stderr, "%s\n", message.c_str());
+    std::exit(2);
+}
+
+Options optionsOf(int argumentCount, char** arguments) {
+    Options options;
+    for (int k = 1; k < argumentCount; ++k) {
+        const std::string name = arguments[k];
+        if (k + 1 == argumentCount) fail(kUsage);
+        const char* const text = arguments[++k];
+        const std::uint64_t number = std::strtoull(text, nullptr, 10);
+        if (name == "--seed")
+            options.seed = number;
+        else if (name == "--scenes")
+            options.scenes = number;
+        else if (name == "--minutes")
+            options.minutes = std::strtod(text, nullptr);
+        else if (name == "--jobs")
+            options.jobs = std::max<std::size_t>(1, number);
+        else if (name == "--only")
+            options.only = text;
+        else if (name == "--keep")
+            options.keep = text;
+        else if (name == "--shrink")
+            options.shrunk = number;
+        else if (name == "--corpus")
+            options.corpus = text;
+        else if (name == "--show")
+            options.show = text;
+        else
+            fail(kUsage);
+    }
+    return options;
+}
+
+void print(const std::string& what, const Failure& one) {
+    std::printf("%s: %s, step %llu%s%s: %s\n", what.c_str(), one.invariant.c_str(),
+                static_cast<unsigned long long>(one.step), one.body.empty() ? "" : ", ", one.body.c_str(),
+                one.text.c_str());
+    std::fflush(stdout);
+}
+
+SoakCase loaded(const std::filesystem::path& file) {
+    Result<SoakCase> one = loadCase(file);
+    if (!one) fail(one.error().message);
+    return std::move(*one);
+}
+
+/// Plays one case in this process, for a debugger.
+int show(const std::string& what, const std::string& only) {
+    const bool isFile = what.ends_with(".soak");
+    const SoakCase one = isFile ? loaded(what) : generatedCase(std::strtoull(what.c_str(), nullptr, 10));
+    const Outcome outcome = playedCase(one, only);
+    for (const Failure& failure : outcome.failures) print(what, failure);
+    std::printf("%llu steps of %g s, %llu breaks, %llu splits\n", static_cast<unsigned long long>(outcome.steps),
+                one.dt, static_cast<unsigned long long>(outcome.breaks),
+                static_cast<unsigned long long>(outcome.splits));
+    return outcome.failures.empty() ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+/// Plays what was saved. Returns the number of those that fail.
+int brokenOfCorpus(const Options& options) {
+    int broken = 0;
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(options.corpus)) {
+        if (entry.path().extension() == ".soak") files.push_back(entry.path());
+    }
+    std::ranges::sort(files);
+    for (const std::filesystem::path& file : files) {
+        const SoakCase one = loaded(file);
+        const Outcome outcome = ChildRun(one, options.only).finished();
+        for (const Failure& failure : outcome.failures) print(file.string(), failure);
+        broken += outcome.failures.empty() ? 0 : 1;
+    }
+    std::printf("%zu saved scenes, %d fail\n", files.size(), broken);
+    return broken;
+}
+
+/// Plays the scenes of many seeds, several at a time.
+class Campaign {
+public:
+    explicit Campaign(const Options& options) : m_options(options), m_next(options.seed) {}
+
+    /// Returns the number of scenes that fail.
+    std::uint64_t run() {
+        m_start = std::chrono::steady_clock::now();
+        while (startMore() || !m_running.empty()) {
+            std::erase_if(m_running, [&](Running& one) { return collect(one); });
+            ::poll(nullptr, 0, 2);  // ms
+        }
+        printFigures();
+        return m_failed;
+    }
+
+private:
+    struct Running {
+        std::uint64_t seed = 0;
+        SoakCase one;
+        std::unique_ptr<ChildRun> child;
+    };
+
+    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count(); }
+    bool isOver() const {
+        return m_options.minutes > 0.0 ? seconds() > 60.0 * m_options.minutes
+                                       : m_next >= m_options.seed + m_options.scenes;
+    }
+    /// Whether another one was started.
+    bool startMore() {
+        if (isOver() || m_running.size() >= m_options.jobs) return false;
+        Running next{m_next, generatedCase(m_next), nullptr};
+        next.child = std::make_unique<ChildRun>(next.one, m_options.only);
+        m_running.push_back(std::move(next));
+        ++m_next;
+        return true;
+    }
+
+    /// Whether it has ended.
+    bool collect(Running& one) {
+        const std::optional<Outcome> outcome = one.child->ended();
+        if (!outcome) return false;
+        m_steps += outcome->steps;
+        m_breaks += outcome->breaks;
+        m_splits += outcome->splits;
+        m_failed += outcome->failures.empty() ? 0 : 1;
+        for (const Failure& failure : outcome->failures) {
+            print("--show " + std::to_string(one.seed), failure);
+            const std::uint64_t count = ++m_found[failure.invariant];
+            if (!m_options.keep.empty() && count <= m_options.shrunk) keep(one, failure);
+        }
+        return true;
+    }
+
+    void keep(const Running& one, const Failure& failure) {
+        const ShrunkCase shrunk = shrunkCase(one.one, failure);
+        std::string name = failure.invariant + "-" + std::to_string(one.seed);
+        std::ranges::replace(name, ' ', '-');
+        std::filesystem::create_directories(m_options.keep);
+        const std::filesystem::path file = m_options.keep / (name + ".soak");
+        const rubble::Status saved = saveCase(file, shrunk.one, shrunk.failure.invariant + ": " + shrunk.failure.text);
+        if (!saved) std::printf("  %s\n", saved.error().message.c_str());
+        print("  saved as --show " + file.string(), shrunk.failure);
+    }
+
+    void printFigures() const {
+        std::printf("%llu scenes, %llu steps, %llu breaks, %llu splits in %.0f s; %llu scenes fail\n",
+                    static_cast<unsigned long long>(m_next - m_options.seed), static_cast<unsigned long long>(m_steps),
+                    static_cast<unsigned long long>(m_breaks), static_cast<unsigned long long>(m_splits), seconds(),
+                    static_cast<unsigned long long>(m_failed));
+        for (const auto& [name, count] : m_found) {
+            std::printf("  %s: %llu\n", name.c_str(), static_cast<unsigned long long>(count));
+        }
+    }
+
+    const Options& m_options;
+    std::uint64_t m_next;
+    std::vector<Running> m_running;
+    std::chrono::steady_clock::time_point m_start;
+    std::uint64_t m_steps = 0;
+    std::uint64_t m_breaks = 0;
+    std::uint64_t m_splits = 0;
+    std::uint64_t m_failed = 0;
+    std::map<std::string, std::uint64_t> m_found;  // by invariant
+};
+
+}  // namespace
+
+int main(int argumentCount, char** arguments) {
+    const Options options = optionsOf(argumentCount, arguments);
+    if (!options.show.empty()) return show(options.show, options.only);
+    const int broken = options.corpus.empty() ? 0 : brokenOfCorpus(options);
+    const std::uint64_t failed = Campaign(options).run();
+    return broken == 0 && failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,146 @@
+// Only gravity changes the momentum of what touches nothing static.
+#include "core/base/DisjointSets.h"
+#include "tests/soak/Moment.h"
+
+#include <algorithm>
+#include <map>
+
+namespace rubble::soak {
+namespace {
+
+constexpr double kRelative = 1e-4;  // single precision, summed over sub-steps
+constexpr double kDrift = 1e-3;     // m/s: slower motion may end
+
+/// Bodies that acted on each other in a step.
+class ActingBodies {
+public:
+    explicit ActingBodies(const StepFacts& step) : m_step(step), m_sets(countOf(step)), m_isFree(countOf(step), true) {
+        for (const ContactPoint& point : step.session.world().contactPoints()) joinContact(point);
+        for (const PlayBreak& one : step.events.breaks) {
+            for (std::uint32_t k = 0; k < one.fragmentCount; ++k) join(one.body.number, one.firstFragment + k);
+            join(one.body.number, one.impactorNumber);
+        }
+        for (const PlaySplit& one : step.events.splits) {
+            for (const std::uint32_t freed : one.freed) join(one.body.number, freed);
+            join(one.body.number, one.impactorNumber);
+        }
+        for (const PlayRemoval& removal : step.events.removed) exclude(removal.body.number);
+        for (const Moment* moment : {&step.before, &step.after}) {
+            for (const BodyFacts& one : moment->bodies) {
+                if (!one.isDynamic()) exclude(one.body.number);
+            }
+        }
+        if (const auto spring = step.session.world().grabSpring()) exclude(numberOf(spring->body));
+    }
+
+    std::uint32_t rootOf(std::uint32_t number) { return m_sets.rootOf(number); }
+    /// The roots of what touched nothing static and was not grabbed.
+    std::vector<bool> freeRoots() {
+        std::vector<bool> isFree(m_isFree.size(), true);
+        for (std::uint32_t number = 0; number < m_isFree.size(); ++number) {
+            if (!m_isFree[number]) isFree[rootOf(number)] = false;
+        }
+        return isFree;
+    }
+
+private:
+    static std::size_t countOf(const StepFacts& step) {
+        std::size_t count = 1;
+        for (const Moment* moment : {&step.before, &step.after}) {
+            if (!moment->bodies.empty()) count = std::max<std::size_t>(count, moment->bodies.back().body.number + 1);
+        }
+        for (const PlayBody& born : step.events.born) count = std::max<std::size_t>(count, born.number + 1);
+        for (const PlayBreak& one : step.events.breaks) {
+            count = std::max<std::size_t>(count, one.firstFragment + one.fragmentCount + 1);
+        }
+        return count;
+    }
+    std::uint32_t numberOf(BodyId id) const { return static_cast<std::uint32_t>(m_step.session.world().tag(id)); }
+    void join(std::uint32_t first, std::uint32_t second) {
+        if (first < m_isFree.size() && second < m_isFree.size()) m_sets.merge(first, second);
+    }
+    void exclude(std::uint32_t number) {
+        if (number < m_isFree.size()) m_isFree[number] = false;
+    }
+    void joinContact(const ContactPoint& point) {
+        const World& world = m_step.session.world();
+        if (world.contains(point.first) && world.contains(point.second)) {
+            join(numberOf(point.first), numberOf(point.second));
+            return;
+        }
+        for (const BodyId id : {point.first, point.second}) {
+            if (world.contains(id)) exclude(numberOf(id));
+        }
+    }
+
+    const StepFacts& m_step;
+    DisjointSets m_sets;
+    std::vector<bool> m_isFree;  // by number
+};
+
+/// The momentum of several bodies.
+struct Sum {
+    double mass = 0.0;
+    Vec3 momentum{0.0};
+    double moving = 0.0;  // kg·m/s: the sum of the amounts
+    std::uint32_t body = kNone;
+    std::size_t bodies = 0;
+
+    void add(const BodyFacts& one) {
+        mass += one.mass;
+        momentum += one.mass * one.state.velocity;
+        moving += one.mass * glm::length(one.state.velocity);
+        body = std::min(body, one.body.number);
+        ++bodies;
+    }
+};
+
+std::map<std::uint32_t, Sum> sumsOf(const Moment& moment, ActingBodies& acting, const std::vector<bool>& isFree) {
+    std::map<std::uint32_t, Sum> sums;
+    for (const BodyFacts& one : moment.bodies) {
+        const std::uint32_t root = acting.rootOf(one.body.number);
+        if (one.isDynamic() && isFree[root]) sums[root].add(one);
+    }
+    return sums;
+}
+
+class FreeMomentum : public Invariant {
+public:
+    const char* name() const override { return "free momentum"; }
+    std::optional<Fault> check(const StepFacts& step) override {
+        const bool isActedOn = step.hasInput<ShotInput>() || step.hasInput<MaterialInput>() ||
+                               step.hasInput<RemoveInput>() || step.hasInput<GrabInput>() ||
+                               step.hasInput<ReleaseInput>();
+        if (isActedOn) return std::nullopt;
+        ActingBodies acting(step);
+        const std::vector<bool> isFree = acting.freeRoots();
+        const std::map<std::uint32_t, Sum> before = sumsOf(step.before, acting, isFree);
+        for (const auto& [root, after] : sumsOf(step.after, acting, isFree)) {
+            const auto found = before.find(root);
+            if (found == before.end()) continue;
+            if (std::optional<Fault> fault = faultOf(step, found->second, after)) return fault;
+        }
+        return std::nullopt;
+    }
+
+private:
+    static std::optional<Fault> faultOf(const StepFacts& step, const Sum& before, const Sum& after) {
+        if (std::abs(before.mass - after.mass) > 1e-5 * before.mass) return std::nullopt;  // a gap took some
+        const Vec3 expected = before.momentum + after.mass * step.session.stepLength() * step.after.gravity;
+        const double fall = glm::length(step.after.gravity) * step.session.stepLength();
+        const double slack = kRelative * (before.moving + after.moving + after.mass * fall) + kDrift * after.mass;
+        const double wrong = glm::distance(after.momentum, expected);
+        if (wrong <= slack) return std::nullopt;
+        const BodyFacts* const body = step.after.find(after.body);
+        const bool isAsleep = body->state.asleep;
+        return Fault{step.session.nameOf(body->body),
+                     std::to_string(after.bodies) + " bodies that touch nothing static change their velocity by " +
+                         textOf(wrong / after.mass) + " m/s beyond gravity" + (isAsleep ? ", asleep" : "")};
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Invariant> freeMomentum() { return std::make_unique<FreeMomentum>(); }
+
+}  // namespace rubble::soak

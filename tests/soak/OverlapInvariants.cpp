@@ -1,0 +1,140 @@
+// Nothing sinks into what is static, or passes through it.
+#include "tests/soak/BodyHulls.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace rubble::soak {
+namespace {
+
+/// How far bodies may sink in: contacts are soft, and what is far heavier than its support presses it in.
+constexpr double kSinkFloor = 0.005;    // m
+constexpr double kSinkFraction = 0.25;  // of the least width of the body
+
+/// The overlaps with which a scene begins, which play pushes apart: by the origins of both bodies.
+class InitialOverlaps {
+public:
+    void start(const Moment& moment, BodyHulls& hulls) {
+        for (const BodyFacts& one : moment.bodies) {
+            for (const BodyFacts& other : moment.bodies) {
+                if (one.body.number >= other.body.number) continue;
+                const double depth = overlapDepth(hulls.of(one), hulls.of(other));
+                if (depth > 0.0) m_depths[{one.body.origin, other.body.origin}] = depth;
+            }
+        }
+    }
+    double of(const BodyFacts& one, const BodyFacts& other) const {
+        const auto found = m_depths.find(std::minmax(one.body.origin, other.body.origin));
+        return found != m_depths.end() ? found->second : 0.0;
+    }
+
+private:
+    std::map<std::pair<std::uint32_t, std::uint32_t>, double> m_depths;
+};
+
+/// Calls visit(moving body, static body, its hulls) for all that are awake.
+template <class Visit>
+void forEachStaticPair(const Moment& moment, BodyHulls& hulls, const Visit& visit) {
+    for (const BodyFacts& fixed : moment.bodies) {
+        if (fixed.isDynamic()) continue;
+        const BodyHulls::Posed posed = hulls.of(fixed);
+        for (const BodyFacts& moving : moment.bodies) {
+            if (moving.isDynamic() && !moving.state.asleep) visit(moving, fixed, posed);
+        }
+    }
+}
+
+class StaticOverlap : public Invariant {
+public:
+    const char* name() const override { return "static overlap"; }
+    void start(const Session&, const Moment& moment) override { m_initial.start(moment, m_hulls); }
+
+    std::optional<Fault> check(const StepFacts& step) override {
+        m_hulls.keepOnly(step.after);
+        std::optional<Fault> fault;
+        forEachStaticPair(step.after, m_hulls, [&](const BodyFacts& moving, const BodyFacts& fixed, const auto& posed) {
+            if (!fault) fault = faultOf(step, moving, fixed, posed);
+        });
+        return fault;
+    }
+
+private:
+    std::optional<Fault> faultOf(const StepFacts& step, const BodyFacts& moving, const BodyFacts& fixed,
+                                 const BodyHulls::Posed& posed) {
+        const double allowed = m_initial.of(moving, fixed) + std::max(kSinkFloor, kSinkFraction * moving.minWidth);
+        const double depth = overlapDepth(m_hulls.of(moving), posed);
+        if (depth <= allowed) return std::nullopt;
+        return Fault{step.session.nameOf(moving.body), "it is " + textOf(depth) + " m deep in " +
+                                                           step.session.nameOf(fixed.body) + ", at most " +
+                                                           textOf(allowed) + " m are allowed"};
+    }
+
+    BodyHulls m_hulls;
+    InitialOverlaps m_initial;
+};
+
+/// The height of a point above the ground, as a plane, m; above 0 where there is none.
+double heightAboveGround(const Session& session, Vec3 point) {
+    const Ground& ground = session.scene().project.ground;
+    return ground.isOn ? point.y - ground.height : 1.0;
+}
+
+class NothingTunnels : public Invariant {
+public:
+    const char* name() const override { return "tunnelling"; }
+    void start(const Session& session, const Moment& moment) override {
+        for (const BodyFacts& one : moment.bodies) {
+            if (one.mass > 0.0) addIfBelow(session, one);
+        }
+    }
+
+    std::optional<Fault> check(const StepFacts& step) override {
+        m_hulls.keepOnly(step.after);
+        std::optional<Fault> fault = belowGround(step);
+        forEachStaticPair(step.after, m_hulls, [&](const BodyFacts& moving, const BodyFacts& fixed, const auto& posed) {
+            if (!fault) fault = passedThrough(step, moving, fixed, posed);
+        });
+        return fault;
+    }
+
+private:
+    /// What begins in the ground may stay there.
+    void addIfBelow(const Session& session, const BodyFacts& facts) {
+        if (heightAboveGround(session, m_hulls.of(facts).box.min) < -kSinkFloor) m_below.insert(facts.body.origin);
+    }
+
+    /// What begins above the plane of the ground stays there: also beyond the ground's edge.
+    std::optional<Fault> belowGround(const StepFacts& step) {
+        for (const BodyFacts& one : step.after.bodies) {
+            if (!one.isDynamic() || heightAboveGround(step.session, one.massCentre) >= -0.001) continue;
+            const bool isNew = step.before.find(one.body.number) == nullptr;
+            if (isNew && one.body.role == PlayRole::Projectile) m_below.insert(one.body.origin);
+            if (m_below.contains(one.body.origin)) continue;
+            return Fault{step.session.nameOf(one.body), "its centre is below the ground, at " + textOf(one.massCentre)};
+        }
+        return std::nullopt;
+    }
+
+    /// The centre of a body that lies in one of its hulls cannot come out on the other side of something.
+    std::optional<Fault> passedThrough(const StepFacts& step, const BodyFacts& moving, const BodyFacts& fixed,
+                                       const BodyHulls::Posed& posed) {
+        const BodyFacts* const before = step.before.find(moving.body.number);
+        if (before == nullptr || before->body.nodes.size() != moving.body.nodes.size()) return std::nullopt;
+        if (!contains(m_hulls.of(moving), moving.state.centre)) return std::nullopt;
+        const double length = lengthThrough(posed, before->state.centre, moving.state.centre);
+        if (length <= std::max(0.001, kSinkFraction * moving.minWidth)) return std::nullopt;
+        return Fault{step.session.nameOf(moving.body),
+                     "its centre passed through " + textOf(length) + " m of " + step.session.nameOf(fixed.body)};
+    }
+
+    BodyHulls m_hulls;
+    std::set<std::uint32_t> m_below;  // origins
+};
+
+}  // namespace
+
+std::unique_ptr<Invariant> staticOverlap() { return std::make_unique<StaticOverlap>(); }
+std::unique_ptr<Invariant> nothingTunnels() { return std::make_unique<NothingTunnels>(); }
+
+}  // namespace rubble::soak

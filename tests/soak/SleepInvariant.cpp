@@ -1,0 +1,102 @@
+// Nothing sleeps in the air, or where it would tip over.
+#include "core/base/math/Trigonometry.h"
+#include "tests/soak/Moment.h"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <set>
+
+namespace rubble::soak {
+namespace {
+
+constexpr double kUpright = 0.99;       // cosine: contacts whose normals are as good as vertical
+constexpr double kOffFraction = 0.005;  // of the bounding radius: how far the centre may be beyond its support
+constexpr double kOffFloor = 5e-4;      // m
+
+/// The contacts of each body.
+using Contacts = std::map<BodyId, std::vector<ContactPoint>>;
+
+Contacts contactsOf(const World& world) {
+    Contacts contacts;
+    for (const ContactPoint& point : world.contactPoints()) {
+        contacts[point.first].push_back(point);
+        contacts[point.second].push_back(point);
+    }
+    return contacts;
+}
+
+BodyId otherOf(const ContactPoint& point, BodyId body) { return point.first == body ? point.second : point.first; }
+
+/// The bodies that contacts connect to something static.
+std::set<BodyId> supportedBodies(const World& world, const Moment& moment, Contacts& contacts) {
+    std::set<BodyId> reached;
+    std::vector<BodyId> waiting;
+    for (const BodyFacts& one : moment.bodies) {
+        if (!one.isDynamic()) waiting.push_back(one.body.body);
+    }
+    while (!waiting.empty()) {
+        const BodyId body = waiting.back();
+        waiting.pop_back();
+        for (const ContactPoint& point : contacts[body]) {
+            const BodyId other = otherOf(point, body);
+            if (!world.contains(other) || world.kind(other) != BodyKind::Dynamic) continue;
+            if (reached.insert(other).second) waiting.push_back(other);
+        }
+    }
+    return reached;
+}
+
+class SleepsSupported : public Invariant {
+public:
+    const char* name() const override { return "sleeps supported"; }
+    std::optional<Fault> check(const StepFacts& step) override {
+        if (step.after.gravity == Vec3(0.0)) return std::nullopt;
+        const World& world = step.session.world();
+        Contacts contacts = contactsOf(world);
+        const std::set<BodyId> supported = supportedBodies(world, step.after, contacts);
+        for (const BodyFacts& one : step.after.bodies) {
+            if (!one.isDynamic() || !one.state.asleep) continue;
+            const std::string name = step.session.nameOf(one.body);
+            if (!supported.contains(one.body.body)) return Fault{name, "it sleeps, and nothing static supports it"};
+            const double off = beyondSupport(step, one, contacts[one.body.body]);
+            if (off <= std::max(kOffFloor, kOffFraction * one.boundingRadius)) continue;
+            return Fault{name, "it sleeps, with its centre " + textOf(off) + " m beyond what it stands on"};
+        }
+        return std::nullopt;
+    }
+
+private:
+    /// How far the centre of a body is beyond the contacts that carry it, m; 0 where not all of these are vertical, or
+    /// not all with what is static.
+    static double beyondSupport(const StepFacts& step, const BodyFacts& one, const std::vector<ContactPoint>& points) {
+        const Vec3 up = -glm::normalize(step.after.gravity);
+        const auto isPlain = [&](const ContactPoint& point) {
+            const BodyId other = otherOf(point, one.body.body);
+            const bool isStatic =
+                !step.session.world().contains(other) || step.session.world().kind(other) != BodyKind::Dynamic;
+            return isStatic && std::abs(glm::dot(point.normal, up)) >= kUpright;
+        };
+        if (points.empty() || !std::ranges::all_of(points, isPlain)) return 0.0;
+        const Vec3 side = glm::normalize(glm::cross(up, std::abs(up.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 0, 1)));
+        const Vec3 front = glm::cross(up, side);
+        double beyond = 0.0;
+        constexpr int kDirections = 64;
+        for (int k = 0; k < kDirections; ++k) {
+            const double angle = 2.0 * std::numbers::pi * k / kDirections;
+            const Vec3 direction = cosine(angle) * side + sine(angle) * front;
+            double farthest = -1e300;
+            for (const ContactPoint& point : points) {
+                farthest = std::max(farthest, glm::dot(point.point - one.state.centre, direction));
+            }
+            beyond = std::max(beyond, -farthest);
+        }
+        return beyond;
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Invariant> sleepsSupported() { return std::make_unique<SleepsSupported>(); }
+
+}  // namespace rubble::soak
