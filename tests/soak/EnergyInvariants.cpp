@@ -10,8 +10,9 @@ namespace rubble::soak {
 namespace {
 
 constexpr double kGrowth = 0.01;    // of the peak so far
-constexpr double kRounding = 1e-3;  // the same, of sums
+constexpr double kSumError = 0.01;  // the same, of what is told: sums are that exact
 constexpr double kOverlap = 1e-4;   // m: what overlaps deeper is pushed apart, which takes energy from nowhere
+constexpr double kSoftness = 1e-3;  // m: by which contacts give way, and lift again
 constexpr double kSmallest = 1e-9;  // J
 
 /// Follows the mechanical energy of a session.
@@ -47,8 +48,9 @@ public:
     double given() const { return m_given; }            // J: by sources
     double changed() const { return m_changed; }        // J: by sources and breaks, as told
     double peak() const { return m_peak; }              // J: of all that moved, so far
-    double rounding() const { return m_rounding; }      // J: of positions
+    double rounding() const { return m_rounding; }      // J: of contacts that give way
     double freeFlight() const { return m_freeFlight; }  // J: how exact the integration of gravity is
+    double asleep() const { return m_asleep; }          // J: that what fell asleep had
 
 private:
     bool pushesApart(const Moment& moment) {
@@ -63,6 +65,11 @@ private:
         return false;
     }
 
+    static double motionBefore(const StepFacts& step, const BodyFacts& one) {
+        const BodyFacts* const before = step.before.find(one.body.number);
+        return before != nullptr ? before->kinetic : 0.0;
+    }
+
     static double heightOf(const StepFacts& step, Vec3 point) { return -glm::dot(step.after.gravity, point); }
 
     /// J, above the lowest body of the step: so that mass that is removed takes energy with it.
@@ -72,7 +79,7 @@ private:
 
     void findEnergies(const StepFacts& step) {
         m_lowest = std::numeric_limits<double>::max();
-        m_before = m_after = m_given = m_changed = m_rounding = m_freeFlight = 0.0;
+        m_before = m_after = m_given = m_changed = m_rounding = m_freeFlight = m_asleep = 0.0;
         for (const Moment* moment : {&step.before, &step.after}) {
             for (const BodyFacts& one : moment->bodies) {
                 if (one.mass > 0.0) m_lowest = std::min(m_lowest, heightOf(step, one.massCentre));
@@ -84,9 +91,9 @@ private:
         for (const BodyFacts& one : step.after.bodies) {
             m_after += energyOf(step, one);
             if (!one.isDynamic()) continue;
+            if (one.state.asleep) m_asleep += motionBefore(step, one);
             moving += energyOf(step, one);
-            m_rounding +=
-                one.mass * weight * kPositionRounding * std::max(1.0, glm::length(one.massCentre) / kRoundedDistance);
+            m_rounding += one.mass * weight * kSoftness;
             m_freeFlight += one.mass * fall * fall;
         }
         addSources(step);
@@ -98,12 +105,8 @@ private:
             m_given += std::max(0.0, entry.given);
             m_changed += entry.after - entry.before;
         }
-        for (const PlayBody& born : step.events.born) {
-            const BodyFacts* const body = step.after.find(born.number);
-            if (born.role != PlayRole::Projectile || body == nullptr) continue;
-            // It has moved for a step since it was thrown.
-            const Vec3 from = body->massCentre - step.session.stepLength() * body->state.velocity;
-            const double potential = body->mass * (heightOf(step, from) - m_lowest);
+        for (const ThrownBody& thrown : step.thrown) {
+            const double potential = thrown.mass * (heightOf(step, thrown.from) - m_lowest);
             m_given += potential;
             m_changed += potential;
         }
@@ -121,6 +124,7 @@ private:
     double m_peak = 0.0;
     double m_rounding = 0.0;
     double m_freeFlight = 0.0;
+    double m_asleep = 0.0;
 };
 
 /// An invariant that keeps such a book.
@@ -169,7 +173,8 @@ private:
         if (!step.events.removed.empty() || step.hasInput<RemoveInput>() || losesMass(step)) return std::nullopt;
         const double loss = step.session.world().events().contactLoss;
         const double told = m_book.before() + m_book.changed() - loss;
-        const double slack = kGrowth * m_book.peak() + m_book.rounding() + m_book.freeFlight() + kSmallest;
+        const double slack =
+            kGrowth * m_book.peak() + m_book.rounding() + m_book.freeFlight() + m_book.asleep() + kSmallest;
         const double missing = m_book.after() - told;
         if (std::abs(missing) <= slack) return std::nullopt;
         return Fault{"", "the energy is other than told by " + partOf(missing, m_book.peak())};
@@ -182,7 +187,7 @@ public:
 
 private:
     std::optional<Fault> faultOf(const StepFacts& step) const override {
-        const double least = -(kRounding * m_book.peak() + m_book.rounding() + kSmallest);
+        const double least = -(kSumError * m_book.peak() + m_book.rounding() + kSmallest);
         const auto fault = [&](const char* what, double energy) {
             return Fault{"", std::string(what) + " is " + partOf(energy, m_book.peak())};
         };

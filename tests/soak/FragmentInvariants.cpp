@@ -120,33 +120,36 @@ private:
         return std::nullopt;
     }
 
-    /// Mass comes by throws and goes by removals; a gap or a fragment that is too small loses some of what breaks.
+    /// Mass comes by throws and goes by removals; gaps take some of what breaks.
     std::optional<Fault> checkMass(const StepFacts& step) const {
         if (step.hasInput<MaterialInput>() || step.hasInput<RemoveInput>()) return std::nullopt;
-        double expected = totalMass(step.before), broken = 0.0;
-        for (const PlayBody& born : step.events.born) {
-            const BodyFacts* const body = step.after.find(born.number);
-            if (born.role == PlayRole::Projectile && body != nullptr) expected += body->mass;
-        }
+        double expected = totalMass(step.before);
+        for (const ThrownBody& thrown : step.thrown) expected += thrown.mass;
         for (const PlayRemoval& removal : step.events.removed) expected -= removal.mass;
-        for (const PlayBreak& one : step.events.breaks) broken += massBefore(step, one.body.number);
-        for (const PlaySplit& one : step.events.splits) broken += massBefore(step, one.body.number);
         const double mass = totalMass(step.after), slack = 1e-5 * (totalMass(step.before) + mass);
         const bool isStaticGone =
             std::ranges::any_of(step.events.removed, [](const auto& one) { return one.mass == 0.0; });
         if (isStaticGone) return std::nullopt;
-        if (mass > expected + slack || mass < expected - slack - kMostLost * broken) {
+        const bool mayLose = hasGaps(step) && !(step.events.breaks.empty() && step.events.splits.empty());
+        if (mass > expected + slack || (!mayLose && mass < expected - slack)) {
             return Fault{"", "the mass is " + textOf(mass) + " kg, not " + textOf(expected)};
         }
         return std::nullopt;
     }
 
-    static double massBefore(const StepFacts& step, std::uint32_t number) {
-        const BodyFacts* const body = step.before.find(number);
-        return body != nullptr ? body->mass : 0.0;
+    /// Whether fragments are smaller than their part of the whole, by a gap or by the mortar between bricks.
+    static bool hasGaps(const StepFacts& step) {
+        return std::ranges::any_of(step.session.scene().project.assets, [](const Asset& asset) {
+            return asset.shaping.gap > 0.0 || hasMortar(asset.pattern) ||
+                   std::ranges::any_of(asset.levels, [](const Level& level) { return hasMortar(level.pattern); });
+        });
     }
-
-    static constexpr double kMostLost = 0.2;  // of what breaks, by gaps
+    static bool hasMortar(const Pattern& pattern) {
+        return std::ranges::any_of(pattern.layers, [](const PatternLayer& layer) {
+            const auto* bricks = std::get_if<BrickBond>(&layer.parameters);
+            return bricks != nullptr && bricks->mortar > 0.0;
+        });
+    }
 };
 
 }  // namespace

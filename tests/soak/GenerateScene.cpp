@@ -213,6 +213,12 @@ void setRules(Random& random, Project& project) {
     if (chance(random, 0.1)) project.debris.maxFragments = 1 + static_cast<std::uint32_t>(random.below(20));
 }
 
+/// Moves a scene to a place where positions are coarser.
+void moveFarOut(Random& random, Project& project) {
+    const Vec3 far(random.between(-300.0, 300.0), 0.0, random.between(-300.0, 300.0));
+    for (Instance& instance : project.instances) instance.pose.position += far;
+}
+
 std::optional<RandomScene> attemptedScene(Random& random) {
     RandomScene scene;
     scene.size = chance(random, 0.7) ? magnitudeIn(random, 0.3, 3.0) : magnitudeIn(random, 0.05, 10.0);
@@ -232,6 +238,7 @@ std::optional<RandomScene> attemptedScene(Random& random) {
     const std::uint64_t instances = 1 + random.below(4);
     for (std::uint64_t k = 0; k < instances; ++k) placement.add();
     addMortars(random, project, scene);
+    if (chance(random, 0.03)) moveFarOut(random, project);
     if (verifyProject(project)) return std::nullopt;
     return scene;
 }

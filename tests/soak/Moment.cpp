@@ -60,6 +60,24 @@ Moment momentOf(const Session& session, const Densities& densities) {
     return moment;
 }
 
+std::vector<ThrownBody> thrownBodies(const Session& session, const Densities& densities) {
+    std::vector<ThrownBody> thrown;
+    const PlayScene& scene = session.scene();
+    const PlayEvents& events = session.events();
+    for (const TimedInput& timed : events.inputs) {
+        const auto* shot = std::get_if<ShotInput>(&timed.input);
+        const Throw* const action = shot != nullptr ? std::get_if<Throw>(&shot->action) : nullptr;
+        if (action == nullptr) continue;
+        ThrownBody body{action->mass, action->from};
+        if (action->kind == ProjectileKind::Asset) {
+            const double density = densities.at(findAsset(scene.project, action->asset)->material);
+            body.mass = density * scene.assets.at({action->asset})->whole.shape->mass.volume;
+        }
+        thrown.push_back(body);
+    }
+    return thrown;
+}
+
 std::string textOf(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.6g", value);
@@ -72,7 +90,7 @@ std::vector<std::unique_ptr<Invariant>> invariants() {
     std::vector<std::unique_ptr<Invariant>> all;
     for (const auto make :
          {finiteNumbers, uniqueNumbers, oneComponent, nothingLost, heldByAnchors, heldStays, supportLost, staticOverlap,
-          nothingTunnels, energyGrowth, energyBalance, energySums, freeMomentum, sleepsSupported}) {
+          restingOverlap, nothingTunnels, energyGrowth, energyBalance, energySums, freeMomentum, sleepsSupported}) {
         all.push_back(make());
     }
     return all;

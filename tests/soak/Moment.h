@@ -39,13 +39,21 @@ Densities densitiesOf(const Project& project);
 
 Moment momentOf(const Session& session, const Densities& densities);
 
+/// What was thrown before a step. It may have broken in it.
+struct ThrownBody {
+    double mass = 0.0;  // kg
+    Vec3 from{0.0};     // m
+};
+/// Those of the last step of a session.
+std::vector<ThrownBody> thrownBodies(const Session& session, const Densities& densities);
+
 /// A step as a checker sees it.
 struct StepFacts {
     const Session& session;  // after it
     const Moment& before;
     const Moment& after;
     const PlayEvents& events;
-    std::uint64_t step = 0;
+    std::vector<ThrownBody> thrown;
 
     template <class Input>
     bool hasInput() const {
@@ -77,6 +85,7 @@ public:
 std::vector<std::unique_ptr<Invariant>> invariants();
 
 std::unique_ptr<Invariant> staticOverlap();    // nothing sinks into what is static
+std::unique_ptr<Invariant> restingOverlap();   // what sleeps is not sunk into each other
 std::unique_ptr<Invariant> nothingTunnels();   // nothing passes through what is static
 std::unique_ptr<Invariant> energyGrowth();     // only sources add energy
 std::unique_ptr<Invariant> energyBalance();    // what is told of energy is what happened

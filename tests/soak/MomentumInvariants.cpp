@@ -24,7 +24,6 @@ public:
             for (const std::uint32_t freed : one.freed) join(one.body.number, freed);
             join(one.body.number, one.impactorNumber);
         }
-        for (const PlayRemoval& removal : step.events.removed) exclude(removal.body.number);
         for (const Moment* moment : {&step.before, &step.after}) {
             for (const BodyFacts& one : moment->bodies) {
                 if (!one.isDynamic()) exclude(one.body.number);
@@ -111,7 +110,8 @@ public:
         const bool isActedOn = step.hasInput<ShotInput>() || step.hasInput<MaterialInput>() ||
                                step.hasInput<RemoveInput>() || step.hasInput<GrabInput>() ||
                                step.hasInput<ReleaseInput>();
-        if (isActedOn) return std::nullopt;
+        // The contacts of what was removed at the end of the step are gone.
+        if (isActedOn || !step.events.removed.empty()) return std::nullopt;
         ActingBodies acting(step);
         const std::vector<bool> isFree = acting.freeRoots();
         const std::map<std::uint32_t, Sum> before = sumsOf(step.before, acting, isFree);

@@ -8,9 +8,10 @@
 namespace rubble::soak {
 namespace {
 
-/// How far bodies may sink in: contacts are soft, and what is far heavier than its support presses it in.
+/// How far bodies may sink in, at most in the step of an impact: contacts are soft.
 constexpr double kSinkFloor = 0.005;    // m
 constexpr double kSinkFraction = 0.25;  // of the least width of the body
+constexpr double kSinkOfSize = 0.02;    // of its bounding radius
 
 /// The overlaps with which a scene begins, which play pushes apart: by the origins of both bodies.
 class InitialOverlaps {
@@ -62,13 +63,56 @@ public:
 private:
     std::optional<Fault> faultOf(const StepFacts& step, const BodyFacts& moving, const BodyFacts& fixed,
                                  const BodyHulls::Posed& posed) {
-        const double allowed = m_initial.of(moving, fixed) + std::max(kSinkFloor, kSinkFraction * moving.minWidth);
+        const double allowed = m_initial.of(moving, fixed) + std::max({kSinkFloor, kSinkFraction * moving.minWidth,
+                                                                       kSinkOfSize * moving.boundingRadius});
         const double depth = overlapDepth(m_hulls.of(moving), posed);
         if (depth <= allowed) return std::nullopt;
         return Fault{step.session.nameOf(moving.body), "it is " + textOf(depth) + " m deep in " +
                                                            step.session.nameOf(fixed.body) + ", at most " +
                                                            textOf(allowed) + " m are allowed"};
     }
+
+    BodyHulls m_hulls;
+    InitialOverlaps m_initial;
+};
+
+/// Of bodies at rest: an impact may press fragments into each other for a moment.
+class RestingOverlap : public Invariant {
+public:
+    const char* name() const override { return "resting overlap"; }
+    void start(const Session&, const Moment& moment) override { m_initial.start(moment, m_hulls); }
+
+    std::optional<Fault> check(const StepFacts& step) override {
+        m_hulls.keepOnly(step.after);
+        std::vector<std::pair<const BodyFacts*, BodyHulls::Posed>> bodies;
+        for (const BodyFacts& one : step.after.bodies) {
+            if (one.isDynamic() && one.state.asleep) bodies.emplace_back(&one, m_hulls.of(one));
+        }
+        for (std::size_t k = 0; k < bodies.size(); ++k) {
+            for (std::size_t other = k + 1; other < bodies.size(); ++other) {
+                if (std::optional<Fault> fault = faultOf(step, bodies[k], bodies[other])) return fault;
+            }
+        }
+        return std::nullopt;
+    }
+
+private:
+    using Placed = std::pair<const BodyFacts*, BodyHulls::Posed>;
+
+    std::optional<Fault> faultOf(const StepFacts& step, const Placed& one, const Placed& other) const {
+        const double depth = overlapDepth(one.second, other.second);
+        if (depth <= kSinkFloor) return std::nullopt;
+        const double width = std::min(one.first->minWidth, other.first->minWidth);
+        const double size = std::min(one.first->boundingRadius, other.first->boundingRadius);
+        const double allowed =
+            m_initial.of(*one.first, *other.first) + std::max({kSinkFloor, kMostOfWidth * width, kSinkOfSize * size});
+        if (depth <= allowed) return std::nullopt;
+        return Fault{step.session.nameOf(one.first->body), "it is " + textOf(depth) + " m deep in " +
+                                                               step.session.nameOf(other.first->body) + ", at most " +
+                                                               textOf(allowed) + " m are allowed"};
+    }
+
+    static constexpr double kMostOfWidth = 0.5;  // beyond it bodies may come out on the other side
 
     BodyHulls m_hulls;
     InitialOverlaps m_initial;
@@ -135,6 +179,7 @@ private:
 }  // namespace
 
 std::unique_ptr<Invariant> staticOverlap() { return std::make_unique<StaticOverlap>(); }
+std::unique_ptr<Invariant> restingOverlap() { return std::make_unique<RestingOverlap>(); }
 std::unique_ptr<Invariant> nothingTunnels() { return std::make_unique<NothingTunnels>(); }
 
 }  // namespace rubble::soak

@@ -142,7 +142,7 @@ private:
         m_outcome.breaks += m_session.events().breaks.size();
         m_outcome.splits += m_session.events().splits.size();
         Moment after = momentOf(m_session, m_densities);
-        check({m_session, m_before, after, m_session.events(), m_outcome.steps});
+        check({m_session, m_before, after, m_session.events(), thrownBodies(m_session, m_densities)});
         m_before = std::move(after);
         m_traces.push_back(traceOf(m_session));
         stepShadows();

@@ -1,8 +1,9 @@
-// Nothing sleeps in the air, or where it would tip over.
+// Nothing sleeps in the air, or where it would slide or tip over.
 #include "core/base/math/Trigonometry.h"
 #include "tests/soak/Moment.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numbers>
 #include <set>
@@ -10,6 +11,8 @@
 namespace rubble::soak {
 namespace {
 
+constexpr double kParallel = 0.9999;    // cosine: contacts of one plane
+constexpr double kSlope = 0.01;         // tangent
 constexpr double kUpright = 0.99;       // cosine: contacts whose normals are as good as vertical
 constexpr double kOffFraction = 0.005;  // of the bounding radius: how far the centre may be beyond its support
 constexpr double kOffFloor = 5e-4;      // m
@@ -59,6 +62,9 @@ public:
             if (!one.isDynamic() || !one.state.asleep) continue;
             const std::string name = step.session.nameOf(one.body);
             if (!supported.contains(one.body.body)) return Fault{name, "it sleeps, and nothing static supports it"};
+            if (const double slope = beyondFriction(step, one, contacts[one.body.body]); slope > kSlope) {
+                return Fault{name, "it sleeps on a slope that is " + textOf(slope) + " beyond its friction"};
+            }
             const double off = beyondSupport(step, one, contacts[one.body.body]);
             if (off <= std::max(kOffFloor, kOffFraction * one.boundingRadius)) continue;
             return Fault{name, "it sleeps, with its centre " + textOf(off) + " m beyond what it stands on"};
@@ -67,15 +73,34 @@ public:
     }
 
 private:
+    static bool isStatic(const World& world, BodyId body) {
+        return !world.contains(body) || world.kind(body) != BodyKind::Dynamic;
+    }
+
+    /// How much steeper than its friction allows a body lies that touches static planes of one direction only.
+    static double beyondFriction(const StepFacts& step, const BodyFacts& one, const std::vector<ContactPoint>& points) {
+        const World& world = step.session.world();
+        if (points.empty()) return 0.0;
+        const Vec3 normal = points.front().normal;
+        double friction = 0.0;
+        for (const ContactPoint& point : points) {
+            const BodyId other = otherOf(point, one.body.body);
+            if (!world.contains(other) || !isStatic(world, other)) return 0.0;
+            if (std::abs(glm::dot(point.normal, normal)) < kParallel) return 0.0;
+            friction = std::max(friction, std::sqrt(world.friction(one.body.body) * world.friction(other)));
+        }
+        const double across = std::abs(glm::dot(step.after.gravity, normal));
+        const double along = glm::length(step.after.gravity - glm::dot(step.after.gravity, normal) * normal);
+        return along / std::max(across, 1e-9) - friction;
+    }
+
     /// How far the centre of a body is beyond the contacts that carry it, m; 0 where not all of these are vertical, or
     /// not all with what is static.
     static double beyondSupport(const StepFacts& step, const BodyFacts& one, const std::vector<ContactPoint>& points) {
         const Vec3 up = -glm::normalize(step.after.gravity);
         const auto isPlain = [&](const ContactPoint& point) {
-            const BodyId other = otherOf(point, one.body.body);
-            const bool isStatic =
-                !step.session.world().contains(other) || step.session.world().kind(other) != BodyKind::Dynamic;
-            return isStatic && std::abs(glm::dot(point.normal, up)) >= kUpright;
+            const bool isOnStatic = isStatic(step.session.world(), otherOf(point, one.body.body));
+            return isOnStatic && std::abs(glm::dot(point.normal, up)) >= kUpright;
         };
         if (points.empty() || !std::ranges::all_of(points, isPlain)) return 0.0;
         const Vec3 side = glm::normalize(glm::cross(up, std::abs(up.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 0, 1)));
