@@ -9,13 +9,13 @@ namespace rubble::soak {
 double magnitudeIn(Random& random, double low, double high);
 /// Whether something happens that has a probability.
 bool chance(Random& random, double probability);
-/// A rotation: mostly none, else a quarter turn about an axis, or any.
+/// A rotation: mostly none, else by 90 degrees about an axis, or any.
 Quat randomRotation(Random& random);
 /// Uniform on the unit sphere.
 Vec3 randomDirection(Random& random);
 
-/// A prism with an extent of about `size`, m, about the origin: a box, plate or beam, an L, a gable, a frame with holes,
-/// a convex or a star-shaped polygon.
+/// A prism of about `size`, m, around the origin: a box, plate or beam, an L, a gable, a portal, a frame, a convex or a
+/// star-shaped polygon.
 Prism randomPrism(Random& random, double size);
 
 /// Layers of any kinds for a prism of that size, with ids from `nextId` on.

@@ -85,7 +85,7 @@ public:
 std::vector<std::unique_ptr<Invariant>> invariants();
 
 std::unique_ptr<Invariant> staticOverlap();    // nothing sinks into what is static
-std::unique_ptr<Invariant> restingOverlap();   // what sleeps is not sunk into each other
+std::unique_ptr<Invariant> restingOverlap();   // sleeping bodies are not inside of each other
 std::unique_ptr<Invariant> nothingTunnels();   // nothing passes through what is static
 std::unique_ptr<Invariant> energyGrowth();     // only sources add energy
 std::unique_ptr<Invariant> energyBalance();    // what is told of energy is what happened
