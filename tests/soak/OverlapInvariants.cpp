@@ -160,11 +160,15 @@ private:
         return std::nullopt;
     }
 
+    static bool isSame(const PlayBody& one, const PlayBody& other) {
+        return one.fragment == other.fragment && one.structure == other.structure && one.nodes == other.nodes;
+    }
+
     /// The centre of a body that lies in one of its hulls cannot come out on the other side of something.
     std::optional<Fault> passedThrough(const StepFacts& step, const BodyFacts& moving, const BodyFacts& fixed,
                                        const BodyHulls::Posed& posed) {
         const BodyFacts* const before = step.before.find(moving.body.number);
-        if (before == nullptr || before->body.nodes.size() != moving.body.nodes.size()) return std::nullopt;
+        if (before == nullptr || !isSame(before->body, moving.body)) return std::nullopt;
         if (!contains(m_hulls.of(moving), moving.state.centre)) return std::nullopt;
         const double length = lengthThrough(posed, before->state.centre, moving.state.centre);
         if (length <= std::max(0.001, kSinkFraction * moving.minWidth)) return std::nullopt;

@@ -1,6 +1,7 @@
 #include "tests/soak/Shrink.h"
 
 #include "core/asset/checks/VerifyProject.h"
+#include "core/base/math/Power.h"
 #include "tests/soak/ChildProcess.h"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ public:
         : m_best{std::move(one), std::move(failure)}, m_attempts(attempts) {}
 
     ShrunkCase shrunk() {
-        attempt([&](SoakCase& one) { one.steps = m_best.failure.step; });
+        attempt([&](SoakCase& one) { endAfter(one, m_best.failure.step); });
         for (std::size_t before = 0, now = sizeOf(m_best.one); before != now && m_attempts > 0;) {
             before = now;
             dropParts();
@@ -48,6 +49,14 @@ private:
         return size;
     }
 
+    /// Leaves out what comes after a step.
+    static void endAfter(SoakCase& one, std::uint64_t step) {
+        one.steps = std::clamp<std::uint64_t>(step, 1, one.steps);
+        std::erase_if(one.inputs, [&](const TimedInput& timed) { return timed.step >= one.steps; });
+        std::erase_if(one.rewinds, [&](const Rewind& rewind) { return rewind.step + rewind.steps > one.steps; });
+        std::erase_if(one.saves, [&](std::uint64_t save) { return save > one.steps; });
+    }
+
     /// Whether a changed case still breaks the promise; it is then the best one.
     bool attempt(const std::function<void(SoakCase&)>& change) {
         if (m_attempts <= 0) return false;
@@ -60,7 +69,7 @@ private:
         const auto isSame = [&](const Failure& one) { return one.invariant == m_best.failure.invariant; };
         const auto found = std::ranges::find_if(outcome.failures, isSame);
         if (found == outcome.failures.end()) return false;
-        changed.steps = std::min(changed.steps, std::max<std::uint64_t>(1, found->step));
+        endAfter(changed, found->step);
         m_best = {std::move(changed), *found};
         return true;
     }
@@ -110,6 +119,10 @@ private:
                 });
             };
             change([](Asset& asset) { asset.levels.clear(); });
+            change([](Asset& asset) { asset.breakAs = BreakAs::Whole; });
+            change([](Asset& asset) {
+                if (asset.breakAs == BreakAs::Whole) asset.bonding = {};
+            });
             change([](Asset& asset) { asset.bonding.clusters.clear(); });
             change([](Asset& asset) { asset.bonding.strokes.clear(); });
             change([](Asset& asset) { asset.bonding.heightStrengths.clear(); });
@@ -196,7 +209,41 @@ private:
             }
             for (std::size_t k = 0; k < m_best.one.project.assets.size(); ++k) {
                 attempt([&](SoakCase& one) { roundPrism(one.project.assets[k].prism, unit); });
+                attempt([&](SoakCase& one) { roundStrength(one.project.assets[k], unit); });
             }
+            for (std::size_t k = 0; k < m_best.one.inputs.size(); ++k) {
+                attempt([&](SoakCase& one) { roundInput(one.inputs[k].input, unit); });
+            }
+        }
+    }
+
+    /// To digits of the value itself: it may be of any size.
+    static void roundDigits(double& value, double unit) {
+        if (value > 0.0) value = rounded(value, unit * power(10.0, std::floor(std::log10(value))));
+    }
+
+    static void roundStrength(Asset& asset, double unit) {
+        roundDigits(asset.threshold, unit);
+        roundDigits(asset.bonding.radius, unit);
+        roundDigits(asset.bonding.span, unit);
+        roundDigits(asset.bonding.damageFrom, unit);
+        if (asset.bonding.impulsePerArea) roundDigits(*asset.bonding.impulsePerArea, unit);
+    }
+
+    static void roundInput(PlayInput& input, double unit) {
+        auto* const shot = std::get_if<ShotInput>(&input);
+        if (shot == nullptr) return;
+        if (auto* thrown = std::get_if<Throw>(&shot->action)) {
+            thrown->from = rounded(thrown->from, unit);
+            thrown->to = rounded(thrown->to, unit);
+            for (double* value : {&thrown->mass, &thrown->speed, &thrown->size.x, &thrown->size.y, &thrown->size.z})
+                roundDigits(*value, unit);
+        } else if (auto* blow = std::get_if<Hammer>(&shot->action)) {
+            blow->at = rounded(blow->at, unit);
+        } else if (auto* blast = std::get_if<Explosion>(&shot->action)) {
+            blast->at = rounded(blast->at, unit);
+            roundDigits(blast->impulse, unit);
+            roundDigits(blast->radius, unit);
         }
     }
 
