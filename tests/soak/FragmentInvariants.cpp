@@ -10,14 +10,13 @@
 namespace rubble::soak {
 namespace {
 
-/// Joins the nodes of a structure that unbroken bonds connect.
-DisjointSets joinedNodes(const StructureState& state) {
-    DisjointSets sets(state.structure->nodeCount());
-    const std::vector<Bond>& bonds = state.structure->graph.bonds;
+/// Joins the nodes of a structure that unbroken bonds connect; those without strength hold nothing. No `damage`: intact.
+DisjointSets joinedNodes(const PlayStructure& structure, const std::vector<BondDamage>& damage) {
+    DisjointSets sets(structure.nodeCount());
+    const std::vector<Bond>& bonds = structure.graph.bonds;
     for (std::uint32_t bond = 0; bond < bonds.size(); ++bond) {
-        if (bonds[bond].second != kNone && state.damage[bond] != kBroken) {
-            sets.merge(bonds[bond].first, bonds[bond].second);
-        }
+        const bool isBroken = structure.capacities[bond] <= 0.0 || (!damage.empty() && damage[bond] == kBroken);
+        if (bonds[bond].second != kNone && !isBroken) sets.merge(bonds[bond].first, bonds[bond].second);
     }
     return sets;
 }
@@ -27,25 +26,47 @@ public:
     const char* name() const override { return "one component"; }
     std::optional<Fault> check(const StepFacts& step) override {
         std::vector<DisjointSets> sets;
-        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> bodyOfRoot;  // by structure and root
-        for (const StructureState& state : step.session.structures()) sets.push_back(joinedNodes(state));
+        BodyOfRoot bodyOfRoot;
+        for (const StructureState& state : step.session.structures()) {
+            sets.push_back(joinedNodes(*state.structure, state.damage));
+        }
         for (const BodyFacts& one : step.after.bodies) {
-            if (one.body.structure == kNone) continue;
-            DisjointSets& joined = sets[one.body.structure];
-            const std::uint32_t root = joined.rootOf(one.body.nodes.front());
-            for (const std::uint32_t node : one.body.nodes) {
-                if (joined.rootOf(node) != root) {
-                    return Fault{step.session.nameOf(one.body),
-                                 "its node " + std::to_string(node) + " has no unbroken bond to the others"};
-                }
-            }
-            const auto [known, isNew] = bodyOfRoot.emplace(std::pair(one.body.structure, root), one.body.number);
-            if (!isNew) {
-                return Fault{step.session.nameOf(one.body),
-                             "an unbroken bond joins it to body " + std::to_string(known->second)};
-            }
+            const bool isIntact = one.body.structure == kNone;
+            std::optional<Fault> fault = isIntact ? intactFault(step, one.body)
+                                                  : partFault(step, one.body, sets[one.body.structure], bodyOfRoot);
+            if (fault) return fault;
         }
         return std::nullopt;
+    }
+
+private:
+    using BodyOfRoot = std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>;  // by structure and root
+
+    /// Of a body of which no bond was hit.
+    static std::optional<Fault> intactFault(const StepFacts& step, const PlayBody& body) {
+        if (body.bondedFracture() == nullptr) return std::nullopt;
+        const auto structure = structureIn(step.session.scene(), step.session.origins()[body.origin], body.fragment);
+        if (structure == nullptr) return std::nullopt;
+        DisjointSets joined = joinedNodes(*structure, {});
+        for (std::uint32_t node = 0; node < structure->nodeCount(); ++node) {
+            if (joined.rootOf(node) == 0) continue;
+            return Fault{step.session.nameOf(body),
+                         "no bond with any strength joins its node " + std::to_string(node) + " to the others"};
+        }
+        return std::nullopt;
+    }
+
+    static std::optional<Fault> partFault(const StepFacts& step, const PlayBody& body, DisjointSets& joined,
+                                          BodyOfRoot& bodyOfRoot) {
+        const std::uint32_t root = joined.rootOf(body.nodes.front());
+        for (const std::uint32_t node : body.nodes) {
+            if (joined.rootOf(node) == root) continue;
+            return Fault{step.session.nameOf(body),
+                         "its node " + std::to_string(node) + " has no unbroken bond to the others"};
+        }
+        const auto [known, isNew] = bodyOfRoot.emplace(std::pair(body.structure, root), body.number);
+        if (isNew) return std::nullopt;
+        return Fault{step.session.nameOf(body), "an unbroken bond joins it to body " + std::to_string(known->second)};
     }
 };
 

@@ -16,7 +16,10 @@ struct BondedInstance {
     const PlayStructure* structure = nullptr;
     const StructureState* state = nullptr;          // null: intact
     std::map<std::uint32_t, std::uint32_t> bodyOf;  // number of the body that has a node
-    bool isBroken(std::uint32_t bond) const { return state != nullptr && state->damage[bond] == kBroken; }
+    /// A bond without strength holds nothing.
+    bool isBroken(std::uint32_t bond) const {
+        return structure->capacities[bond] <= 0.0 || (state != nullptr && state->damage[bond] == kBroken);
+    }
 };
 
 bool isOfWhole(const PlayBody& body) { return body.fragment == kNone && body.asset != nullptr && body.asset->isBonded; }

@@ -37,6 +37,13 @@ std::vector<double> sidewaysDistances(const PlayStructure& structure, const std:
     return distances;
 }
 
+/// Bonds without strength hold nothing.
+std::vector<BondDamage> intactBonds(const PlayStructure& structure) {
+    std::vector<BondDamage> damage;
+    for (const double capacity : structure.capacities) damage.push_back(capacity > 0.0 ? kIntact : kBroken);
+    return damage;
+}
+
 class SupportLost : public Invariant {
 public:
     const char* name() const override { return "support lost"; }
@@ -63,8 +70,7 @@ private:
         if (body == nullptr || !body->body.isHeld || body->body.structure != split.body.structure) return std::nullopt;
         const Vec3 up = glm::conjugate(body->state.pose.orientation) * -glm::normalize(step.before.gravity);
         const std::vector<BondDamage>& damage = m_damage[split.body.structure];
-        const std::vector<BondDamage> intact(damage.size(), kIntact);
-        const std::vector<double> first = sidewaysDistances(structure, intact, up, {});
+        const std::vector<double> first = sidewaysDistances(structure, intactBonds(structure), up, {});
         const std::vector<double> now = sidewaysDistances(structure, damage, up, {});
         std::vector<bool> lost(first.size());
         for (std::size_t node = 0; node < first.size(); ++node) lost[node] = now[node] > first[node] + 1e-9;
