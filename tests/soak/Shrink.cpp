@@ -1,22 +1,29 @@
 #include "tests/soak/Shrink.h"
 
 #include "core/asset/checks/VerifyProject.h"
-#include "core/base/math/Power.h"
 #include "tests/soak/ChildProcess.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <set>
 
 namespace rubble::soak {
 namespace {
 
-/// A number with fewer digits; 0 where it is small.
-double rounded(double value, double unit) { return std::round(value / unit) * unit; }
+/// The nearest decimal number with so many digits behind the point.
+double rounded(double value, int digits) {
+    const std::string text = [&] {
+        char written[400];
+        std::snprintf(written, sizeof written, "%.*f", digits, value);
+        return std::string(written);
+    }();
+    return std::strtod(text.c_str(), nullptr);
+}
 
-Vec3 rounded(Vec3 value, double unit) {
-    return {rounded(value.x, unit), rounded(value.y, unit), rounded(value.z, unit)};
+Vec3 rounded(Vec3 value, int digits) {
+    return {rounded(value.x, digits), rounded(value.y, digits), rounded(value.z, digits)};
 }
 
 /// Makes a case smaller in one way after the other, as long as it fails.
@@ -200,56 +207,58 @@ private:
     }
 
     void simplifyNumbers() {
-        for (const double unit : {0.1, 0.01, 0.001}) {
+        for (const int digits : {1, 2, 3}) {
             for (std::size_t k = 0; k < m_best.one.project.instances.size(); ++k) {
                 attempt([&](SoakCase& one) {
                     Vec3& position = one.project.instances[k].pose.position;
-                    position = rounded(position, unit);
+                    position = rounded(position, digits);
                 });
             }
             for (std::size_t k = 0; k < m_best.one.project.assets.size(); ++k) {
-                attempt([&](SoakCase& one) { roundPrism(one.project.assets[k].prism, unit); });
-                attempt([&](SoakCase& one) { roundStrength(one.project.assets[k], unit); });
+                attempt([&](SoakCase& one) { roundPrism(one.project.assets[k].prism, digits); });
+                attempt([&](SoakCase& one) { roundStrength(one.project.assets[k], digits); });
             }
             for (std::size_t k = 0; k < m_best.one.inputs.size(); ++k) {
-                attempt([&](SoakCase& one) { roundInput(one.inputs[k].input, unit); });
+                attempt([&](SoakCase& one) { roundInput(one.inputs[k].input, digits); });
             }
         }
     }
 
-    /// To digits of the value itself: it may be of any size.
-    static void roundDigits(double& value, double unit) {
-        if (value > 0.0) value = rounded(value, unit * power(10.0, std::floor(std::log10(value))));
+    /// To so many digits from its first: it may be of any size.
+    static void roundDigits(double& value, int digits) {
+        char written[40];
+        std::snprintf(written, sizeof written, "%.*g", digits, value);
+        value = std::strtod(written, nullptr);
     }
 
-    static void roundStrength(Asset& asset, double unit) {
-        roundDigits(asset.threshold, unit);
-        roundDigits(asset.bonding.radius, unit);
-        roundDigits(asset.bonding.span, unit);
-        roundDigits(asset.bonding.damageFrom, unit);
-        if (asset.bonding.impulsePerArea) roundDigits(*asset.bonding.impulsePerArea, unit);
+    static void roundStrength(Asset& asset, int digits) {
+        roundDigits(asset.threshold, digits);
+        roundDigits(asset.bonding.radius, digits);
+        roundDigits(asset.bonding.span, digits);
+        roundDigits(asset.bonding.damageFrom, digits);
+        if (asset.bonding.impulsePerArea) roundDigits(*asset.bonding.impulsePerArea, digits);
     }
 
-    static void roundInput(PlayInput& input, double unit) {
+    static void roundInput(PlayInput& input, int digits) {
         auto* const shot = std::get_if<ShotInput>(&input);
         if (shot == nullptr) return;
         if (auto* thrown = std::get_if<Throw>(&shot->action)) {
-            thrown->from = rounded(thrown->from, unit);
-            thrown->to = rounded(thrown->to, unit);
+            thrown->from = rounded(thrown->from, digits);
+            thrown->to = rounded(thrown->to, digits);
             for (double* value : {&thrown->mass, &thrown->speed, &thrown->size.x, &thrown->size.y, &thrown->size.z})
-                roundDigits(*value, unit);
+                roundDigits(*value, digits);
         } else if (auto* blow = std::get_if<Hammer>(&shot->action)) {
-            blow->at = rounded(blow->at, unit);
+            blow->at = rounded(blow->at, digits);
         } else if (auto* blast = std::get_if<Explosion>(&shot->action)) {
-            blast->at = rounded(blast->at, unit);
-            roundDigits(blast->impulse, unit);
-            roundDigits(blast->radius, unit);
+            blast->at = rounded(blast->at, digits);
+            roundDigits(blast->impulse, digits);
+            roundDigits(blast->radius, digits);
         }
     }
 
-    static void roundPrism(Prism& prism, double unit) {
-        for (Vec2& point : prism.outline.outer) point = {rounded(point.x, unit), rounded(point.y, unit)};
-        prism.depth = std::max(unit, rounded(prism.depth, unit));
+    static void roundPrism(Prism& prism, int digits) {
+        for (Vec2& point : prism.outline.outer) point = {rounded(point.x, digits), rounded(point.y, digits)};
+        if (const double depth = rounded(prism.depth, digits); depth > 0.0) prism.depth = depth;
     }
 
     ShrunkCase m_best;

@@ -61,7 +61,8 @@ private:
     std::optional<Fault> faultOf(const StepFacts& step, const PlaySplit& split) const {
         const bool isCollapse = split.body.isHeld && split.impactorNumber == kNone && split.impulse == 0.0;
         const bool isActedOn = step.hasInput<RemoveInput>() || step.hasInput<ShotInput>() ||
-                               step.hasInput<GravityInput>() || step.before.gravity == Vec3(0.0);
+                               step.hasInput<BreakInput>() || step.hasInput<GravityInput>() ||
+                               step.before.gravity == Vec3(0.0);
         if (!isCollapse || isActedOn || split.body.structure >= m_damage.size()) return std::nullopt;
         const StructureState& state = step.session.structures()[split.body.structure];
         const PlayStructure& structure = *state.structure;
