@@ -66,6 +66,8 @@ private:
             thrown.asset = project().assets[m_random.below(project().assets.size())].id;
         }
         if (thrown.kind == ProjectileKind::Plank) thrown.size.z *= 4.0;
+        constexpr double kDensest = 2e4;  // kg/m³: heavier than lead is nothing
+        thrown.mass = std::min(thrown.mass, kDensest * thrown.size.x * thrown.size.y * thrown.size.z);
         return thrown;
     }
 

@@ -20,6 +20,13 @@ void addNodes(BodyFacts& facts, double density) {
     facts.massCentre = facts.state.pose.position + facts.state.pose.orientation * (moment / volume - frameOf(body));
 }
 
+/// The angular momentum about the centre of mass; `unit`: at density 1.
+Vec3 spinOf(const BodyFacts& facts, const MassProperties& unit) {
+    const Quat& orientation = facts.state.pose.orientation;
+    const Vec3 turning = glm::conjugate(orientation) * facts.state.angularVelocity;
+    return orientation * ((facts.mass / unit.volume) * unit.inertia * turning);
+}
+
 BodyFacts factsOf(const Session& session, const PlayBody& body, const Densities& densities) {
     const World& world = session.world();
     const Shape& shape = world.shape(body.body);
@@ -29,6 +36,7 @@ BodyFacts factsOf(const Session& session, const PlayBody& body, const Densities&
     facts.boundingRadius = shape.boundingRadius;
     facts.minWidth = shape.minWidth;
     facts.kinetic = kineticEnergy(world, body.body);
+    facts.spin = spinOf(facts, shape.mass);
     if (facts.isDynamic() || body.asset == nullptr) return facts;
     const double density = densities.at(findAsset(session.scene().project, body.asset->bake->asset)->material);
     facts.mass = density * shape.mass.volume;

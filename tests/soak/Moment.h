@@ -18,6 +18,7 @@ struct BodyFacts {
     double mass = 0.0;            // kg, also of what does not move; 0 for the ground
     Vec3 massCentre{0.0};         // m, in the world; of a held body that of what is left of it
     double kinetic = 0.0;         // J
+    Vec3 spin{0.0};               // kg·m²/s: its angular momentum about its centre
     double boundingRadius = 0.0;  // m
     double minWidth = 0.0;        // m: of its thinnest hull
 

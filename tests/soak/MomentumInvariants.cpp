@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kRelative = 1e-4;  // single precision, summed over sub-steps
 constexpr double kDrift = 1e-3;     // m/s: slower motion may end
+constexpr double kAngular = 0.002;  // of the angular momentum
 
 /// Bodies that acted on each other in a step.
 class ActingBodies {
@@ -77,20 +78,42 @@ private:
     std::vector<bool> m_isFree;  // by number
 };
 
-/// The momentum of several bodies.
+/// Several bodies, as one.
 struct Sum {
+    std::vector<const BodyFacts*> bodies;
     double mass = 0.0;
     Vec3 momentum{0.0};
+    Vec3 centre{0.0};     // m, times the mass while bodies are added
     double moving = 0.0;  // kg·m/s: the sum of the amounts
-    std::uint32_t body = kNone;
-    std::size_t bodies = 0;
 
     void add(const BodyFacts& one) {
+        bodies.push_back(&one);
         mass += one.mass;
         momentum += one.mass * one.state.velocity;
+        centre += one.mass * one.state.centre;
         moving += one.mass * glm::length(one.state.velocity);
-        body = std::min(body, one.body.number);
-        ++bodies;
+    }
+};
+
+/// The angular momentum of bodies about their common centre.
+struct AngularSum {
+    Vec3 momentum{0.0};  // kg·m²/s
+    double amounts = 0.0;
+    double arms = 0.0;    // kg·m
+    double energy = 0.0;  // J, twice that of the motion about the common centre
+
+    explicit AngularSum(const Sum& sum) {
+        const Vec3 centre = sum.centre / sum.mass, velocity = sum.momentum / sum.mass;
+        for (const BodyFacts* body : sum.bodies) {
+            const Vec3 arm = body->state.centre - centre;
+            const Vec3 orbital = body->mass * glm::cross(arm, body->state.velocity - velocity);
+            momentum += body->spin + orbital;
+            amounts +=
+                glm::length(body->spin) + body->mass * glm::length(arm) * glm::distance(body->state.velocity, velocity);
+            energy += body->mass * glm::dot(body->state.velocity - velocity, body->state.velocity - velocity) +
+                      std::abs(glm::dot(body->spin, body->state.angularVelocity));
+            arms += body->mass * (glm::length(arm) + body->boundingRadius);
+        }
     }
 };
 
@@ -130,12 +153,29 @@ private:
         const double fall = glm::length(step.after.gravity) * step.session.stepLength();
         const double slack = kRelative * (before.moving + after.moving + after.mass * fall) + kDrift * after.mass;
         const double wrong = glm::distance(after.momentum, expected);
+        if (wrong > slack) {
+            return fault(step, after, "velocity by " + textOf(wrong / after.mass) + " m/s beyond gravity");
+        }
+        return angularFault(step, before, after);
+    }
+
+    static std::optional<Fault> angularFault(const StepFacts& step, const Sum& before, const Sum& after) {
+        const AngularSum first(before), last(after);
+        const double wrong = glm::distance(first.momentum, last.momentum);
+        double slack = kAngular * (first.amounts + last.amounts) + kDrift * (first.arms + last.arms);
+        // Contacts act where bodies touched at the beginning of the step; in the end these are elsewhere.
+        const bool isTouching = before.bodies.size() > 1 || after.bodies.size() > 1;
+        if (isTouching) slack += step.session.stepLength() * (first.energy + last.energy);
         if (wrong <= slack) return std::nullopt;
-        const BodyFacts* const body = step.after.find(after.body);
-        const bool isAsleep = body->state.asleep;
-        return Fault{step.session.nameOf(body->body),
-                     std::to_string(after.bodies) + " bodies that touch nothing static change their velocity by " +
-                         textOf(wrong / after.mass) + " m/s beyond gravity" + (isAsleep ? ", asleep" : "")};
+        return fault(step, after,
+                     "angular momentum by " + textOf(wrong) + " kg·m²/s, of " + textOf(glm::length(first.momentum)));
+    }
+
+    static Fault fault(const StepFacts& step, const Sum& after, const std::string& change) {
+        const BodyFacts& body = *after.bodies.front();
+        return {step.session.nameOf(body.body), std::to_string(after.bodies.size()) +
+                                                    " bodies that touch nothing static change their " + change +
+                                                    (body.state.asleep ? ", asleep" : "")};
     }
 };
 
