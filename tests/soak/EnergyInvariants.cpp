@@ -46,7 +46,7 @@ public:
     double before() const { return m_before; }          // J: with the gravity of the step
     double after() const { return m_after; }            // J
     double given() const { return m_given; }            // J: by sources
-    double changed() const { return m_changed; }        // J: by sources and breaks, as told
+    double work() const { return m_work; }              // J: the same, less what sources took
     double peak() const { return m_peak; }              // J: of all that moved, so far
     double rounding() const { return m_rounding; }      // J: of contacts that give way
     double freeFlight() const { return m_freeFlight; }  // J: how exact the integration of gravity is
@@ -79,7 +79,7 @@ private:
 
     void findEnergies(const StepFacts& step) {
         m_lowest = std::numeric_limits<double>::max();
-        m_before = m_after = m_given = m_changed = m_rounding = m_freeFlight = m_asleep = 0.0;
+        m_before = m_after = m_given = m_work = m_rounding = m_freeFlight = m_asleep = 0.0;
         for (const Moment* moment : {&step.before, &step.after}) {
             for (const BodyFacts& one : moment->bodies) {
                 if (one.mass > 0.0) m_lowest = std::min(m_lowest, heightOf(step, one.massCentre));
@@ -103,12 +103,12 @@ private:
     void addSources(const StepFacts& step) {
         for (const EnergyEntry& entry : step.events.energy) {
             m_given += std::max(0.0, entry.given);
-            m_changed += entry.after - entry.before;
+            m_work += entry.given;
         }
         for (const ThrownBody& thrown : step.thrown) {
             const double potential = thrown.mass * (heightOf(step, thrown.from) - m_lowest);
             m_given += potential;
-            m_changed += potential;
+            m_work += potential;
         }
     }
 
@@ -120,7 +120,7 @@ private:
     double m_before = 0.0;
     double m_after = 0.0;
     double m_given = 0.0;
-    double m_changed = 0.0;
+    double m_work = 0.0;
     double m_peak = 0.0;
     double m_rounding = 0.0;
     double m_freeFlight = 0.0;
@@ -171,8 +171,7 @@ public:
 private:
     std::optional<Fault> faultOf(const StepFacts& step) const override {
         if (!step.events.removed.empty() || step.hasInput<RemoveInput>() || losesMass(step)) return std::nullopt;
-        const double loss = step.session.world().events().contactLoss;
-        const double told = m_book.before() + m_book.changed() - loss;
+        const double told = m_book.before() + m_book.work() - step.events.told.energy();
         const double slack =
             kGrowth * m_book.peak() + m_book.rounding() + m_book.freeFlight() + m_book.asleep() + kSmallest;
         const double missing = m_book.after() - told;
@@ -191,10 +190,8 @@ private:
         const auto fault = [&](const char* what, double energy) {
             return Fault{"", std::string(what) + " is " + partOf(energy, m_book.peak())};
         };
-        if (const double loss = step.session.world().events().contactLoss; loss < least) {
-            return fault("contactLoss", loss);
-        }
         const EventReport& told = step.events.told;
+        if (told.energy() < least) return fault("what is told of the step", told.energy());
         if (told.restEnergy < least) return fault("restEnergy", told.restEnergy);
         for (const OmittedEvents& omitted : told.omitted) {
             if (omitted.energy < least) return fault("what is omitted", omitted.energy);

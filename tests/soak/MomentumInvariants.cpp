@@ -1,6 +1,6 @@
 // Only gravity changes the momentum of what touches nothing static.
 #include "core/base/DisjointSets.h"
-#include "tests/soak/Moment.h"
+#include "tests/soak/BodyHulls.h"
 
 #include <algorithm>
 #include <map>
@@ -12,11 +12,20 @@ constexpr double kRelative = 1e-4;  // single precision, summed over sub-steps
 constexpr double kDrift = 1e-3;     // m/s: slower motion may end
 constexpr double kAngular = 0.002;  // of the angular momentum
 
-/// Bodies that acted on each other in a step.
+/// Bodies that may have acted on each other in a step: all that came near, whatever the simulation says of contacts.
 class ActingBodies {
 public:
-    explicit ActingBodies(const StepFacts& step) : m_step(step), m_sets(countOf(step)), m_isFree(countOf(step), true) {
-        for (const ContactPoint& point : step.session.world().contactPoints()) joinContact(point);
+    ActingBodies(const StepFacts& step, BodyHulls& hulls) : m_sets(countOf(step)), m_boxes(countOf(step)) {
+        m_isFree.assign(m_boxes.size(), true);
+        for (const Moment* moment : {&step.before, &step.after}) {
+            const double forwards = (moment == &step.before ? 1.0 : -1.0) * step.session.stepLength();
+            for (const BodyFacts& one : moment->bodies) include(one, forwards, hulls);
+        }
+        for (std::uint32_t first = 0; first < m_boxes.size(); ++first) {
+            for (std::uint32_t second = first + 1; second < m_boxes.size(); ++second) {
+                if (!isApart(m_boxes[first], m_boxes[second])) join(first, second);
+            }
+        }
         for (const PlayBreak& one : step.events.breaks) {
             for (std::uint32_t k = 0; k < one.fragmentCount; ++k) join(one.body.number, one.firstFragment + k);
             join(one.body.number, one.impactorNumber);
@@ -25,16 +34,13 @@ public:
             for (const std::uint32_t freed : one.freed) join(one.body.number, freed);
             join(one.body.number, one.impactorNumber);
         }
-        for (const Moment* moment : {&step.before, &step.after}) {
-            for (const BodyFacts& one : moment->bodies) {
-                if (!one.isDynamic()) exclude(one.body.number);
-            }
+        if (const auto spring = step.session.world().grabSpring()) {
+            m_isFree[static_cast<std::size_t>(step.session.world().tag(spring->body))] = false;
         }
-        if (const auto spring = step.session.world().grabSpring()) exclude(numberOf(spring->body));
     }
 
     std::uint32_t rootOf(std::uint32_t number) { return m_sets.rootOf(number); }
-    /// The roots of what touched nothing static and was not grabbed.
+    /// The roots of what came near nothing static and was not grabbed.
     std::vector<bool> freeRoots() {
         std::vector<bool> isFree(m_isFree.size(), true);
         for (std::uint32_t number = 0; number < m_isFree.size(); ++number) {
@@ -45,36 +51,38 @@ public:
 
 private:
     static std::size_t countOf(const StepFacts& step) {
-        std::size_t count = 1;
+        std::uint32_t last = 0;
         for (const Moment* moment : {&step.before, &step.after}) {
-            if (!moment->bodies.empty()) count = std::max<std::size_t>(count, moment->bodies.back().body.number + 1);
+            if (!moment->bodies.empty()) last = std::max(last, moment->bodies.back().body.number);
         }
-        for (const PlayBody& born : step.events.born) count = std::max<std::size_t>(count, born.number + 1);
-        for (const PlayBreak& one : step.events.breaks) {
-            count = std::max<std::size_t>(count, one.firstFragment + one.fragmentCount + 1);
-        }
-        return count;
+        for (const PlayBody& born : step.events.born) last = std::max(last, born.number);
+        for (const PlayBreak& one : step.events.breaks) last = std::max(last, one.firstFragment + one.fragmentCount);
+        return last + 1;
     }
-    std::uint32_t numberOf(BodyId id) const { return static_cast<std::uint32_t>(m_step.session.world().tag(id)); }
+    static bool isApart(const Box3& a, const Box3& b) {
+        return a.isEmpty() || b.isEmpty() || glm::any(glm::lessThan(a.max, b.min)) ||
+               glm::any(glm::lessThan(b.max, a.min));
+    }
     void join(std::uint32_t first, std::uint32_t second) {
         if (first < m_isFree.size() && second < m_isFree.size()) m_sets.merge(first, second);
     }
-    void exclude(std::uint32_t number) {
-        if (number < m_isFree.size()) m_isFree[number] = false;
-    }
-    void joinContact(const ContactPoint& point) {
-        const World& world = m_step.session.world();
-        if (world.contains(point.first) && world.contains(point.second)) {
-            join(numberOf(point.first), numberOf(point.second));
+    /// Adds where a body was to the box that it swept, and where it would be after `forwards` seconds.
+    void include(const BodyFacts& one, double forwards, BodyHulls& hulls) {
+        Box3& box = m_boxes[one.body.number];
+        if (!one.isDynamic()) {
+            m_isFree[one.body.number] = false;
+            box.include(hulls.of(one).box);
             return;
         }
-        for (const BodyId id : {point.first, point.second}) {
-            if (world.contains(id)) exclude(numberOf(id));
-        }
+        const Vec3 radius(one.boundingRadius + kNear), there = one.state.centre + forwards * one.state.velocity;
+        box.include(glm::min(one.state.centre, there) - radius);
+        box.include(glm::max(one.state.centre, there) + radius);
     }
 
-    const StepFacts& m_step;
+    static constexpr double kNear = 0.02;  // m: contacts act before bodies touch
+
     DisjointSets m_sets;
+    std::vector<Box3> m_boxes;   // by number
     std::vector<bool> m_isFree;  // by number
 };
 
@@ -133,9 +141,9 @@ public:
         const bool isActedOn = step.hasInput<ShotInput>() || step.hasInput<MaterialInput>() ||
                                step.hasInput<RemoveInput>() || step.hasInput<GrabInput>() ||
                                step.hasInput<ReleaseInput>();
-        // The contacts of what was removed at the end of the step are gone.
         if (isActedOn || !step.events.removed.empty()) return std::nullopt;
-        ActingBodies acting(step);
+        ActingBodies acting(step, m_hulls);
+        m_hulls.keepOnly(step.after);
         const std::vector<bool> isFree = acting.freeRoots();
         const std::map<std::uint32_t, Sum> before = sumsOf(step.before, acting, isFree);
         for (const auto& [root, after] : sumsOf(step.after, acting, isFree)) {
@@ -177,6 +185,8 @@ private:
                                                     " bodies that touch nothing static change their " + change +
                                                     (body.state.asleep ? ", asleep" : "")};
     }
+
+    BodyHulls m_hulls;
 };
 
 }  // namespace
