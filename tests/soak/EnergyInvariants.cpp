@@ -13,6 +13,7 @@ constexpr double kGrowth = 0.01;    // of the peak so far
 constexpr double kSumError = 0.01;  // the same, of what is told: sums are that exact
 constexpr double kOverlap = 1e-4;   // m: what overlaps deeper is pushed apart, which takes energy from nowhere
 constexpr double kSoftness = 1e-3;  // m: by which contacts give way, and lift again
+constexpr double kSlowest = 1e-3;   // m/s: motion that touching bodies may get by rounding
 constexpr double kSmallest = 1e-9;  // J
 
 /// Follows the mechanical energy of a session.
@@ -65,35 +66,42 @@ private:
         return false;
     }
 
-    static double motionBefore(const StepFacts& step, const BodyFacts& one) {
+    static double motionOf(const StepFacts& step, const BodyFacts& one) {
         const BodyFacts* const before = step.before.find(one.body.number);
-        return before != nullptr ? before->kinetic : 0.0;
+        const double fall = glm::length(step.after.gravity) * step.session.stepLength();
+        if (before == nullptr) return 0.0;
+        return before->kinetic + before->mass * fall * (glm::length(before->state.velocity) + fall);
     }
 
     static double heightOf(const StepFacts& step, Vec3 point) { return -glm::dot(step.after.gravity, point); }
 
-    /// J, above the lowest body of the step: so that mass that is removed takes energy with it.
+    /// J, above the lowest point of the step: so that mass that is removed takes energy with it.
     double energyOf(const StepFacts& step, const BodyFacts& one) const {
         return one.kinetic + one.mass * (heightOf(step, one.massCentre) - m_lowest);
     }
 
     void findEnergies(const StepFacts& step) {
-        m_lowest = std::numeric_limits<double>::max();
+        double lowestCentre = std::numeric_limits<double>::max();
+        const double weight = glm::length(step.after.gravity);
+        m_lowest = lowestCentre;
         m_before = m_after = m_given = m_work = m_rounding = m_freeFlight = m_asleep = 0.0;
         for (const Moment* moment : {&step.before, &step.after}) {
             for (const BodyFacts& one : moment->bodies) {
-                if (one.mass > 0.0) m_lowest = std::min(m_lowest, heightOf(step, one.massCentre));
+                if (one.mass <= 0.0) continue;
+                const double centre = heightOf(step, one.massCentre);
+                lowestCentre = std::min(lowestCentre, centre);
+                m_lowest = std::min(m_lowest, centre - 2.0 * weight * one.boundingRadius);
             }
         }
         double moving = 0.0;
-        const double weight = glm::length(step.after.gravity), fall = weight * step.session.stepLength();
+        const double fall = weight * step.session.stepLength();
         for (const BodyFacts& one : step.before.bodies) m_before += energyOf(step, one);
         for (const BodyFacts& one : step.after.bodies) {
             m_after += energyOf(step, one);
             if (!one.isDynamic()) continue;
-            if (one.state.asleep) m_asleep += motionBefore(step, one);
-            moving += energyOf(step, one);
-            m_rounding += one.mass * weight * kSoftness;
+            if (one.state.asleep) m_asleep += motionOf(step, one);
+            moving += one.kinetic + one.mass * (heightOf(step, one.massCentre) - lowestCentre);
+            m_rounding += one.mass * (weight * kSoftness + 0.5 * kSlowest * kSlowest);
             m_freeFlight += one.mass * fall * fall;
         }
         addSources(step);

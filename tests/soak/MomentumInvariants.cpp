@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kRelative = 1e-4;  // single precision, summed over sub-steps
 constexpr double kDrift = 1e-3;     // m/s: slower motion may end
-constexpr double kAngular = 0.002;  // of the angular momentum
+constexpr double kAngular = 0.02;   // of the angular momentum
 
 /// Bodies that may have acted on each other in a step: all that came near, whatever the simulation says of contacts.
 class ActingBodies {
@@ -18,8 +18,7 @@ public:
     ActingBodies(const StepFacts& step, BodyHulls& hulls) : m_sets(countOf(step)), m_boxes(countOf(step)) {
         m_isFree.assign(m_boxes.size(), true);
         for (const Moment* moment : {&step.before, &step.after}) {
-            const double forwards = (moment == &step.before ? 1.0 : -1.0) * step.session.stepLength();
-            for (const BodyFacts& one : moment->bodies) include(one, forwards, hulls);
+            for (const BodyFacts& one : moment->bodies) include(one, step.session.stepLength(), hulls);
         }
         for (std::uint32_t first = 0; first < m_boxes.size(); ++first) {
             for (std::uint32_t second = first + 1; second < m_boxes.size(); ++second) {
@@ -66,17 +65,17 @@ private:
     void join(std::uint32_t first, std::uint32_t second) {
         if (first < m_isFree.size() && second < m_isFree.size()) m_sets.merge(first, second);
     }
-    /// Adds where a body was to the box that it swept, and where it would be after `forwards` seconds.
-    void include(const BodyFacts& one, double forwards, BodyHulls& hulls) {
+    /// Adds where a body may have been in a step of dt seconds.
+    void include(const BodyFacts& one, double dt, BodyHulls& hulls) {
         Box3& box = m_boxes[one.body.number];
         if (!one.isDynamic()) {
             m_isFree[one.body.number] = false;
             box.include(hulls.of(one).box);
             return;
         }
-        const Vec3 radius(one.boundingRadius + kNear), there = one.state.centre + forwards * one.state.velocity;
-        box.include(glm::min(one.state.centre, there) - radius);
-        box.include(glm::max(one.state.centre, there) + radius);
+        const Vec3 radius(one.boundingRadius + kNear + dt * glm::length(one.state.velocity));
+        box.include(one.state.centre - radius);
+        box.include(one.state.centre + radius);
     }
 
     static constexpr double kNear = 0.02;  // m: contacts act before bodies touch
