@@ -47,7 +47,7 @@ public:
     double before() const { return m_before; }          // J: with the gravity of the step
     double after() const { return m_after; }            // J
     double given() const { return m_given; }            // J: by sources
-    double work() const { return m_work; }              // J: the same, less what sources took
+    double work() const { return m_work; }              // J: what they added or took
     double peak() const { return m_peak; }              // J: of all that moved, so far
     double rounding() const { return m_rounding; }      // J: of contacts that give way
     double freeFlight() const { return m_freeFlight; }  // J: how exact the integration of gravity is
@@ -111,7 +111,7 @@ private:
     void addSources(const StepFacts& step) {
         for (const EnergyEntry& entry : step.events.energy) {
             m_given += std::max(0.0, entry.given);
-            m_work += entry.given;
+            if (entry.given != 0.0) m_work += entry.after - entry.before;
         }
         for (const ThrownBody& thrown : step.thrown) {
             const double potential = thrown.mass * (heightOf(step, thrown.from) - m_lowest);

@@ -77,16 +77,21 @@ private:
         return !world.contains(body) || world.kind(body) != BodyKind::Dynamic;
     }
 
+    /// The normal of a contact, into a body.
+    static Vec3 normalInto(const ContactPoint& point, BodyId body) {
+        return point.second == body ? point.normal : -point.normal;
+    }
+
     /// How much steeper than its friction allows a body lies that touches static planes of one direction only.
     static double beyondFriction(const StepFacts& step, const BodyFacts& one, const std::vector<ContactPoint>& points) {
         const World& world = step.session.world();
         if (points.empty()) return 0.0;
-        const Vec3 normal = points.front().normal;
+        const Vec3 normal = normalInto(points.front(), one.body.body);
         double friction = 0.0;
         for (const ContactPoint& point : points) {
             const BodyId other = otherOf(point, one.body.body);
             if (!world.contains(other) || !isStatic(world, other)) return 0.0;
-            if (std::abs(glm::dot(point.normal, normal)) < kParallel) return 0.0;
+            if (glm::dot(normalInto(point, one.body.body), normal) < kParallel) return 0.0;  // it may be jammed
             friction = std::max(friction, std::sqrt(world.friction(one.body.body) * world.friction(other)));
         }
         const double across = std::abs(glm::dot(step.after.gravity, normal));
@@ -100,7 +105,7 @@ private:
         const Vec3 up = -glm::normalize(step.after.gravity);
         const auto isPlain = [&](const ContactPoint& point) {
             const bool isOnStatic = isStatic(step.session.world(), otherOf(point, one.body.body));
-            return isOnStatic && std::abs(glm::dot(point.normal, up)) >= kUpright;
+            return isOnStatic && glm::dot(normalInto(point, one.body.body), up) >= kUpright;
         };
         if (points.empty() || !std::ranges::all_of(points, isPlain)) return 0.0;
         const Vec3 side = glm::normalize(glm::cross(up, std::abs(up.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 0, 1)));
