@@ -10,7 +10,8 @@
 namespace rubble::soak {
 namespace {
 
-/// Joins the nodes of a structure that unbroken bonds connect; those without strength hold nothing. No `damage`: intact.
+/// Joins the nodes of a structure that unbroken bonds connect; those without strength hold nothing. Without `damage`,
+/// all others hold.
 DisjointSets joinedNodes(const PlayStructure& structure, const std::vector<BondDamage>& damage) {
     DisjointSets sets(structure.nodeCount());
     const std::vector<Bond>& bonds = structure.graph.bonds;
