@@ -40,15 +40,18 @@ namespace {
 
 constexpr std::string_view kMagic = "RBLSTATE";
 
-/// The fields that files of earlier versions do not have: those of bonded bodies since version 2, of the time
-/// after a break since version 3.
-constexpr std::string_view kAddedNames[] = {"dividedUntil", "heldLevel", "heldUntil",    "structures",   "structure",
-                                            "bondedNodes",  "isHeld",    "collapseStep", "partialDamage"};
-constexpr std::size_t kAddedInVersion3 = 3;
+// Fields that files of older versions do not have, the latest first.
+constexpr std::string_view kAddedNames[] = {
+    "dividedUntil",  // version 3: what is at rest, and the time after a break
+    "heldLevel",    "heldUntil",   "restDisplacement", "restRotation", "stayReach",    "stayPath",
+    "structures",  // version 2: bonds
+    "structure",    "bondedNodes", "isHeld",           "collapseStep", "partialDamage"};
+constexpr std::size_t kAddedInVersion3 = 7;
 
-std::span<const std::string_view> addedSince(std::uint32_t version) {
+/// The fields that files of a version do not have.
+std::span<const std::string_view> absentIn(std::uint32_t version) {
     const std::span<const std::string_view> added = kAddedNames;
-    return added.first(version < 2 ? added.size() : version < 3 ? kAddedInVersion3 : 0);
+    return version >= 3 ? std::span<const std::string_view>() : version == 2 ? added.first(kAddedInVersion3) : added;
 }
 
 /// What a file starts with.
@@ -161,7 +164,7 @@ Result<SavedSession> readStateBytes(std::string_view bytes, ContentHash scene) {
     const Result<std::string> fields = uncompressed(bytes.substr(kHeaderBytes, packed), header->size);
     if (!fields) return fields.error();
     SavedSession saved;
-    StateReader reader(*fields, addedSince(header->version));
+    StateReader reader(*fields, absentIn(header->version));
     visitFields(saved, reader);
     reader.finish();
     if (reader.fault()) return unreadable(*reader.fault());

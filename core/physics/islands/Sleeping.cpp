@@ -2,6 +2,7 @@
 
 #include "core/base/Assert.h"
 #include "core/base/DisjointSets.h"
+#include "core/physics/islands/Rest.h"
 #include "core/physics/state/Contacts.h"
 
 #include <algorithm>
@@ -10,18 +11,11 @@
 namespace rubble {
 namespace {
 
-constexpr float kRestSpeed = 0.05f;     // m/s, of any point of the body
-constexpr float kRestTime = 0.5f;       // s
-constexpr float kStaySpeed = 1.0f;      // m/s, of any point of a body that stays in one place
-constexpr float kStayDistance = 0.02f;  // m, that any point of it moves
-constexpr float kStayFraction = 0.1f;   // the same, of the bounding radius
-constexpr float kStayTime = 3.0f;       // s
-
 bool hasManifold(const Contact& contact) { return contact.slot.isSet() || contact.stored != kNone; }
 
 void setAwake(WorldState& state, std::uint32_t body) {
     state.bodies[body].isAwake = true;
-    state.bodies[body].restTime = state.bodies[body].stayTime = 0.0f;
+    restartRest(state, body);
     state.woken.push_back(body);
 }
 
@@ -59,34 +53,26 @@ DisjointSets findIslands(const WorldState& state) {
     return islands;
 }
 
-/// An upper bound of the length of w × r for the points r of a body, both in its axes. The extents count along each
-/// axis: a needle that rolls about its length hardly moves.
-float largestArc(Vec3f w, Vec3f extents) {
-    const Vec3f a = componentAbs(w), r = extents;
-    return length(Vec3f(a.y * r.z + a.z * r.y, a.z * r.x + a.x * r.z, a.x * r.y + a.y * r.x));
+bool isMoving(const BodyMotion& motion) {
+    return motion.velocity != Vec3f(0.0f) || motion.angularVelocity != Vec3f(0.0f);
 }
 
-/// Whether no point of a body moves as fast as `speed`, m/s.
-bool isSlower(const WorldState& state, std::uint32_t number, float speed) {
-    const BodyMotion& motion = state.motions[number];
-    const BodyPose& pose = state.poses[number];
-    if (length(motion.velocity) >= speed) return false;
-    if (length(motion.angularVelocity) * pose.boundingRadius < speed) return true;
-    const Vec3f w = pose.rotation.matrix().transposedTimes(motion.angularVelocity);
-    return largestArc(w, state.bodies[number].shape->extents) < speed;
+/// Marks the islands that must stay awake: those of which `rests` denies a body, and those that a moving kinematic body
+/// touches.
+template <class Rests>
+std::vector<char> findActiveIslands(const WorldState& state, DisjointSets& islands, const Rests& rests) {
+    std::vector<char> isActive(state.bodies.size(), 0);
+    for (const std::uint32_t body : state.awake) {
+        if (state.bodies[body].isDynamic()) {
+            if (!rests(body)) isActive[islands.rootOf(body)] = 1;
+        } else if (isMoving(state.motions[body])) {
+            visitContacts(state, body, [&](std::uint32_t contact, std::uint32_t other) {
+                if (state.contacts[contact].slot.isSet()) isActive[islands.rootOf(other)] = 1;
+            });
+        }
+    }
+    return isActive;
 }
-
-/// Whether a body is still in the place where it was when its stay began.
-bool stays(const WorldState& state, std::uint32_t number) {
-    const Body& body = state.bodies[number];
-    const BodyPose& pose = state.poses[number];
-    const float limit = std::min(kStayDistance, kStayFraction * pose.boundingRadius);
-    if (length(pose.centre - body.stayCentre) >= limit) return false;
-    const Vec3f halfTurn = (body.stayRotation.conjugate() * pose.rotation).vector();
-    return 2.0f * largestArc(halfTurn, body.shape->extents) < limit && isSlower(state, number, kStaySpeed);
-}
-
-bool isAtRest(const Body& body) { return body.restTime >= kRestTime || body.stayTime >= kStayTime; }
 
 std::uint32_t newSleepingIsland(WorldState& state) {
     if (state.freeSleepingIslands.empty()) {
@@ -130,7 +116,7 @@ void wakeBody(WorldState& state, std::uint32_t number) {
     if (body.kind == BodyKind::Static) return;
     if (body.sleepingIsland != kNone) wakeIsland(state, body.sleepingIsland);
     if (!body.isAwake) setAwake(state, number);
-    state.bodies[number].restTime = 0.0f;
+    interruptRest(state, number);
 }
 
 void wakeBodies(WorldState& state, std::uint32_t contact) {
@@ -142,21 +128,6 @@ void wakeNeighbours(WorldState& state, std::uint32_t body) {
     visitContacts(state, body, [&](std::uint32_t contact, std::uint32_t other) {
         if (hasManifold(state.contacts[contact])) wakeBody(state, other);
     });
-}
-
-void updateRestTime(WorldState& state, std::uint32_t number, float dt) {
-    Body& body = state.bodies[number];
-    RUBBLE_ASSERT(body.isAwake);
-    if (!body.isDynamic()) return;
-    const bool rests = isSlower(state, number, kRestSpeed);
-    body.restTime = rests ? body.restTime + dt : 0.0f;
-    if (rests || stays(state, number)) {
-        body.stayTime += dt;
-        return;
-    }
-    body.stayTime = 0.0f;
-    body.stayCentre = state.poses[number].centre;
-    body.stayRotation = state.poses[number].rotation;
 }
 
 std::size_t updateAwakeBodies(WorldState& state) {
@@ -180,13 +151,10 @@ std::size_t updateAwakeBodies(WorldState& state) {
 }
 
 int sleepRestingIslands(WorldState& state) {
-    const auto rests = [&](std::uint32_t body) { return isAtRest(state.bodies[body]); };
+    const auto rests = [&](std::uint32_t body) { return isAtRest(state, body); };
     if (!state.sleeping || std::none_of(state.awake.begin(), state.awake.end(), rests)) return 0;
     DisjointSets islands = findIslands(state);
-    std::vector<char> isActive(state.bodies.size(), 0);
-    for (std::uint32_t body : state.awake) {
-        if (state.bodies[body].isDynamic() && !rests(body)) isActive[islands.rootOf(body)] = 1;
-    }
+    const std::vector<char> isActive = findActiveIslands(state, islands, rests);
     std::vector<std::uint32_t> islandOfRoot(state.bodies.size(), kNone), newIslands, stillAwake;
     int count = 0;
     for (std::uint32_t body : state.awake) {
@@ -207,7 +175,7 @@ int sleepRestingIslands(WorldState& state) {
 void sleepAllIslands(WorldState& state) {
     updateAwakeBodies(state);
     for (const std::uint32_t body : state.awake) {
-        if (state.bodies[body].isDynamic()) state.bodies[body].restTime = kRestTime;
+        if (state.bodies[body].isDynamic()) setAtRest(state, body);
     }
     sleepRestingIslands(state);
 }

@@ -18,10 +18,8 @@ void wakeNeighbours(WorldState& state, std::uint32_t body);
 /// read.
 std::size_t updateAwakeBodies(WorldState& state);
 
-/// Updates how long an awake body has been at rest and in one place, after a step of dt seconds.
-void updateRestTime(WorldState& state, std::uint32_t body, float dt);
-/// Puts islands, bodies connected by contacts, to sleep if each of their bodies has been at rest for half a second, or
-/// has stayed within two centimetres for three: one that is wedged between others may rattle forever.
+/// Puts islands, bodies connected by contacts, to sleep if each of their bodies is at rest (Rest.h). An island that a
+/// moving kinematic body touches stays awake.
 /// Returns the number of islands tested.
 /// Source: Catto 2024, "Simulation Islands"; Tarjan 1975 (union-find).
 int sleepRestingIslands(WorldState& state);

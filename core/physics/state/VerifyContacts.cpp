@@ -1,5 +1,6 @@
 #include "core/physics/state/VerifyContacts.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace rubble {
@@ -69,16 +70,23 @@ bool hasSeparated(const WorldState& state, std::uint32_t number) {
            state.separated[contact.separatedIndex].bodies == contact.bodies;
 }
 
+bool hasAwakeDynamic(const WorldState& state, const Contact& contact) {
+    return std::ranges::any_of(contact.bodies, [&](std::uint32_t number) {
+        return state.bodies[number].isDynamic() && state.bodies[number].isAwake;
+    });
+}
+
 /// The field by which a contact is not where it must be: an awake one in a lane or among the separated ones, a sleeping
-/// one with its lane stored or, without a manifold, in none of them.
+/// one with its lane stored or, without a manifold, in none of them. Kinematic bodies never sleep: one of theirs with a
+/// sleeping body has its lane stored or is among the separated ones.
 const char* faultyHome(const WorldState& state, std::uint32_t number) {
     const Contact& contact = state.contacts[number];
-    const bool isAwake = state.isAwake(contact), isStored = contact.stored != kNone;
+    const bool isSolved = hasAwakeDynamic(state, contact), isStored = contact.stored != kNone;
     const bool isSeparated = contact.separatedIndex != kNone;
-    if (contact.slot.isSet() && (!isAwake || isStored || isSeparated || !hasLane(state, number))) return "slot";
-    if (isStored && (isAwake || isSeparated || !hasStored(state, number))) return "stored";
+    if (contact.slot.isSet() && (!isSolved || isStored || isSeparated || !hasLane(state, number))) return "slot";
+    if (isStored && (isSolved || isSeparated || !hasStored(state, number))) return "stored";
     if (isSeparated && !hasSeparated(state, number)) return "separatedIndex";
-    if (isAwake && !contact.slot.isSet() && !isSeparated) return "slot";
+    if (state.isAwake(contact) && !contact.slot.isSet() && !isSeparated && !isStored) return "slot";
     return nullptr;
 }
 

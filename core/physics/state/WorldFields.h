@@ -75,8 +75,8 @@ template <FieldsOf<Body> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
     [[maybe_unused]] auto& [shape, generation, kind, isAwake, mass, inertia, inverseInertia, centreRemainder,
                             angularMomentum, referenceAngularVelocity, isFastRotating, isTouched, friction, restitution,
-                            boxValidUntil, restTime, stayTime, stayCentre, stayRotation, sleepingIsland, firstProxy,
-                            firstContact, tag] = self;
+                            boxValidUntil, restTime, restDisplacement, restRotation, stayTime, stayReach, stayPath,
+                            stayCentre, stayRotation, sleepingIsland, firstProxy, firstContact, tag] = self;
     visit("generation", generation);
     visit("kind", kind);
     visit("isAwake", isAwake);
@@ -92,7 +92,11 @@ void visitFields(Self& self, Visit& visit) {
     visit("restitution", restitution);
     visit("boxValidUntil", boxValidUntil);
     visit("restTime", restTime);
+    visit("restDisplacement", restDisplacement);
+    visit("restRotation", restRotation);
     visit("stayTime", stayTime);
+    visit("stayReach", stayReach);
+    visit("stayPath", stayPath);
     visit("stayCentre", stayCentre);
     visit("stayRotation", stayRotation);
     visit("sleepingIsland", sleepingIsland);

@@ -34,10 +34,14 @@ struct Body {
     bool isTouched = false;                            // in this step: impulses changed its angular velocity
     float friction = 0.0f;
     float restitution = 0.0f;
-    float boxValidUntil = 0.0f;          // m: BodyPose::travel up to which its fat boxes are valid
-    float restTime = 0.0f;               // s: how long it has been at rest
-    float stayTime = 0.0f;               // s: how long it has stayed where it was then
-    Vec3f stayCentre{0.0f, 0.0f, 0.0f};  // m, and the rotation: its pose then
+    float boxValidUntil = 0.0f;                // m: BodyPose::travel up to which its fat boxes are valid
+    float restTime = 0.0f;                     // s: how long it has been at rest
+    Vec3f restDisplacement{0.0f, 0.0f, 0.0f};  // m: of its centre meanwhile
+    Vec3f restRotation{0.0f, 0.0f, 0.0f};      // rad, meanwhile, a small angle
+    float stayTime = 0.0f;                     // s: how long it has stayed in one place
+    float stayReach = 0.0f;                    // m: the largest distance of any of its points from there
+    float stayPath = 0.0f;                     // m: the length of their path meanwhile
+    Vec3f stayCentre{0.0f, 0.0f, 0.0f};        // m, and the rotation: its pose at the beginning of the stay
     Quatf stayRotation;
     std::uint32_t sleepingIsland = kNone;  // the island that it sleeps in
     std::uint32_t firstProxy = kNone;

@@ -1,7 +1,7 @@
 #include "core/physics/step/Solver.h"
 
 #include "core/base/Assert.h"
-#include "core/physics/islands/Sleeping.h"
+#include "core/physics/islands/Rest.h"
 #include "core/physics/solver/SpeedThresholds.h"
 #include "core/physics/state/AngularMomentum.h"
 
@@ -223,8 +223,8 @@ void finishBodies(WorldState& state, ThreadPool& threads, const Regions& regions
     const float h = dt / static_cast<float>(subSteps);
     regions.forEach(threads, [&](std::size_t region) {
         for (std::uint32_t number : regions.bodies(region)) {
-            finishBody(state, number, subSteps, h);
             updateRestTime(state, number, dt);
+            finishBody(state, number, subSteps, h);
         }
     });
 }

@@ -1,6 +1,7 @@
 #include "core/physics/world/Split.h"
 
 #include "core/base/Assert.h"
+#include "core/physics/islands/Rest.h"
 #include "core/physics/islands/Sleeping.h"
 #include "core/physics/queries/HullDistance.h"
 #include "core/physics/state/Contacts.h"
@@ -93,7 +94,7 @@ void becomePart(WorldState& state, const SplittingBody& splitting, const SplitPa
     if (body.isDynamic()) {
         motion.velocity = toFloat(part.velocity);
         motion.angularVelocity = toFloat(part.angularVelocity);
-        body.restTime = body.stayTime = 0.0f;
+        restartRest(state, number);
     }
 }
 

@@ -91,10 +91,12 @@ Status World::setVelocity(BodyId body, Vec3 velocity, Vec3 angularVelocity) {
         return rangeError("A velocity", kMaxSpeed, "m/s or rad/s along each axis");
     }
     BodyMotion& motion = m_state->motions[body.index];
-    motion.velocity = toFloat(velocity);
-    motion.angularVelocity = toFloat(angularVelocity);
+    const Vec3f linear = toFloat(velocity), angular = toFloat(angularVelocity);
+    const bool isChanged = motion.velocity != linear || motion.angularVelocity != angular;
+    motion.velocity = linear;
+    motion.angularVelocity = angular;
     wake(body);
-    if (kind(body) == BodyKind::Kinematic) wakeNeighbours(*m_state, body.index);
+    if (kind(body) == BodyKind::Kinematic && isChanged) wakeNeighbours(*m_state, body.index);
     return success();
 }
 
@@ -156,7 +158,10 @@ Status World::dragTo(Vec3 point) {
     return success();
 }
 
-void World::release() { m_state->grabbed = {}; }
+void World::release() {
+    if (m_state->grabbed.index != 0) wakeBody(*m_state, m_state->grabbed.index);
+    m_state->grabbed = {};
+}
 
 std::optional<GrabSpring> World::grabSpring() const {
     const WorldState& state = *m_state;

@@ -8,7 +8,6 @@
 #include <QTest>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <set>
 
@@ -24,21 +23,6 @@ WorldState stateOf(std::uint32_t count) {
     for (std::uint32_t body = 0; body < count; ++body) addBody(state, {.shape = shape});
     updateAwakeBodies(state);
     return state;
-}
-
-/// How many seconds a body stays awake whose pose and motion are set at each time; 10 if it never sleeps.
-template <class Move>
-double secondsAwake(const Move& move) {
-    constexpr float kStep = 1.0f / 60.0f;
-    WorldState state = stateOf(1);
-    for (int step = 0; step < 600; ++step) {
-        const float time = static_cast<float>(step) * kStep;
-        move(state.poses[1], state.motions[1], time);
-        updateRestTime(state, 1, kStep);
-        sleepRestingIslands(state);
-        if (state.awake.empty()) return static_cast<double>(time);
-    }
-    return 10.0;
 }
 
 /// Puts all bodies to sleep, each in an island of its own.
@@ -66,38 +50,6 @@ private slots:
         for (const std::uint32_t body : ascending(3)) islands.insert(state.bodies[body].sleepingIsland);
         QCOMPARE(islands.size(), std::size_t{3});
         QVERIFY(!islands.contains(kNone));
-    }
-    /// Oscillating at 8 Hz: always too fast to be at rest, but for the turning points.
-    void bodiesThatStayInOnePlaceSleep_data() {
-        QTest::addColumn<float>("distance");
-        QTest::addColumn<float>("angle");
-        QTest::addColumn<double>("least");
-        QTest::addColumn<double>("most");
-        QTest::newRow("at rest") << 0.0f << 0.0f << 0.4 << 0.6;
-        QTest::newRow("rattling") << 0.005f << 0.002f << 2.5 << 3.5;
-        QTest::newRow("rocking") << 0.0f << 0.01f << 2.5 << 3.5;
-        QTest::newRow("bouncing") << 0.05f << 0.0f << 10.0 << 10.0;
-        QTest::newRow("swinging") << 0.0f << 0.1f << 10.0 << 10.0;
-    }
-    void bodiesThatStayInOnePlaceSleep() {
-        QFETCH(float, distance);
-        QFETCH(float, angle);
-        QFETCH(double, least);
-        QFETCH(double, most);
-        const double seconds = secondsAwake([&](BodyPose& pose, BodyMotion& motion, float time) {
-            const float phase = 50.0f * time, s = std::sin(phase), c = 50.0f * std::cos(phase);
-            pose.centre = Vec3f(0.0f, distance * s, 0.0f);
-            motion.velocity = Vec3f(0.0f, distance * c, 0.0f);
-            pose.rotation = Quatf{0.5f * angle * s, 0.0f, 0.0f, 1.0f}.normalized();
-            motion.angularVelocity = Vec3f(angle * c, 0.0f, 0.0f);
-        });
-        QVERIFY2(seconds >= least && seconds <= most, qPrintable(QString("%1 s").arg(seconds)));
-    }
-    /// A turn in each step leaves the pose as it was.
-    void bodiesThatRotateByFullTurnsStayAwake() {
-        const double seconds = secondsAwake(
-            [](BodyPose&, BodyMotion& motion, float) { motion.angularVelocity = Vec3f(0.0f, 377.0f, 0.0f); });
-        QCOMPARE(seconds, 10.0);
     }
     void wokenBodiesAreAwakeAfterTheUpdate() {
         WorldState state = stateOf(3);

@@ -1,0 +1,125 @@
+#include "core/physics/islands/Rest.h"
+
+#include "core/base/Assert.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+// Distances are relative to those of a fall from rest, g t² / 2: what accelerates by more than a fraction of gravity
+// moves farther, whatever its size, and without gravity only what does not move is at rest.
+constexpr float kRestTime = 0.5f;         // s
+constexpr float kRestSpeed = 0.05f;       // m/s, of any point of a body at rest
+constexpr float kRestFraction = 0.0005f;  // of a fall, within which it stays: 0.6 mm on earth
+constexpr float kStaySpeed = 1.0f;        // m/s, of any point of a body that stays in one place
+constexpr float kStayDistance = 0.02f;    // m, from that place
+constexpr float kStayFraction = 0.003f;   // of a fall, within which it stays: 2 cm in 1.2 s on earth
+// A body that slows down, turns and accelerates back through where it was has a path of three times its distance.
+constexpr float kGrowth = 1.25f;       // of the distance of a body that drifts
+constexpr float kMinToAndFro = 3.5f;   // path of a body that rattles, relative to its distance
+constexpr float kSizeFraction = 0.1f;  // of the bounding radius: the largest distance of both
+constexpr float kRounding = 1.2e-7f;   // of coordinates, and so of the displacements by contacts
+
+/// An upper bound of the length of w × r for the points r of a body, both in its axes. The extents count along each
+/// axis: a needle that rolls about its length hardly moves.
+float largestArc(Vec3f w, Vec3f extents) {
+    const Vec3f a = componentAbs(w), r = extents;
+    return length(Vec3f(a.y * r.z + a.z * r.y, a.z * r.x + a.x * r.z, a.x * r.y + a.y * r.x));
+}
+
+/// An upper bound of how far a rotation, a vector in world axes, moves the points of a body relative to its centre.
+float arcOf(const WorldState& state, std::uint32_t number, Vec3f rotation) {
+    const BodyPose& pose = state.poses[number];
+    return largestArc(pose.rotation.matrix().transposedTimes(rotation), state.bodies[number].shape->extents);
+}
+
+/// Whether no point of a body moves as fast as `speed`, m/s.
+bool isSlower(const WorldState& state, std::uint32_t number, float speed) {
+    const BodyMotion& motion = state.motions[number];
+    if (length(motion.velocity) >= speed) return false;
+    return length(motion.angularVelocity) * state.poses[number].boundingRadius < speed ||
+           arcOf(state, number, motion.angularVelocity) < speed;
+}
+
+/// How far a body falls from rest in a time, s.
+float fallDistance(const WorldState& state, float time) { return 0.5f * length(state.gravity) * time * time; }
+
+/// The farthest that a body may move in a time, s, which is within a fraction of a fall, and be in the same place.
+float maxDistance(const WorldState& state, std::uint32_t number, float time, float fraction) {
+    const BodyPose& pose = state.poses[number];
+    const Vec3f size = componentAbs(pose.centre);
+    const bool isTouching = state.bodies[number].firstContact != kNone;
+    const float rounding = isTouching ? kRounding * std::max(size.x, std::max(size.y, size.z)) : 0.0f;
+    return std::min(kSizeFraction * pose.boundingRadius, fraction * fallDistance(state, time) + rounding);
+}
+
+void beginRest(Body& body) {
+    body.restTime = 0.0f;
+    body.restDisplacement = body.restRotation = Vec3f(0.0f);
+}
+
+void beginStay(Body& body, const BodyPose& pose) {
+    body.stayTime = body.stayReach = body.stayPath = 0.0f;
+    body.stayCentre = pose.centre;
+    body.stayRotation = pose.rotation;
+}
+
+void updateRest(WorldState& state, std::uint32_t number, Vec3f displacement, Vec3f rotation, float dt) {
+    Body& body = state.bodies[number];
+    if (!isSlower(state, number, kRestSpeed)) return beginRest(body);
+    body.restTime += dt;
+    body.restDisplacement += displacement;
+    body.restRotation += rotation;
+    const float distance = std::max(length(body.restDisplacement), arcOf(state, number, body.restRotation));
+    if (distance > maxDistance(state, number, kRestTime, kRestFraction)) beginRest(body);
+}
+
+void updateStay(WorldState& state, std::uint32_t number, Vec3f displacement, Vec3f rotation, float dt) {
+    Body& body = state.bodies[number];
+    const BodyPose& pose = state.poses[number];
+    if (!isSlower(state, number, kStaySpeed)) return beginStay(body, pose);
+    const Vec3f rotated = (body.stayRotation.conjugate() * pose.rotation).vector() * 2.0f;  // in its axes
+    const float distance = std::max(length(pose.centre - body.stayCentre), largestArc(rotated, body.shape->extents));
+    if (distance > std::min(kStayDistance, kSizeFraction * pose.boundingRadius)) return beginStay(body, pose);
+    if (distance > kGrowth * body.stayReach) {
+        body.stayTime = body.stayPath = 0.0f;
+        body.stayReach = distance;
+    }
+    body.stayTime += dt;
+    body.stayPath += std::max(length(displacement), arcOf(state, number, rotation));
+}
+
+/// Whether a body goes to and fro in one place: the path of one that drifts is as long as its distance.
+bool rattles(const WorldState& state, std::uint32_t number) {
+    const Body& body = state.bodies[number];
+    return body.stayTime >= kRestTime && body.stayReach > 0.0f && body.stayPath >= kMinToAndFro * body.stayReach &&
+           body.stayReach <= maxDistance(state, number, body.stayTime, kStayFraction);
+}
+
+}  // namespace
+
+void updateRestTime(WorldState& state, std::uint32_t number, float dt) {
+    Body& body = state.bodies[number];
+    RUBBLE_ASSERT(body.isAwake);
+    if (!body.isDynamic()) return;
+    const BodyMotion& motion = state.motions[number];
+    const Vec3f rotation = motion.deltaRotation.vector() * 2.0f;
+    updateRest(state, number, motion.deltaPosition, rotation, dt);
+    updateStay(state, number, motion.deltaPosition, rotation, dt);
+}
+
+void restartRest(WorldState& state, std::uint32_t number) {
+    beginRest(state.bodies[number]);
+    beginStay(state.bodies[number], state.poses[number]);
+}
+
+void interruptRest(WorldState& state, std::uint32_t number) { beginRest(state.bodies[number]); }
+
+void setAtRest(WorldState& state, std::uint32_t number) { state.bodies[number].restTime = kRestTime; }
+
+bool isAtRest(const WorldState& state, std::uint32_t number) {
+    return state.bodies[number].restTime >= kRestTime || rattles(state, number);
+}
+
+}  // namespace rubble
