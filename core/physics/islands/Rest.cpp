@@ -7,19 +7,20 @@
 namespace rubble {
 namespace {
 
-// Distances are relative to those of a fall from rest, g t² / 2: what accelerates by more than a fraction of gravity
-// moves farther, whatever its size, and without gravity only what does not move is at rest.
-constexpr float kRestTime = 0.5f;         // s
-constexpr float kRestSpeed = 0.05f;       // m/s, of any point of a body at rest
-constexpr float kRestFraction = 0.0005f;  // of a fall, within which it stays: 0.6 mm on earth
-constexpr float kStaySpeed = 1.0f;        // m/s, of any point of a body that stays in one place
-constexpr float kStayDistance = 0.02f;    // m, from that place
-constexpr float kStayFraction = 0.003f;   // of a fall, within which it stays: 2 cm in 1.2 s on earth
-// A body that slows down, turns and accelerates back through where it was has a path of three times its distance.
-constexpr float kGrowth = 1.25f;       // of the distance of a body that drifts
-constexpr float kMinToAndFro = 3.5f;   // path of a body that rattles, relative to its distance
-constexpr float kSizeFraction = 0.1f;  // of the bounding radius: the largest distance of both
-constexpr float kRounding = 1.2e-7f;   // of coordinates, and so of the displacements by contacts
+// Distances are fractions of a fall from rest, g t² / 2: what accelerates by a larger fraction of gravity moves
+// farther, whatever its size, and without gravity only what does not move is at rest.
+constexpr float kRestTime = 0.5f;        // s
+constexpr float kRestSpeed = 0.05f;      // m/s, of any point of a body at rest
+constexpr float kRestFraction = 0.001f;  // of a fall, within which a body at rest stays: 1.2 mm on earth
+constexpr float kStaySpeed = 1.0f;       // m/s, of any point of a body that stays in one place
+constexpr float kStayDistance = 0.02f;   // m, from that place
+constexpr float kStayFraction = 0.01f;   // of a fall, within which it stays: 2 cm in 0.64 s on earth
+constexpr float kSizeFraction = 0.1f;    // of the bounding radius: the largest distance of both
+constexpr float kRounding = 1.2e-7f;     // of coordinates, and so of the displacements by contacts
+// The distance of what drifts has doubled when its path has doubled. What slows down, turns and accelerates back through
+// where it was has a path of four times its first distance when it is twice as far on the other side.
+constexpr float kGrowth = 2.0f;       // of the distance of a body that drifts
+constexpr float kMinToAndFro = 4.2f;  // path of a body that rattles, relative to its distance
 
 /// An upper bound of the length of w × r for the points r of a body, both in its axes. The extents count along each
 /// axis: a needle that rolls about its length hardly moves.
@@ -34,12 +35,16 @@ float arcOf(const WorldState& state, std::uint32_t number, Vec3f rotation) {
     return largestArc(pose.rotation.matrix().transposedTimes(rotation), state.bodies[number].shape->extents);
 }
 
-/// Whether no point of a body moves as fast as `speed`, m/s.
+/// Whether both a displacement and a rotation, of a body or per second, move its points by no more than a limit.
+bool isWithin(const WorldState& state, std::uint32_t number, Vec3f displacement, Vec3f rotation, float limit) {
+    if (length(displacement) > limit) return false;
+    return length(rotation) * state.poses[number].boundingRadius <= limit || arcOf(state, number, rotation) <= limit;
+}
+
+/// Whether no point of a body moves faster than `speed`, m/s.
 bool isSlower(const WorldState& state, std::uint32_t number, float speed) {
     const BodyMotion& motion = state.motions[number];
-    if (length(motion.velocity) >= speed) return false;
-    return length(motion.angularVelocity) * state.poses[number].boundingRadius < speed ||
-           arcOf(state, number, motion.angularVelocity) < speed;
+    return isWithin(state, number, motion.velocity, motion.angularVelocity, speed);
 }
 
 /// How far a body falls from rest in a time, s.
@@ -65,17 +70,17 @@ void beginStay(Body& body, const BodyPose& pose) {
     body.stayRotation = pose.rotation;
 }
 
-void updateRest(WorldState& state, std::uint32_t number, Vec3f displacement, Vec3f rotation, float dt) {
+void updateRest(WorldState& state, std::uint32_t number, const StepMovement& movement, float dt) {
     Body& body = state.bodies[number];
     if (!isSlower(state, number, kRestSpeed)) return beginRest(body);
     body.restTime += dt;
-    body.restDisplacement += displacement;
-    body.restRotation += rotation;
-    const float distance = std::max(length(body.restDisplacement), arcOf(state, number, body.restRotation));
-    if (distance > maxDistance(state, number, kRestTime, kRestFraction)) beginRest(body);
+    body.restDisplacement += movement.displacement;
+    body.restRotation += movement.rotation;
+    const float limit = maxDistance(state, number, kRestTime, kRestFraction);
+    if (!isWithin(state, number, body.restDisplacement, body.restRotation, limit)) beginRest(body);
 }
 
-void updateStay(WorldState& state, std::uint32_t number, Vec3f displacement, Vec3f rotation, float dt) {
+void updateStay(WorldState& state, std::uint32_t number, const StepMovement& movement, float dt) {
     Body& body = state.bodies[number];
     const BodyPose& pose = state.poses[number];
     if (!isSlower(state, number, kStaySpeed)) return beginStay(body, pose);
@@ -87,7 +92,7 @@ void updateStay(WorldState& state, std::uint32_t number, Vec3f displacement, Vec
         body.stayReach = distance;
     }
     body.stayTime += dt;
-    body.stayPath += std::max(length(displacement), arcOf(state, number, rotation));
+    body.stayPath += std::max(length(movement.displacement), arcOf(state, number, movement.rotation));
 }
 
 /// Whether a body goes to and fro in one place: the path of one that drifts is as long as its distance.
@@ -99,14 +104,16 @@ bool rattles(const WorldState& state, std::uint32_t number) {
 
 }  // namespace
 
-void updateRestTime(WorldState& state, std::uint32_t number, float dt) {
-    Body& body = state.bodies[number];
+StepMovement movementOf(const BodyMotion& motion) {
+    return {motion.deltaPosition, motion.deltaRotation.vector() * 2.0f};
+}
+
+void updateRestTime(WorldState& state, std::uint32_t number, const StepMovement& movement, float dt) {
+    const Body& body = state.bodies[number];
     RUBBLE_ASSERT(body.isAwake);
     if (!body.isDynamic()) return;
-    const BodyMotion& motion = state.motions[number];
-    const Vec3f rotation = motion.deltaRotation.vector() * 2.0f;
-    updateRest(state, number, motion.deltaPosition, rotation, dt);
-    updateStay(state, number, motion.deltaPosition, rotation, dt);
+    updateRest(state, number, movement, dt);
+    if (body.restTime < kRestTime) updateStay(state, number, movement, dt);
 }
 
 void restartRest(WorldState& state, std::uint32_t number) {

@@ -9,9 +9,15 @@ namespace rubble {
 /// centimetres. Bodies that accelerate or drift are slow, but not at rest; without gravity, only what does not move is.
 bool isAtRest(const WorldState& state, std::uint32_t body);
 
-/// Updates for how long an awake body has been at rest, after a step of dt seconds whose displacement is in the body's
-/// motion and not yet in its pose.
-void updateRestTime(WorldState& state, std::uint32_t body, float dt);
+/// The movement of a body in a step.
+struct StepMovement {
+    Vec3f displacement{0.0f, 0.0f, 0.0f};  // m, of its centre
+    Vec3f rotation{0.0f, 0.0f, 0.0f};      // rad, in world axes
+};
+StepMovement movementOf(const BodyMotion& motion);
+
+/// Updates for how long an awake body has been at rest, after a step of dt seconds in which it moved.
+void updateRestTime(WorldState& state, std::uint32_t body, const StepMovement& movement, float dt);
 /// The half second of a body begins again: it may be disturbed.
 void interruptRest(WorldState& state, std::uint32_t body);
 /// Forgets for how long a body has been at rest or rattled.

@@ -12,8 +12,10 @@
 namespace rubble {
 namespace {
 
-/// A manifold is recycled while its bodies move less than this relative to each other.
-constexpr float kMaxSlack = 0.02f;  // m
+/// A manifold is recycled while its bodies move less than this relative to each other. Small bodies would slide off
+/// their points, which then rotate them and falsify their friction.
+constexpr float kMaxSlack = 0.02f;      // m
+constexpr float kSlackFraction = 0.2f;  // of the smaller bounding radius
 /// Bodies that move less than this in a step are not stopped by a contact ahead of them.
 constexpr float kMinSliding = 0.001f;  // m
 /// Separated bodies are collided again when they may have closed this fraction of the gap.
@@ -99,6 +101,13 @@ float softDepth(const WorldState& state, const Contact& contact) {
     const float width = std::min(hullOf(state, state.proxies[contact.proxies[0]]).minWidth,
                                  hullOf(state, state.proxies[contact.proxies[1]]).minWidth);
     return std::max(kMinDepth, kWidthFraction * width);
+}
+
+/// How far the bodies of a contact may move relative to each other before its manifold is outdated, m.
+float maxSlack(const WorldState& state, const Contact& contact) {
+    const float size = std::min(hullOf(state, state.proxies[contact.proxies[0]]).boundingRadius,
+                                hullOf(state, state.proxies[contact.proxies[1]]).boundingRadius);
+    return std::min(kMaxSlack, kSlackFraction * size);
 }
 
 /// Writes the points; those with a feature of the last manifold keep their impulses (warm starting). `offset` is that
@@ -210,7 +219,7 @@ void storeManifold(WorldState& state, std::uint32_t number, const HullCollision&
     put(collision.isSwept ? sweptCentreOffset(state, contact, collision.offset) : first.centre - second.centre,
         reference.centreOffset, lane);
     reference.isSwept[lane] = collision.isSwept ? 1.0f : 0.0f;
-    reference.slack[lane] = collision.isSwept ? -1.0f : kMaxSlack;
+    reference.slack[lane] = collision.isSwept ? -1.0f : maxSlack(state, contact);
     const Body &a = state.bodies[contact.bodies[0]], &b = state.bodies[contact.bodies[1]];
     block.stiffening[lane] = 1.0f / softDepth(state, contact);
     block.friction[lane] = std::sqrt(a.friction * b.friction);

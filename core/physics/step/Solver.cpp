@@ -223,8 +223,9 @@ void finishBodies(WorldState& state, ThreadPool& threads, const Regions& regions
     const float h = dt / static_cast<float>(subSteps);
     regions.forEach(threads, [&](std::size_t region) {
         for (std::uint32_t number : regions.bodies(region)) {
-            updateRestTime(state, number, dt);
+            const StepMovement movement = movementOf(state.motions[number]);
             finishBody(state, number, subSteps, h);
+            updateRestTime(state, number, movement, dt);
         }
     });
 }

@@ -67,7 +67,8 @@ Q_DECLARE_METATYPE(PhysicsCase)
 /// Scenes that once went wrong, and others of their kinds. cases.json says how long each is simulated, at how many
 /// steps a second, and what must hold at the end: whether all bodies are asleep (`asleep`); at most which `penetration`
 /// and horizontal `drift`, m; which `distance`, m, the last body has moved, and how far, m, at most `aside` of the line
-/// of its velocity; and within which bounds the `energy` stays, as a fraction of that at the start.
+/// of its velocity; by which vector, m, it has `moved`; and within which bounds the `energy` stays, as a fraction of
+/// that at the start.
 class PhysicsCorpusTest : public QObject {
     Q_OBJECT
 private slots:
@@ -108,6 +109,17 @@ private slots:
         QVERIFY(gone >= kLeast * distance);
         QVERIFY(gone <= kMost * distance);
         if (each.row.contains("aside")) QVERIFY(aside <= each.row["aside"].toDouble());
+    }
+    void slowBodiesMoveOn_data() { addRows("slow"); }
+    void slowBodiesMoveOn() {
+        QFETCH(PhysicsCase, each);
+        const QJsonArray row = each.row["moved"].toArray();
+        const Vec3 expected(row[0].toDouble(), row[1].toDouble(), row[2].toDouble());
+        SceneWorld moved = test::worldOf(each.scene);
+        test::simulate(moved.world, each.row["seconds"].toDouble(), 1.0 / each.row["hertz"].toDouble());
+        const Vec3 by = moved.world.state(moved.bodies.back()).pose.position - each.scene.bodies.back().pose.position;
+        qInfo("(%.4f, %.4f, %.4f) m", by.x, by.y, by.z);
+        QVERIFY(glm::distance(by, expected) <= 0.01 * glm::length(expected));
     }
 
 private:

@@ -27,7 +27,7 @@ WorldState stateOf(std::uint32_t count) {
 
 /// Puts all bodies to sleep, each in an island of its own.
 void sleepAll(WorldState& state) {
-    for (const std::uint32_t body : state.awake) updateRestTime(state, body, 1.0f);
+    for (const std::uint32_t body : state.awake) updateRestTime(state, body, {}, 1.0f);
     sleepRestingIslands(state);
 }
 
