@@ -14,7 +14,7 @@ using namespace rubble;
 namespace {
 
 constexpr double kSpeeds[] = {0.001, 0.01, 0.03, 0.3, 1.0};  // m/s
-constexpr double kSeconds = 20.0;
+constexpr double kCarriedSeconds = 20.0;
 
 std::optional<std::string> stateFault(const World& world) { return verifyState(world.snapshot()->state); }
 
@@ -53,8 +53,8 @@ private slots:
     void beltsCarry() {
         QFETCH(double, speed);
         PlateWorld belt(0.0, {speed, 0.0, 0.0});
-        test::simulate(belt.world, kSeconds);
-        verifyCarried(belt.boxPosition().x, speed * kSeconds);
+        test::simulate(belt.world, kCarriedSeconds);
+        verifyCarried(belt.boxPosition().x, speed * kCarriedSeconds);
         QVERIFY(!belt.world.state(belt.box).asleep);
     }
     void liftsCarry_data() { addSpeeds(); }
@@ -62,8 +62,8 @@ private slots:
         QFETCH(double, speed);
         for (const double direction : {1.0, -1.0}) {
             PlateWorld lift(0.0, {0.0, direction * speed, 0.0});
-            test::simulate(lift.world, kSeconds);
-            verifyCarried(direction * (lift.boxPosition().y - 0.25), speed * kSeconds);
+            test::simulate(lift.world, kCarriedSeconds);
+            verifyCarried(direction * (lift.boxPosition().y - 0.25), speed * kCarriedSeconds);
             QVERIFY(!lift.world.state(lift.box).asleep);
         }
     }
@@ -71,8 +71,8 @@ private slots:
     void turntablesCarry() {
         QFETCH(double, speed);
         PlateWorld table(1.0, Vec3(0.0), {0.0, speed, 0.0});
-        test::simulate(table.world, kSeconds);
-        const double angle = speed * kSeconds;
+        test::simulate(table.world, kCarriedSeconds);
+        const double angle = speed * kCarriedSeconds;
         const Quat rotation = table.world.state(table.box).pose.orientation;
         for (const double turned :
              {std::atan2(-table.boxPosition().z, table.boxPosition().x), 2.0 * std::atan2(rotation.y, rotation.w)}) {
@@ -91,9 +91,9 @@ private slots:
                                    .kind = BodyKind::Kinematic,
                                    .pose = {Vec3(-0.3 - kGap, 1.0, 0.0)},
                                    .velocity = {speed, 0.0, 0.0}});
-        test::simulate(floor.world, kSeconds);
-        const double expected = speed * kSeconds - kGap, actual = floor.boxPosition().x;
-        QVERIFY2(std::abs(actual - expected) <= 0.01 * speed * kSeconds + 1e-4,
+        test::simulate(floor.world, kCarriedSeconds);
+        const double expected = speed * kCarriedSeconds - kGap, actual = floor.boxPosition().x;
+        QVERIFY2(std::abs(actual - expected) <= 0.01 * speed * kCarriedSeconds + 1e-4,
                  qPrintable(QString("%1 instead of %2").arg(actual).arg(expected)));
     }
     void beltsCarryStacks() {
@@ -103,8 +103,8 @@ private slots:
             const Pose pose{Vec3(0.0, 0.25 + 0.5 * k, 0.0)};
             boxes.push_back(*belt.world.addBody({.shape = test::boxShape(Vec3(0.5)), .pose = pose}));
         }
-        test::simulate(belt.world, kSeconds);
-        for (const BodyId box : boxes) verifyCarried(belt.world.state(box).pose.position.x, 0.01 * kSeconds);
+        test::simulate(belt.world, kCarriedSeconds);
+        for (const BodyId box : boxes) verifyCarried(belt.world.state(box).pose.position.x, 0.01 * kCarriedSeconds);
     }
     void bodiesSleepOnWhatDoesNotMove() {
         PlateWorld plate;
@@ -119,8 +119,8 @@ private slots:
         QVERIFY(plate.world.state(plate.box).asleep);
         QVERIFY(plate.world.setVelocity(plate.plate, {0.001, 0.0, 0.0}, Vec3(0.0)));
         QVERIFY(!plate.world.state(plate.box).asleep);
-        test::simulate(plate.world, kSeconds);
-        verifyCarried(plate.boxPosition().x, 0.001 * kSeconds);
+        test::simulate(plate.world, kCarriedSeconds);
+        verifyCarried(plate.boxPosition().x, 0.001 * kCarriedSeconds);
         QVERIFY(plate.world.setVelocity(plate.plate, Vec3(0.0), Vec3(0.0)));
         test::simulate(plate.world, 2.0);
         QVERIFY(plate.world.state(plate.box).asleep);
