@@ -17,10 +17,10 @@ constexpr float kStayDistance = 0.02f;   // m, from that place
 constexpr float kStayFraction = 0.01f;   // of a fall, within which it stays: 2 cm in 0.64 s on earth
 constexpr float kSizeFraction = 0.1f;    // of the bounding radius: the largest distance of both
 constexpr float kRounding = 1.2e-7f;     // of coordinates, and so of the displacements by contacts
-// The distance of what drifts has doubled when its path has doubled. What slows down, turns and accelerates back through
-// where it was has a path of four times its first distance when it is twice as far on the other side.
-constexpr float kGrowth = 2.0f;       // of the distance of a body that drifts
-constexpr float kMinToAndFro = 4.2f;  // path of a body that rattles, relative to its distance
+// The stay of what drifts begins again whenever its distance d has grown. What slows down, turns, and accelerates back
+// through where it was, goes (growth - 1) d + 2 growth d = 2.3 d before that.
+constexpr float kGrowth = 1.1f;
+constexpr float kMinToAndFro = 2.4f;  // path of a body that rattles, relative to its distance
 
 /// An upper bound of the length of w × r for the points r of a body, both in its axes. The extents count along each
 /// axis: a needle that rolls about its length hardly moves.

@@ -38,8 +38,8 @@ struct Body {
     float restTime = 0.0f;                     // s: how long it has been at rest
     Vec3f restDisplacement{0.0f, 0.0f, 0.0f};  // m: of its centre meanwhile
     Vec3f restRotation{0.0f, 0.0f, 0.0f};      // rad, meanwhile, a small angle
-    float stayTime = 0.0f;                     // s: how long it has stayed in one place
-    float stayReach = 0.0f;                    // m: the largest distance of any of its points from there
+    float stayTime = 0.0f;                     // s: how long it has stayed within about stayReach of one place
+    float stayReach = 0.0f;                    // m: how far any of its points has been from there
     float stayPath = 0.0f;                     // m: the length of their path meanwhile
     Vec3f stayCentre{0.0f, 0.0f, 0.0f};        // m, and the rotation: its pose at the beginning of the stay
     Quatf stayRotation;
