@@ -38,7 +38,7 @@ struct SlopeWorld {
     BodyId body;
 };
 
-/// How far a body gets from rest with an acceleration, m/s²: by as much farther than a t² / 2 as its sub-steps are long.
+/// How far a body gets from rest with an acceleration, m/s²: a little farther than a t² / 2, by the sub-steps.
 double accelerated(double acceleration, double seconds) {
     constexpr double kSubStep = test::kStep / 4.0;
     return 0.5 * acceleration * seconds * (seconds + kSubStep);
@@ -116,6 +116,16 @@ private slots:
                 std::remainder(2.0 * std::atan2(rotation.z, rotation.w) - 20.0 * speed, 2.0 * std::numbers::pi);
             QVERIFY2(std::abs(angle) < std::min(0.05, 0.01 * 20.0 * speed), qPrintable(QString::number(angle)));
         }
+    }
+    void bodiesHeldInTheAirFallWhenReleased() {
+        World world;
+        const BodyId body = *world.addBody({.shape = test::boxShape(Vec3(0.5))});
+        QVERIFY(world.grab(body, Vec3(0.0), 1e6));
+        test::simulate(world, 5.0);
+        const double held = world.state(body).pose.position.y;
+        world.release();
+        test::simulate(world, 1.0);
+        verifyOnePercent(held - world.state(body).pose.position.y, accelerated(9.81, 1.0), "released");
     }
     void bodiesSlideOnIce() {
         for (const double degrees : {0.1, 0.4, 1.0, 5.0, 20.0}) {
