@@ -57,11 +57,12 @@ bool isMoving(const BodyMotion& motion) {
     return motion.velocity != Vec3f(0.0f) || motion.angularVelocity != Vec3f(0.0f);
 }
 
-/// Marks the islands that must stay awake: those of which `rests` denies a body, and those that a moving kinematic body
-/// touches.
+/// Marks the islands that must stay awake: those of which `rests` denies a body, those that a moving kinematic body
+/// touches, and that of the grabbed body, which its spring accelerates.
 template <class Rests>
 std::vector<char> findActiveIslands(const WorldState& state, DisjointSets& islands, const Rests& rests) {
     std::vector<char> isActive(state.bodies.size(), 0);
+    if (state.grabbed.index != 0) isActive[islands.rootOf(state.grabbed.index)] = 1;
     for (const std::uint32_t body : state.awake) {
         if (state.bodies[body].isDynamic()) {
             if (!rests(body)) isActive[islands.rootOf(body)] = 1;

@@ -19,7 +19,7 @@ void wakeNeighbours(WorldState& state, std::uint32_t body);
 std::size_t updateAwakeBodies(WorldState& state);
 
 /// Puts islands, bodies connected by contacts, to sleep if each of their bodies is at rest (Rest.h). An island that a
-/// moving kinematic body touches stays awake.
+/// moving kinematic body touches, or of which a body is grabbed, stays awake.
 /// Returns the number of islands tested.
 /// Source: Catto 2024, "Simulation Islands"; Tarjan 1975 (union-find).
 int sleepRestingIslands(WorldState& state);

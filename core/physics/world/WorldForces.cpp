@@ -158,10 +158,7 @@ Status World::dragTo(Vec3 point) {
     return success();
 }
 
-void World::release() {
-    if (m_state->grabbed.index != 0) wakeBody(*m_state, m_state->grabbed.index);
-    m_state->grabbed = {};
-}
+void World::release() { m_state->grabbed = {}; }
 
 std::optional<GrabSpring> World::grabSpring() const {
     const WorldState& state = *m_state;

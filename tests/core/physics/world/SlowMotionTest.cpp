@@ -123,6 +123,8 @@ private slots:
         QVERIFY(world.grab(body, Vec3(0.0), 1e6));
         test::simulate(world, 5.0);
         const double held = world.state(body).pose.position.y;
+        QVERIFY(!world.state(body).asleep);
+        QVERIFY(glm::length(world.state(body).velocity) < 1e-3);
         world.release();
         test::simulate(world, 1.0);
         verifyOnePercent(held - world.state(body).pose.position.y, accelerated(9.81, 1.0), "released");
