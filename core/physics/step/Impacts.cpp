@@ -82,8 +82,8 @@ Vec3f gravityOn(const WorldState& state, std::uint32_t body, Vec3f gravity) {
     return state.bodies[body].isDynamic() ? gravity : Vec3f(0.0f);
 }
 
-/// The speed at which a point approaches when it touches, m/s, negative where it moves away; `gain`: what gravity adds to
-/// the approach, m/s². The impact of a drop must not depend on where in the step it ends.
+/// The speed at which a point approaches when it touches, m/s, negative where it moves away; `gain`: what gravity adds
+/// to the approach, m/s². The impact of a drop must not depend on where in the step it ends.
 float speedAtImpact(float approach, float separation, float gain) {
     const float squared = std::abs(approach) * approach + 2.0f * gain * std::max(separation, 0.0f);
     return squared > 0.0f ? std::sqrt(squared) : -std::sqrt(-squared);

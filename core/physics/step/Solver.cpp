@@ -55,9 +55,9 @@ void pullGrabbed(WorldState& state, const SolverStep& step) {
     motion.angularVelocity += pose.inverseInertia * (turning * impulse);
 }
 
-/// What sub-steps of h seconds lack of the parabola of a body that nothing touched, m. They move bodies by the velocity
-/// at their end, which gives -g h dt / 2 too much. The body of a step without contact moved by n h (v - (n - 1) h g / 2),
-/// v being its velocity at the end.
+/// What n sub-steps of h seconds lack of the parabola of a body that nothing touched, m. They move bodies by the
+/// velocity at their end, which is too much by n g h² / 2 in all. Such a body, whose velocity is v at the end, has moved
+/// by n h (v - (n - 1) g h / 2).
 Vec3f parabolaCorrection(const WorldState& state, const BodyMotion& motion, int subSteps, float h) {
     constexpr float kTolerance = 0.02f;  // of the correction: less is no contact
     constexpr float kRounding = 1e-6f;   // of the displacement

@@ -102,8 +102,8 @@ std::vector<Impact> sharedImpacts(const World& world, std::span<const Impact> im
     ImpactProblem problem(world, impacts);
     if (!problem.isShared()) return shared;
     for (const PairImpact& pair : problem.solve()) {
-        const double share = std::min(1.0, pair.impulse / pair.strongest->impulse());
-        for (std::size_t k = pair.begin; k < pair.end; ++k) shared[k].effectiveMass *= share;
+        const double fraction = std::min(1.0, pair.impulse / pair.strongest->impulse());
+        for (std::size_t k = pair.begin; k < pair.end; ++k) shared[k].effectiveMass *= fraction;
     }
     return shared;
 }

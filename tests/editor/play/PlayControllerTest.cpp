@@ -230,7 +230,8 @@ private slots:
         QVERIFY(stage.step() >= 25u);
         QCOMPARE(stage.controller.events().breaks().size(), 0u);
         stage.document.undoStack().undo();
-        stage.controller.throwAlong(test::kAtBlock);
+        const Ray besideTheFirst{test::kAtBlock.from + Vec3(0.3, 0.0, 0.0), test::kAtBlock.direction};
+        stage.controller.throwAlong(besideTheFirst);
         stage.advance(40);
         QVERIFY(!stage.controller.events().breaks().empty());
     }

@@ -6,6 +6,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Simulated.h"
 #include "tests/support/files/JsonCases.h"
+#include "tests/support/geometry/Hulls.h"
 
 #include <QTest>
 
@@ -29,7 +30,10 @@ Result<BodyScene> sceneOfProject(const std::string& text) {
                                 .kind = session->world().kind(body.body),
                                 .pose = session->world().state(body.body).pose,
                                 .shape = static_cast<std::uint32_t>(scene.shapes.size())});
-        scene.shapes.push_back(hullsOf(body));
+        // The ground reaches farther than a scene of bodies may.
+        const bool isGround = body.role == PlayRole::Ground;
+        scene.shapes.push_back(isGround ? std::vector{translated(test::boxOf({400.0, 10.0, 400.0}), {0.0, -5.0, 0.0})}
+                                        : hullsOf(body));
     }
     return scene;
 }
