@@ -2,6 +2,7 @@
 
 #include "core/physics/narrowphase/HullRay.h"
 #include "core/physics/state/Contacts.h"
+#include "core/physics/step/Displacement.h"
 
 #include <algorithm>
 
@@ -51,8 +52,13 @@ void clampDisplacement(WorldState& state, std::uint32_t body) {
             return;
         }
         const Vec3f kept = endRotation(state, other) * (displacement.from + displacement.displacement * fraction);
-        state.motions[body].deltaPosition =
+        const Vec3f stopped =
             state.poses[other].centre - state.poses[body].centre + state.motions[other].deltaPosition + kept;
+        if (state.bodies[other].isDynamic()) {
+            state.motions[body].deltaPosition = stopped;
+        } else {
+            correctDisplacement(state, body, stopped);
+        }
     });
 }
 

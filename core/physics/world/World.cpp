@@ -15,6 +15,7 @@
 #include "core/physics/step/NarrowPhase.h"
 #include "core/physics/step/SharedLoad.h"
 #include "core/physics/step/Solver.h"
+#include "core/physics/step/StaticOverlaps.h"
 #include "core/physics/world/Bodies.h"
 #include "core/physics/world/Split.h"
 #include "core/physics/world/ThreadingHeuristic.h"
@@ -290,8 +291,9 @@ void World::solve(double dt) {
     solveSubSteps(*m_state, context.threads, context.regions, context.solve, context.kernels, step);
     restoreMasses(*m_state, context.solve.scaled);
     context.times.solve = watch.lap();
-    if (hasContacts) findContactEvents(step);
     clampFastBodies(*m_state, context.threads, context.regions, context.fastBodies);
+    displaceOutOfStatic(*m_state, context.threads, context.regions);
+    if (hasContacts) findContactEvents(step);
     finishBodies(*m_state, context.threads, context.regions, context.dt);
     context.counts.awake = static_cast<int>(m_state->awake.size());
     context.counts.islands = sleepRestingIslands(*m_state);
