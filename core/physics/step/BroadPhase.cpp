@@ -2,6 +2,7 @@
 
 #include "core/physics/islands/Sleeping.h"
 #include "core/physics/state/Contacts.h"
+#include "core/physics/step/Displacement.h"
 
 #include <algorithm>
 #include <array>
@@ -258,6 +259,28 @@ void findPairs(WorldState& state, ThreadPool& threads, const Regions& regions, P
     }
     for (const std::vector<std::uint32_t>& found : scratch.found) {
         for (std::size_t i = 0; i < found.size(); i += 2) addContact(state, found[i], found[i + 1]);
+    }
+}
+
+void findUnforeseenPairs(WorldState& state, ThreadPool& threads, const Regions& regions, PairScratch& scratch) {
+    clearLists(scratch.leaving, regions.count());
+    regions.forEach(threads, [&](std::size_t region) {
+        for (const std::uint32_t body : regions.bodies(region)) {
+            const float travel = state.poses[body].travel + reachOf(state, body);
+            if (travel > state.bodies[body].boxValidUntil && travel > state.predictedTravel[body])
+                scratch.leaving[region].push_back(body);
+        }
+    });
+    for (const std::uint32_t body : mergeSorted(scratch.leaving)) {
+        if (!state.bodies[body].isDynamic()) continue;
+        const BodyPose after = poseAfter(state, body);
+        for (std::uint32_t proxy = state.bodies[body].firstProxy; proxy != kNone; proxy = state.proxies[proxy].next) {
+            const PlacedHull& hull = placedHullOf(state, state.proxies[proxy]);
+            const Box path = joined(tightBox(hull, state.poses[body]), tightBox(hull, after));
+            state.tree.visitOverlapping(path, [&](std::uint32_t other, const Box&) {
+                if (!state.bodies[state.proxies[other].body].isDynamic()) addContact(state, proxy, other);
+            });
+        }
     }
 }
 

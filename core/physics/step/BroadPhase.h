@@ -44,4 +44,8 @@ enum class PairBodies {
 void findPairs(WorldState& state, ThreadPool& threads, const Regions& regions, PairScratch& scratch, float dt,
                PairBodies bodies);
 
+/// Adds the contacts with what is not dynamic that findPairs() could not foresee: of bodies that the step being solved
+/// moves farther than predicted, since others pushed them.
+void findUnforeseenPairs(WorldState& state, ThreadPool& threads, const Regions& regions, PairScratch& scratch);
+
 }  // namespace rubble

@@ -46,14 +46,13 @@ void clampDisplacement(WorldState& state, std::uint32_t body) {
         if (hit.fraction > 1.0f) return;
         const float distance = kDistanceFraction * state.bodies[body].shape->minWidth;
         const float fraction = std::max(0.0f, hit.fraction + distance / dot(hit.normal, displacement.displacement));
-        // The stopping point, as it has moved with the other body by the end of the step.
-        if (isLighter(state, other, body)) {  // a splinter that spins must not carry a ball along
-            state.motions[body].deltaPosition *= std::clamp(fraction, 0.0f, 1.0f);
-            return;
-        }
+        // The stopping point, as it has moved with the other body by the end of the step: unless that spins, and would
+        // carry the body farther than it moves.
         const Vec3f kept = endRotation(state, other) * (displacement.from + displacement.displacement * fraction);
-        const Vec3f stopped =
-            state.poses[other].centre - state.poses[body].centre + state.motions[other].deltaPosition + kept;
+        const Vec3f moved = state.motions[body].deltaPosition;
+        Vec3f stopped = state.poses[other].centre - state.poses[body].centre + state.motions[other].deltaPosition + kept;
+        if (isLighter(state, other, body) || lengthSquared(stopped) > lengthSquared(moved))
+            stopped = moved * std::clamp(fraction, 0.0f, 1.0f);
         if (state.bodies[other].isDynamic()) {
             state.motions[body].deltaPosition = stopped;
         } else {

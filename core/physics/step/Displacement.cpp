@@ -16,6 +16,19 @@ float kineticEnergy(const WorldState& state, std::uint32_t number) {
 
 }  // namespace
 
+BodyPose poseAfter(const WorldState& state, std::uint32_t number) {
+    BodyPose pose = state.poses[number];
+    pose.centre += state.motions[number].deltaPosition;
+    pose.rotation = (state.motions[number].deltaRotation * pose.rotation).normalized();
+    return pose;
+}
+
+float reachOf(const WorldState& state, std::uint32_t number) {
+    const BodyMotion& motion = state.motions[number];
+    return length(motion.deltaPosition) +
+           2.0f * length(motion.deltaRotation.vector()) * state.poses[number].boundingRadius;
+}
+
 void correctDisplacement(WorldState& state, std::uint32_t number, Vec3f displacement) {
     BodyMotion& motion = state.motions[number];
     const float gain = -state.bodies[number].mass * dot(state.gravity, displacement - motion.deltaPosition);  // J

@@ -4,6 +4,12 @@
 
 namespace rubble {
 
+/// The pose of a body at the end of the step being solved; its inertia is that of the beginning.
+BodyPose poseAfter(const WorldState& state, std::uint32_t body);
+
+/// An upper bound of how far the points of a body move in it, m.
+float reachOf(const WorldState& state, std::uint32_t body);
+
 /// Corrects the displacement of a body in the step being solved, m, for what is not dynamic. Height that the body gains
 /// by it is taken from its motion, as far as that suffices, since nothing else would pay for it.
 void correctDisplacement(WorldState& state, std::uint32_t body, Vec3f displacement);

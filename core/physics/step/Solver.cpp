@@ -4,6 +4,7 @@
 #include "core/physics/islands/Rest.h"
 #include "core/physics/solver/SpeedThresholds.h"
 #include "core/physics/state/AngularMomentum.h"
+#include "core/physics/step/Displacement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,7 @@ void finishBody(WorldState& state, std::uint32_t number, int subSteps, float h) 
     BodyPose& pose = state.poses[number];
     BodyMotion& motion = state.motions[number];
     motion.deltaPosition += parabolaCorrection(state, motion, subSteps, h);
-    pose.travel += length(motion.deltaPosition) + 2.0f * length(motion.deltaRotation.vector()) * pose.boundingRadius;
+    pose.travel += reachOf(state, number);
     // Compensated summation: free flight stays on its parabola for minutes.
     const Vec3f moved = motion.deltaPosition + body.centreRemainder, centre = pose.centre + moved;
     body.centreRemainder = moved - (centre - pose.centre);

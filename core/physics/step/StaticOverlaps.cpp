@@ -9,31 +9,10 @@
 namespace rubble {
 namespace {
 
-constexpr float kMinDepth = 0.0025f;      // m
-constexpr float kWidthFraction = 0.125f;  // of a body's width
-constexpr int kRounds = 4;                // where several push
+constexpr float kMaxDepth = 0.004f;  // m
+constexpr int kRounds = 4;           // of displacements, where several bodies displace one
 
-/// The pose of a body at the end of the step.
-BodyPose poseAfter(const WorldState& state, std::uint32_t number) {
-    BodyPose pose = state.poses[number];
-    pose.centre += state.motions[number].deltaPosition;
-    pose.rotation = (state.motions[number].deltaRotation * pose.rotation).normalized();
-    return pose;
-}
-
-/// How deep two hulls overlap, m, where that is more than `least`: else a smaller number; and the axis.
-SeparatingAxis overlapOf(const Hull& body, const Hull& other, const RelativePose& pose, float least) {
-    return separatingAxis(body, other, pose, -least, initialGuess(body, other, pose));
-}
-
-/// An upper bound of how far the points of a body move in the step, m.
-float reachOf(const WorldState& state, std::uint32_t number) {
-    const BodyMotion& motion = state.motions[number];
-    return length(motion.deltaPosition) +
-           2.0f * length(motion.deltaRotation.vector()) * state.poses[number].boundingRadius;
-}
-
-/// The least separation of the points of a contact at the beginning of the step, m; of one without, a lower bound.
+/// A lower bound of the separation of the hulls of a contact at the beginning of the step, m.
 float separationBefore(const WorldState& state, const Contact& contact) {
     if (!contact.slot.isSet()) {
         const float travel = state.poses[contact.bodies[0]].travel + state.poses[contact.bodies[1]].travel;
@@ -46,46 +25,82 @@ float separationBefore(const WorldState& state, const Contact& contact) {
     return least;
 }
 
-/// What moves a body out of another, m; zero if it is not too deep.
-Vec3f wayOut(const WorldState& state, std::uint32_t number, std::uint32_t other, const Contact& contact) {
-    const std::size_t side = contact.bodies[0] == number ? 0 : 1;
-    const PlacedHull& placed = placedHullOf(state, state.proxies[contact.proxies[side]]);
-    const PlacedHull& otherPlaced = placedHullOf(state, state.proxies[contact.proxies[1 - side]]);
-    const float allowed = std::max(kMinDepth, kWidthFraction * state.bodies[number].shape->minWidth);
-    const BodyPose pose = poseAfter(state, number);
-    const RelativePose after = relativePose(pose, placed.offset, poseAfter(state, other), otherPlaced.offset);
-    const SeparatingAxis axis = overlapOf(*placed.hull, *otherPlaced.hull, after, allowed);
-    if (axis.separation >= -allowed) return Vec3f(0.0f);
-    const RelativePose before =
-        relativePose(state.poses[number], placed.offset, state.poses[other], otherPlaced.offset);
-    const float depthBefore = -overlapOf(*placed.hull, *otherPlaced.hull, before, allowed).separation;
-    const float depth = -axis.separation - std::max(allowed, depthBefore);
-    return depth > 0.0f ? pose.rotation.matrix() * axis.normal * -depth : Vec3f(0.0f);
+/// A contact of a body with one that is not dynamic.
+struct StaticContact {
+    const PlacedHull& hull;
+    std::uint32_t other = 0;  // body
+    const PlacedHull& otherHull;
+};
+
+/// The axis of least overlap at poses of both bodies, in the frame of the first: any along which they overlap by less
+/// than `depth`, m, if there is one.
+SeparatingAxis overlapOf(const StaticContact& contact, const BodyPose& body, const BodyPose& other, float depth) {
+    const RelativePose pose = relativePose(body, contact.hull.offset, other, contact.otherHull.offset);
+    const Hull &first = *contact.hull.hull, &second = *contact.otherHull.hull;
+    return separatingAxis(first, second, pose, -depth, initialGuess(first, second, pose));
 }
 
-/// Returns whether it moved the body.
-bool displace(WorldState& state, std::uint32_t number) {
-    bool isDisplaced = false;
+/// What moves a body out of another, m; zero if it is not too deep.
+Vec3f wayOut(const WorldState& state, std::uint32_t number, const StaticContact& contact, const SolverStep& step) {
+    const BodyPose pose = poseAfter(state, number);
+    const SeparatingAxis axis = overlapOf(contact, pose, poseAfter(state, contact.other), kMaxDepth);
+    if (axis.separation >= -kMaxDepth) return Vec3f(0.0f);
+    const SeparatingAxis before = overlapOf(contact, state.poses[number], state.poses[contact.other], kMaxDepth);
+    const float allowed = std::max(kMaxDepth, -before.separation - step.pushOutSpeed * step.dt);
+    return pose.rotation.matrix() * axis.normal * std::min(0.0f, axis.separation + allowed);
+}
+
+/// Calls visit(way) for what moves a body out of what is not dynamic, one after the other.
+template <class Visit>
+void visitWaysOut(const WorldState& state, std::uint32_t number, const SolverStep& step, const Visit& visit) {
     const float reach = reachOf(state, number);
-    visitContacts(state, number, [&](std::uint32_t contact, std::uint32_t other) {
-        const Contact& one = state.contacts[contact];
+    visitContacts(state, number, [&](std::uint32_t index, std::uint32_t other) {
+        const Contact& contact = state.contacts[index];
         if (state.bodies[other].isDynamic()) return;
-        if (separationBefore(state, one) - reach - reachOf(state, other) > -kMinDepth) return;
-        const Vec3f way = wayOut(state, number, other, one);
-        if (way == Vec3f(0.0f)) return;
-        correctDisplacement(state, number, state.motions[number].deltaPosition + way);
-        isDisplaced = true;
+        if (separationBefore(state, contact) - reach - reachOf(state, other) > -kMaxDepth) return;
+        const std::size_t side = contact.bodies[0] == number ? 0 : 1;
+        const StaticContact one{placedHullOf(state, state.proxies[contact.proxies[side]]), other,
+                                placedHullOf(state, state.proxies[contact.proxies[1 - side]])};
+        const Vec3f way = wayOut(state, number, one, step);
+        if (way != Vec3f(0.0f)) visit(way);
     });
-    return isDisplaced;
+}
+
+/// Returns whether nothing displaces the body any more.
+bool displace(WorldState& state, std::uint32_t number, const SolverStep& step) {
+    for (int round = 0; round < kRounds; ++round) {
+        bool isOut = true;
+        visitWaysOut(state, number, step, [&](Vec3f way) {
+            correctDisplacement(state, number, state.motions[number].deltaPosition + way);
+            isOut = false;
+        });
+        if (isOut) return true;
+    }
+    return false;
+}
+
+/// Lets a body move by the largest of some fractions of what it moved that leaves it out of what is not dynamic.
+void shorten(WorldState& state, std::uint32_t number, const SolverStep& step, const BodyMotion& moved) {
+    const Quatf turned = moved.deltaRotation.normalized();
+    for (const float fraction : {0.5f, 0.25f, 0.0f}) {
+        state.motions[number].deltaRotation =
+            Quatf{turned.x * fraction, turned.y * fraction, turned.z * fraction, 1.0f - fraction + turned.w * fraction}
+                .normalized();
+        correctDisplacement(state, number, moved.deltaPosition * fraction);
+        bool isOut = true;
+        visitWaysOut(state, number, step, [&](Vec3f) { isOut = false; });
+        if (isOut) return;
+    }
 }
 
 }  // namespace
 
-void displaceOutOfStatic(WorldState& state, ThreadPool& threads, const Regions& regions) {
+void displaceOutOfStatic(WorldState& state, ThreadPool& threads, const Regions& regions, const SolverStep& step) {
     regions.forEach(threads, [&](std::size_t region) {
         for (const std::uint32_t number : regions.bodies(region)) {
-            if (!state.bodies[number].isDynamic()) continue;
-            for (int round = 0; round < kRounds && displace(state, number); ++round) {}
+            if (!state.bodies[number].isDynamic() || state.bodies[number].firstContact == kNone) continue;
+            const BodyMotion moved = state.motions[number];
+            if (!displace(state, number, step)) shorten(state, number, step, moved);
         }
     });
 }

@@ -291,8 +291,9 @@ void World::solve(double dt) {
     solveSubSteps(*m_state, context.threads, context.regions, context.solve, context.kernels, step);
     restoreMasses(*m_state, context.solve.scaled);
     context.times.solve = watch.lap();
+    findUnforeseenPairs(*m_state, context.threads, context.regions, context.pairs);
     clampFastBodies(*m_state, context.threads, context.regions, context.fastBodies);
-    displaceOutOfStatic(*m_state, context.threads, context.regions);
+    displaceOutOfStatic(*m_state, context.threads, context.regions, step);
     if (hasContacts) findContactEvents(step);
     finishBodies(*m_state, context.threads, context.regions, context.dt);
     context.counts.awake = static_cast<int>(m_state->awake.size());
