@@ -34,13 +34,14 @@ public:
             m_queue.pop();
             if (load == m_carried[load.body]) follow(load);
         }
+        followUnloaded();
         findGrounded();
     }
 
     std::vector<Load> loads() const {
         std::vector<Load> found;
         for (const Support& support : m_supports) {
-            if (support.isGrounded) found.push_back(m_carried[support.upper]);
+            if (support.isGrounded && isLoaded(support.upper)) found.push_back(m_carried[support.upper]);
         }
         std::ranges::sort(found, {}, &Load::body);
         found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -48,7 +49,7 @@ public:
     }
 
 private:
-    /// A body with a load, and one that it rests on.
+    /// A body, and one that it rests on.
     struct Support {
         std::uint32_t upper = 0, lower = 0;
         bool isGrounded = false;  // it rests on the ground, directly or not
@@ -105,12 +106,23 @@ private:
                std::ranges::any_of(points, [&](const PointRows& point) { return touches(point, at, m_step); });
     }
 
+    /// Follows down what loads rest on and what carries no more than itself: does it stand, or fall with them?
+    void followUnloaded() {
+        std::vector<std::uint8_t> isFollowed(m_state.bodies.size(), 0);
+        for (std::size_t k = 0; k < m_supports.size(); ++k) {
+            const std::uint32_t body = m_supports[k].lower;
+            if (!m_state.bodies[body].isDynamic() || isLoaded(body) || isFollowed[body] != 0) continue;
+            isFollowed[body] = 1;
+            findBelow(body);
+            for (const std::uint32_t number : m_below) m_supports.push_back({body, number});
+        }
+    }
     /// What falls together with its load rests on nothing.
     void findGrounded() {
         std::vector<std::uint8_t> isFalling(m_state.bodies.size(), 0);
         for (const Support& support : m_supports) {
             isFalling[support.upper] = 1;
-            if (isLoaded(support.lower)) isFalling[support.lower] = 1;
+            if (m_state.bodies[support.lower].isDynamic()) isFalling[support.lower] = 1;
         }
         for (bool hasChanged = true; hasChanged;) {
             hasChanged = false;
