@@ -17,6 +17,17 @@ bool isPositive(const MassProperties& mass) {
            glm::determinant(mass.inertia) > 0.0;
 }
 
+/// The least moment of inertia that a shape may have, relative to the sum of its moments: that of a needle a hundred
+/// times as long as wide. Contacts would spin thinner ones faster than single precision can follow.
+constexpr double kMinMoment = 1e-4;
+
+/// Raises the moments of inertia of what is too thin for its length; leaves all others as they are.
+Mat3 withMinMoment(const Mat3& inertia) {
+    const auto trace = [](const Mat3& m) { return m[0][0] + m[1][1] + m[2][2]; };
+    const double least = 1.0 / trace(glm::inverse(inertia));  // at most the least moment
+    return inertia + Mat3(std::max(0.0, kMinMoment * trace(inertia) - least));
+}
+
 /// A shape without hulls.
 ///
 /// Errors: BadInput for mass properties that are not positive and finite.
@@ -26,7 +37,8 @@ Result<std::shared_ptr<Shape>> emptyShape(const MassProperties& mass) {
     }
     auto shape = std::make_shared<Shape>();
     shape->mass = mass;
-    shape->inverseInertia = glm::inverse(mass.inertia);
+    shape->mass.inertia = withMinMoment(mass.inertia);
+    shape->inverseInertia = glm::inverse(shape->mass.inertia);
     return shape;
 }
 

@@ -219,6 +219,17 @@ void solveSubSteps(WorldState& state, ThreadPool& threads, const Regions& region
     stages.runRestitution();
 }
 
+void limitSpins(WorldState& state, ThreadPool& threads, const Regions& regions) {
+    regions.forEach(threads, [&](std::size_t region) {
+        for (const std::uint32_t number : regions.bodies(region)) {
+            Vec3f& spin = state.motions[number].angularVelocity;
+            const float squared = lengthSquared(spin);
+            const bool isFast = squared > kMaxSpin * kMaxSpin && state.bodies[number].firstContact != kNone;
+            if (isFast && state.bodies[number].isDynamic()) spin *= kMaxSpin / std::sqrt(squared);
+        }
+    });
+}
+
 void finishBodies(WorldState& state, ThreadPool& threads, const Regions& regions, float dt) {
     const int subSteps = subStepsOf(dt);
     const float h = dt / static_cast<float>(subSteps);

@@ -36,6 +36,8 @@ void prepareContacts(WorldState& state, ThreadPool& threads, const Regions& regi
 /// Solves the sub-steps of a step. The displacements are in the bodies' motions, not yet in their poses.
 void solveSubSteps(WorldState& state, ThreadPool& threads, const Regions& regions, SolveScratch& scratch,
                    const SolverKernels& kernels, const SolverStep& step);
+/// Limits the angular velocities of what contacts have touched to kMaxSpin.
+void limitSpins(WorldState& state, ThreadPool& threads, const Regions& regions);
 /// Applies the displacements of a step of dt seconds to the poses, and updates rest times.
 void finishBodies(WorldState& state, ThreadPool& threads, const Regions& regions, float dt);
 

@@ -290,6 +290,7 @@ void World::solve(double dt) {
     context.times.prepare = watch.lap();
     solveSubSteps(*m_state, context.threads, context.regions, context.solve, context.kernels, step);
     restoreMasses(*m_state, context.solve.scaled);
+    limitSpins(*m_state, context.threads, context.regions);
     context.times.solve = watch.lap();
     findUnforeseenPairs(*m_state, context.threads, context.regions, context.pairs);
     clampFastBodies(*m_state, context.threads, context.regions, context.fastBodies);
