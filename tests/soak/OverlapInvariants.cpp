@@ -22,6 +22,8 @@ public:
                 if (one.body.number >= other.body.number) continue;
                 const double depth = overlapDepth(hulls.of(one), hulls.of(other));
                 if (depth > 0.0) m_depths[{one.body.origin, other.body.origin}] = depth;
+                if (depth <= kSinkFloor || one.isDynamic() == other.isDynamic()) continue;
+                m_inside.insert(one.isDynamic() ? one.body.origin : other.body.origin);
             }
         }
     }
@@ -29,9 +31,12 @@ public:
         const auto found = m_depths.find(std::minmax(one.body.origin, other.body.origin));
         return found != m_depths.end() ? found->second : 0.0;
     }
+    /// Whether a body, or what it was a part of, began deep in something static: it comes out, also through others.
+    bool isInside(const BodyFacts& body) const { return m_inside.contains(body.body.origin); }
 
 private:
     std::map<std::pair<std::uint32_t, std::uint32_t>, double> m_depths;
+    std::set<std::uint32_t> m_inside;  // origins
 };
 
 /// Calls visit(moving body, static body, its hulls) for all that are awake.
@@ -63,6 +68,7 @@ public:
 private:
     std::optional<Fault> faultOf(const StepFacts& step, const BodyFacts& moving, const BodyFacts& fixed,
                                  const BodyHulls::Posed& posed) {
+        if (m_initial.isInside(moving)) return std::nullopt;
         const double allowed = m_initial.of(moving, fixed) + std::max({kSinkFloor, kSinkFraction * moving.minWidth,
                                                                        kSinkOfSize * moving.boundingRadius});
         const double depth = overlapDepth(m_hulls.of(moving), posed);
@@ -128,6 +134,7 @@ class NothingTunnels : public Invariant {
 public:
     const char* name() const override { return "tunnelling"; }
     void start(const Session& session, const Moment& moment) override {
+        m_initial.start(moment, m_hulls);
         for (const BodyFacts& one : moment.bodies) {
             if (one.mass > 0.0) addIfBelow(session, one);
         }
@@ -167,6 +174,7 @@ private:
     /// The centre of a body that lies in one of its hulls cannot come out on the other side of something.
     std::optional<Fault> passedThrough(const StepFacts& step, const BodyFacts& moving, const BodyFacts& fixed,
                                        const BodyHulls::Posed& posed) {
+        if (m_initial.isInside(moving)) return std::nullopt;
         const BodyFacts* const before = step.before.find(moving.body.number);
         if (before == nullptr || !isSame(before->body, moving.body)) return std::nullopt;
         if (!contains(m_hulls.of(moving), moving.state.centre)) return std::nullopt;
@@ -177,6 +185,7 @@ private:
     }
 
     BodyHulls m_hulls;
+    InitialOverlaps m_initial;
     std::set<std::uint32_t> m_below;  // origins
 };
 

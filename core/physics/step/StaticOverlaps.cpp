@@ -12,17 +12,13 @@ namespace {
 constexpr float kMaxDepth = 0.004f;  // m
 constexpr int kRounds = 4;           // of displacements, where several bodies displace one
 
-/// A lower bound of the separation of the hulls of a contact at the beginning of the step, m.
-float separationBefore(const WorldState& state, const Contact& contact) {
-    if (!contact.slot.isSet()) {
-        const float travel = state.poses[contact.bodies[0]].travel + state.poses[contact.bodies[1]].travel;
-        return state.separated[contact.separatedIndex].collideAtTravel - travel;
-    }
-    const ContactBlock& block = state.colours.block(contact.slot);
-    const auto lane = static_cast<std::size_t>(ContactColours::laneOf(contact.slot));
-    float least = 0.0f;
-    for (std::size_t i = 0; i < block.pointCount[lane]; ++i) least = std::min(least, block.points[i].separation[lane]);
-    return least;
+/// Whether the bodies of a contact may come to overlap, or overlap deeper, while they move by `reach`, m. What hardly
+/// moves does not; a manifold that is recycled says nothing of other corners.
+bool mayOverlap(const WorldState& state, const Contact& contact, float reach) {
+    constexpr float kMinReach = 0.00025f;  // m
+    if (contact.slot.isSet()) return reach > kMinReach;
+    const float travel = state.poses[contact.bodies[0]].travel + state.poses[contact.bodies[1]].travel;
+    return travel + reach >= state.separated[contact.separatedIndex].collideAtTravel;
 }
 
 /// A contact of a body with one that is not dynamic.
@@ -52,17 +48,19 @@ Vec3f wayOut(const WorldState& state, std::uint32_t number, const StaticContact&
 
 /// Calls visit(way) for what moves a body out of what is not dynamic, one after the other.
 template <class Visit>
-void visitWaysOut(const WorldState& state, std::uint32_t number, const SolverStep& step, const Visit& visit) {
+void visitWaysOut(WorldState& state, std::uint32_t number, const SolverStep& step, const Visit& visit) {
     const float reach = reachOf(state, number);
     visitContacts(state, number, [&](std::uint32_t index, std::uint32_t other) {
         const Contact& contact = state.contacts[index];
         if (state.bodies[other].isDynamic()) return;
-        if (separationBefore(state, contact) - reach - reachOf(state, other) > -kMaxDepth) return;
+        if (!mayOverlap(state, contact, reach + reachOf(state, other))) return;
         const std::size_t side = contact.bodies[0] == number ? 0 : 1;
         const StaticContact one{placedHullOf(state, state.proxies[contact.proxies[side]]), other,
                                 placedHullOf(state, state.proxies[contact.proxies[1 - side]])};
         const Vec3f way = wayOut(state, number, one, step);
-        if (way != Vec3f(0.0f)) visit(way);
+        if (way == Vec3f(0.0f)) return;
+        if (contact.slot.isSet()) outdateManifold(state, contact);
+        visit(way);
     });
 }
 
