@@ -116,13 +116,18 @@ void wakeBody(WorldState& state, std::uint32_t number) {
     const Body& body = state.bodies[number];
     if (body.kind == BodyKind::Static) return;
     if (body.sleepingIsland != kNone) wakeIsland(state, body.sleepingIsland);
-    if (!body.isAwake) setAwake(state, number);
-    interruptRest(state, number);
+    if (!body.isAwake) return setAwake(state, number);
+    restartRest(state, number);
 }
 
 void wakeBodies(WorldState& state, std::uint32_t contact) {
     const std::array<std::uint32_t, 2> bodies = state.contacts[contact].bodies;
-    for (std::uint32_t body : bodies) wakeBody(state, body);
+    for (std::uint32_t body : bodies) {
+        if (state.bodies[body].isAwake)
+            interruptRest(state, body);
+        else
+            wakeBody(state, body);
+    }
 }
 
 void wakeNeighbours(WorldState& state, std::uint32_t body) {

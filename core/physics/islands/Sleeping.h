@@ -6,9 +6,10 @@
 
 namespace rubble {
 
-/// Wakes a dynamic or kinematic body and its sleeping island.
+/// Wakes a dynamic or kinematic body and its sleeping island: something other than a new contact disturbed it. If it is
+/// awake, its rest begins again.
 void wakeBody(WorldState& state, std::uint32_t body);
-/// Wakes both bodies of a contact.
+/// Wakes both bodies of a new contact, whose half second of rest begins again: what rattles touches others forever.
 void wakeBodies(WorldState& state, std::uint32_t contact);
 /// Wakes the bodies that touch a body, which itself does not sleep with them.
 void wakeNeighbours(WorldState& state, std::uint32_t body);
