@@ -12,10 +12,18 @@ constexpr double kRelative = 1e-4;  // single precision, summed over sub-steps
 constexpr double kDrift = 1e-3;     // m/s: slower motion may end
 constexpr double kAngular = 0.02;   // of the angular momentum
 
+/// The number of the body that is grabbed.
+std::optional<std::uint32_t> grabbedNumber(const Session& session) {
+    const auto spring = session.world().grabSpring();
+    return spring ? std::optional(static_cast<std::uint32_t>(session.world().tag(spring->body))) : std::nullopt;
+}
+
 /// Bodies that may have acted on each other in a step: all that came near, whatever the simulation says of contacts.
 class ActingBodies {
 public:
-    ActingBodies(const StepFacts& step, BodyHulls& hulls) : m_sets(countOf(step)), m_boxes(countOf(step)) {
+    /// `grabbed`: the number of the body that was grabbed before the step.
+    ActingBodies(const StepFacts& step, BodyHulls& hulls, std::optional<std::uint32_t> grabbed)
+        : m_sets(countOf(step)), m_boxes(countOf(step)) {
         m_isFree.assign(m_boxes.size(), true);
         for (const Moment* moment : {&step.before, &step.after}) {
             for (const BodyFacts& one : moment->bodies) include(one, step.session.stepLength(), hulls);
@@ -33,9 +41,8 @@ public:
             for (const std::uint32_t freed : one.freed) join(one.body.number, freed);
             join(one.body.number, one.impactorNumber);
         }
-        if (const auto spring = step.session.world().grabSpring()) {
-            m_isFree[static_cast<std::size_t>(step.session.world().tag(spring->body))] = false;
-        }
+        if (const auto now = grabbedNumber(step.session)) m_isFree[*now] = false;
+        if (grabbed && *grabbed < m_isFree.size()) m_isFree[*grabbed] = false;
     }
 
     std::uint32_t rootOf(std::uint32_t number) { return m_sets.rootOf(number); }
@@ -140,8 +147,9 @@ public:
         const bool isActedOn = step.hasInput<ShotInput>() || step.hasInput<MaterialInput>() ||
                                step.hasInput<RemoveInput>() || step.hasInput<GrabInput>() ||
                                step.hasInput<ReleaseInput>();
+        const auto grabbed = std::exchange(m_grabbed, grabbedNumber(step.session));
         if (isActedOn || !step.events.removed.empty()) return std::nullopt;
-        ActingBodies acting(step, m_hulls);
+        ActingBodies acting(step, m_hulls, grabbed);
         m_hulls.keepOnly(step.after);
         const std::vector<bool> isFree = acting.freeRoots();
         const std::map<std::uint32_t, Sum> before = sumsOf(step.before, acting, isFree);
@@ -186,6 +194,7 @@ private:
     }
 
     BodyHulls m_hulls;
+    std::optional<std::uint32_t> m_grabbed;  // the number of the body that was after the last step
 };
 
 }  // namespace
