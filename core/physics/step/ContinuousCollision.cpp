@@ -50,7 +50,8 @@ void clampDisplacement(WorldState& state, std::uint32_t body) {
         // carry the body farther than it moves.
         const Vec3f kept = endRotation(state, other) * (displacement.from + displacement.displacement * fraction);
         const Vec3f moved = state.motions[body].deltaPosition;
-        Vec3f stopped = state.poses[other].centre - state.poses[body].centre + state.motions[other].deltaPosition + kept;
+        Vec3f stopped =
+            state.poses[other].centre - state.poses[body].centre + state.motions[other].deltaPosition + kept;
         if (isLighter(state, other, body) || lengthSquared(stopped) > lengthSquared(moved))
             stopped = moved * std::clamp(fraction, 0.0f, 1.0f);
         if (state.bodies[other].isDynamic()) {

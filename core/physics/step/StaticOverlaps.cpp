@@ -9,8 +9,10 @@
 namespace rubble {
 namespace {
 
-constexpr float kMaxDepth = 0.004f;  // m
-constexpr int kRounds = 4;           // of displacements, where several bodies displace one
+// How deep bodies may be: thin ones less, so that their centres stay outside.
+constexpr float kMinDepth = 0.0005f, kMaxDepth = 0.004f;  // m
+constexpr float kWidthFraction = 0.4f;
+constexpr int kRounds = 4;  // of displacements, where several bodies displace one
 
 /// Whether the bodies of a contact may come to overlap, or overlap deeper, while they move by `reach`, m. What hardly
 /// moves does not; a manifold that is recycled says nothing of other corners.
@@ -38,11 +40,12 @@ SeparatingAxis overlapOf(const StaticContact& contact, const BodyPose& body, con
 
 /// What moves a body out of another, m; zero if it is not too deep.
 Vec3f wayOut(const WorldState& state, std::uint32_t number, const StaticContact& contact, const SolverStep& step) {
+    const float most = std::clamp(kWidthFraction * contact.hull.hull->minWidth, kMinDepth, kMaxDepth);
     const BodyPose pose = poseAfter(state, number);
-    const SeparatingAxis axis = overlapOf(contact, pose, poseAfter(state, contact.other), kMaxDepth);
-    if (axis.separation >= -kMaxDepth) return Vec3f(0.0f);
-    const SeparatingAxis before = overlapOf(contact, state.poses[number], state.poses[contact.other], kMaxDepth);
-    const float allowed = std::max(kMaxDepth, -before.separation - step.pushOutSpeed * step.dt);
+    const SeparatingAxis axis = overlapOf(contact, pose, poseAfter(state, contact.other), most);
+    if (axis.separation >= -most) return Vec3f(0.0f);
+    const SeparatingAxis before = overlapOf(contact, state.poses[number], state.poses[contact.other], most);
+    const float allowed = std::max(most, -before.separation - step.pushOutSpeed * step.dt);
     return pose.rotation.matrix() * axis.normal * std::min(0.0f, axis.separation + allowed);
 }
 

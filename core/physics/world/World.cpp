@@ -11,6 +11,7 @@
 #include "core/physics/step/BroadPhase.h"
 #include "core/physics/step/ContactEnergy.h"
 #include "core/physics/step/ContinuousCollision.h"
+#include "core/physics/step/DeepContacts.h"
 #include "core/physics/step/Impacts.h"
 #include "core/physics/step/NarrowPhase.h"
 #include "core/physics/step/SharedLoad.h"
@@ -292,6 +293,7 @@ void World::solve(double dt) {
     restoreMasses(*m_state, context.solve.scaled);
     limitSpins(*m_state, context.threads, context.regions);
     context.times.solve = watch.lap();
+    displaceDeepContacts(*m_state, context.threads, context.regions, step.dt);
     findUnforeseenPairs(*m_state, context.threads, context.regions, context.pairs);
     clampFastBodies(*m_state, context.threads, context.regions, context.fastBodies);
     displaceOutOfStatic(*m_state, context.threads, context.regions, step);

@@ -1,0 +1,57 @@
+#include "core/physics/step/DeepContacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace rubble {
+namespace {
+
+constexpr float kRate = 12.0f;     // 1/s: the part of the excess of an overlap
+constexpr float kMaxSpeed = 0.2f;  // m/s, along the normal: faster ones are impacts
+
+/// A contact that overlaps beyond what is soft in all.
+struct DeepContact {
+    std::uint32_t contact = 0;
+    std::uint32_t first = 0, second = 0;
+    Vec3f way{0.0f, 0.0f, 0.0f};  // m: of the second body, relative to the first
+};
+
+void findDeep(const ContactBlock& block, float part, std::vector<DeepContact>& found) {
+    for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+        float depth = 0.0f;
+        for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
+            const PointRows& point = block.points[i];
+            if (std::abs(point.approach[lane]) < kMaxSpeed) depth = std::max(depth, -point.separation[lane]);
+        }
+        if (depth * block.stiffening[lane] <= 1.0f) continue;
+        const float excess = depth - 1.0f / block.stiffening[lane];
+        found.push_back(
+            {block.contact[lane], block.first[lane], block.second[lane], block.normal.at(lane) * (part * excess)});
+    }
+}
+
+}  // namespace
+
+void displaceDeepContacts(WorldState& state, ThreadPool& threads, const Regions& regions, float dt) {
+    const float part = std::min(0.5f, kRate * dt);
+    std::vector<std::vector<DeepContact>> byRegion(regions.count());
+    regions.forEach(threads, [&](std::size_t region) {
+        for (std::size_t list = 0; list < ContactColours::kLists; ++list) {
+            const std::span blocks = std::span<const ContactBlock>(state.colours.lists()[list].blocks);
+            for (const ContactBlock& block : regions.part(list, blocks, region))
+                findDeep(block, part, byRegion[region]);
+        }
+    });
+    std::vector<DeepContact> deep;
+    for (const std::vector<DeepContact>& some : byRegion) deep.insert(deep.end(), some.begin(), some.end());
+    std::ranges::sort(deep, {}, &DeepContact::contact);
+    for (const DeepContact& one : deep) {
+        const bool isFirst = state.bodies[one.first].isDynamic(), isSecond = state.bodies[one.second].isDynamic();
+        const float share = isFirst && isSecond ? 0.5f : 1.0f;
+        if (isFirst) state.motions[one.first].deltaPosition -= one.way * share;
+        if (isSecond) state.motions[one.second].deltaPosition += one.way * share;
+    }
+}
+
+}  // namespace rubble
