@@ -241,6 +241,7 @@ void replaceBody(const SessionParts& parts, const PlayBody& before, std::span<co
             body.restCentre.reset();
         } else {
             body.collapseStep = before.collapseStep;
+            if (before.isHeld && !body.isHeld) body.born = state.step;  // it is debris from now on
         }
         made.push_back(splitPart(parts, before, body, island, firstHulls));
         for (const std::uint32_t node : island.nodes) {

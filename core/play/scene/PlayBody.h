@@ -35,8 +35,9 @@ struct PlayBody {
     ClusterLevel heldLevel = kEveryLevel;    // bonded: its bonds of deeper levels hold until heldUntil
     double heldUntil = 0.0;                  // s since the start of the session
 
-    /// Whether it is removed by the rules of Debris: fragments are, also those of a thrown asset; what is whole is not.
-    bool isDebris() const { return role == PlayRole::Debris; }
+    /// Whether it is removed by the rules of Debris: fragments are, also those of a thrown asset; what is whole or held
+    /// is not.
+    bool isDebris() const { return role == PlayRole::Debris && !isHeld; }
     /// The fragments that replace it; null if it does not break, or breaks along bonds.
     const PlayFracture* fracture() const {
         return canBreak() && !asset->isBonded ? asset->fractureOf(fragment) : nullptr;
