@@ -7,8 +7,9 @@
 namespace rubble {
 namespace {
 
-constexpr float kRate = 12.0f;     // 1/s: the part of the excess of an overlap
-constexpr float kMaxSpeed = 0.2f;  // m/s, along the normal: faster ones are impacts
+constexpr float kRate = 12.0f;        // 1/s: the part of the excess of an overlap
+constexpr float kFastest = 0.1f;      // m/s: of the displacement
+constexpr float kImpactSpeed = 0.2f;  // m/s, along the normal: faster ones are impacts
 
 /// A contact that overlaps beyond what is soft in all.
 struct DeepContact {
@@ -17,30 +18,28 @@ struct DeepContact {
     Vec3f way{0.0f, 0.0f, 0.0f};  // m: of the second body, relative to the first
 };
 
-void findDeep(const ContactBlock& block, float part, std::vector<DeepContact>& found) {
+void findDeep(const ContactBlock& block, float dt, std::vector<DeepContact>& found) {
     for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
         float depth = 0.0f;
         for (std::size_t i = 0; i < block.pointCount[lane]; ++i) {
             const PointRows& point = block.points[i];
-            if (std::abs(point.approach[lane]) < kMaxSpeed) depth = std::max(depth, -point.separation[lane]);
+            if (std::abs(point.approach[lane]) < kImpactSpeed) depth = std::max(depth, -point.separation[lane]);
         }
         if (depth * block.stiffening[lane] <= 1.0f) continue;
         const float excess = depth - 1.0f / block.stiffening[lane];
-        found.push_back(
-            {block.contact[lane], block.first[lane], block.second[lane], block.normal.at(lane) * (part * excess)});
+        found.push_back({block.contact[lane], block.first[lane], block.second[lane],
+                         block.normal.at(lane) * std::min(std::min(0.5f, kRate * dt) * excess, kFastest * dt)});
     }
 }
 
 }  // namespace
 
 void displaceDeepContacts(WorldState& state, ThreadPool& threads, const Regions& regions, float dt) {
-    const float part = std::min(0.5f, kRate * dt);
     std::vector<std::vector<DeepContact>> byRegion(regions.count());
     regions.forEach(threads, [&](std::size_t region) {
         for (std::size_t list = 0; list < ContactColours::kLists; ++list) {
             const std::span blocks = std::span<const ContactBlock>(state.colours.lists()[list].blocks);
-            for (const ContactBlock& block : regions.part(list, blocks, region))
-                findDeep(block, part, byRegion[region]);
+            for (const ContactBlock& block : regions.part(list, blocks, region)) findDeep(block, dt, byRegion[region]);
         }
     });
     std::vector<DeepContact> deep;

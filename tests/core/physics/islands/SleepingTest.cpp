@@ -121,6 +121,18 @@ private slots:
             QCOMPARE(state.awake, expected);
         }
     }
+    /// What rattles is at rest, but not when something other than a new contact disturbed it.
+    void whatIsWokenIsAtRestNoMore() {
+        WorldState state = stateOf(1);
+        Body& body = state.bodies[1];
+        state.gravity = Vec3f(0.0f, -9.81f, 0.0f);
+        body.stayTime = 1.0f;
+        body.stayReach = 0.001f;
+        body.stayPath = 1.0f;
+        QVERIFY(isAtRest(state, 1));
+        wakeBody(state, 1);
+        QVERIFY(!isAtRest(state, 1));
+    }
 };
 
 RUBBLE_TEST(SleepingTest)

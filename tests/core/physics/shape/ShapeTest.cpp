@@ -28,6 +28,19 @@ std::vector<Polytope> twoCubes() {
 class ShapeTest : public QObject {
     Q_OBJECT
 private slots:
+    /// A needle of 1 m has moments (w² + w²) m / 12 and (1 + w²) m / 12: as they are down to 1 : 40, but not below
+    /// about 1e-4 of their sum.
+    void slenderShapesHaveALeastMoment() {
+        for (const double width : {0.2, 0.025, 0.005, 1e-4, 1e-6}) {
+            const std::shared_ptr<const Shape> shape = *makeShape(std::vector{boxOf({1.0, width, width})});
+            const double mass = width * width, own = mass * 2.0 * width * width / 12.0;
+            const Mat3& inertia = shape->mass.inertia;
+            if (width >= 0.025) QVERIFY(std::abs(inertia[0][0] - own) < 1e-9 * own);
+            QVERIFY(inertia[0][0] >= 0.99e-4 * (inertia[0][0] + inertia[1][1] + inertia[2][2]));
+            QVERIFY(std::abs(inertia[1][1] - mass * (1.0 + width * width) / 12.0) < 3e-4 * inertia[1][1]);
+            QVERIFY(std::abs(shape->inverseInertia[0][0] * inertia[0][0] - 1.0) < 1e-9);
+        }
+    }
     void measuresOfTwoCubes() {
         const std::shared_ptr<const Shape> shape = *makeShape(twoCubes());
         QCOMPARE(shape->hulls.size(), std::size_t{2});

@@ -73,6 +73,16 @@ private slots:
         for (SceneBody& body : tower.bodies) body.pose.position.y += body.kind == BodyKind::Dynamic ? 2.0 : 0.0;
         QVERIFY(loadsOf(tower).empty());
     }
+    /// A light cube between two heavy ones, of which the lower carries no more than itself.
+    void whatFallsOnAHeavyBodyCarriesNothing() {
+        const auto loadsAt = [](double height) {
+            BodyScene scene = twoCubes({0.0, 2.5 + height, 0.0}, {0.0, 1.5 + height, 0.0});
+            addFreeBody(scene, "lower", 1, {.position = {0.0, 0.5 + height, 0.0}});
+            return loadsOf(scene).size();
+        };
+        QCOMPARE(loadsAt(0.0), 1u);
+        QCOMPARE(loadsAt(2.0), 0u);
+    }
     void withoutGravityNothingIsCarried() {
         BodyScene scene = loadedTower(2, 1000.0);
         scene.gravity = Vec3(0.0);

@@ -227,6 +227,15 @@ private slots:
         for (int step = 0; step < 600; ++step) session.step();
         QVERIFY(session.bodies().empty());
     }
+    /// What stands of a bonded wall fades out no more than a whole one, but from when it comes free.
+    void whatIsHeldIsNoDebris() {
+        PlayBody body{.role = PlayRole::Debris, .isHeld = true};
+        const Debris debris{.lifetime = 0.5, .fade = 0.2};
+        QVERIFY(!body.isDebris());
+        QCOMPARE(fadeOf(body, debris, 600, 1.0 / 60.0), 0.0);
+        body.isHeld = false;
+        QCOMPARE(fadeOf(body, debris, 600, 1.0 / 60.0), 1.0);
+    }
 };
 
 RUBBLE_TEST(DebrisRemovalTest)
