@@ -9,6 +9,7 @@ namespace {
 
 constexpr float kRate = 12.0f;        // 1/s: the part of the excess of an overlap
 constexpr float kFastest = 0.1f;      // m/s: of the displacement
+constexpr float kDeep = 1.6f;         // of what is soft in all: less is the load of high piles
 constexpr float kImpactSpeed = 0.2f;  // m/s, along the normal: faster ones are impacts
 
 /// A contact that overlaps beyond what is soft in all.
@@ -25,8 +26,8 @@ void findDeep(const ContactBlock& block, float dt, std::vector<DeepContact>& fou
             const PointRows& point = block.points[i];
             if (std::abs(point.approach[lane]) < kImpactSpeed) depth = std::max(depth, -point.separation[lane]);
         }
-        if (depth * block.stiffening[lane] <= 1.0f) continue;
-        const float excess = depth - 1.0f / block.stiffening[lane];
+        const float excess = depth - kDeep / block.stiffening[lane];
+        if (!(excess > 0.0f)) continue;
         found.push_back({block.contact[lane], block.first[lane], block.second[lane],
                          block.normal.at(lane) * std::min(std::min(0.5f, kRate * dt) * excess, kFastest * dt)});
     }
