@@ -26,12 +26,6 @@ struct PartOfBody {
     double volume = 0.0;  // m³
 };
 
-std::vector<std::uint32_t> allNodes(const PlayStructure& structure) {
-    std::vector<std::uint32_t> nodes(structure.nodeCount());
-    std::iota(nodes.begin(), nodes.end(), 0u);
-    return nodes;
-}
-
 /// Breaks the unbroken bonds of nodes that `isBreaking(link)` accepts.
 template <class IsBreaking>
 void breakBonds(StructureState& state, std::span<const std::uint32_t> nodes, const IsBreaking& isBreaking,
@@ -334,7 +328,7 @@ bool splitBody(const SessionParts& parts, BrokenBonds broken) {
         held.breaking = std::min(held.breaking, broken.level);
         breakUnsupported(state, unsupportedOf(parts, body, state, body.nodes, held), broken.bonds);
     }
-    crumble(state, body.nodes, broken.bonds);
+    if (!broken.bonds.empty()) crumble(state, body.nodes, broken.bonds);  // what nothing broke is intact
     std::vector<PartOfBody> islands = islandsOfBody(state, body.nodes, body.isHeld);
     const bool isChanged = islands.size() > 1 || islands.front().isHeld != body.isHeld;
     if (isChanged) {
@@ -352,19 +346,14 @@ bool splitBody(const SessionParts& parts, BrokenBonds broken) {
     return isChanged;
 }
 
-/// Whether bonds join all nodes of a structure at the start.
-bool isJoined(const PlayStructure& structure) {
-    if (std::ranges::find(structure.initialDamage, kBroken) == structure.initialDamage.end()) return true;
-    return islandsOf(structure.graph, structure.initialDamage, allNodes(structure)).count() == 1;
-}
-
-/// The bodies none of whose bonds broke yet, but with islands that no bond with a strength joins.
+/// The bodies none of whose bonds broke yet, but with islands that no bond with a strength joins: beside a gap,
+/// or where bonds have none.
 std::vector<BrokenBonds> unjoinedBodies(const SessionParts& parts) {
     std::vector<BrokenBonds> unjoined;
     if (!parts.scene.hasUnjoined) return unjoined;
     for (PlayBody& body : parts.state.bodies) {
         if (body.structure != kNone || body.bondedFracture() == nullptr) continue;
-        if (isJoined(*structureIn(parts.scene, parts.state.origins[body.origin], body.fragment))) continue;
+        if (structureIn(parts.scene, parts.state.origins[body.origin], body.fragment)->isJoined) continue;
         structureOf(parts, body);
         unjoined.push_back({.body = body.number, .point = parts.world.state(body.body).centre});
     }
@@ -410,7 +399,7 @@ StructureState& structureOf(const SessionParts& parts, PlayBody& body) {
     begun.damage = begun.structure->initialDamage;
     begun.bodyOfNode.assign(begun.structure->nodeCount(), body.number);
     body.structure = static_cast<std::uint32_t>(structures.size());
-    body.nodes = allNodes(*begun.structure);
+    body.nodes = begun.structure->allNodes();
     structures.push_back(std::move(begun));
     return structures.back();
 }

@@ -20,16 +20,16 @@ struct BrokenBonds {
 };
 
 /// Splits bodies whose bonds have broken into their islands, in the given order: the heaviest island keeps the body's
-/// number, those with anchors stay in place, the others move as they did in the body. Islands with fewer nodes than
-/// PlayStructure::minimumIsland fall apart. What has lost its support loses all of its bonds at once, or in a later
-/// step, see PlayStructure::collapseDelay; clusters come off as one, where none of their fragments has support. What
-/// comes off a held body within the impactor's bounding radius of the point that was hit is pushed together: the hole
-/// guides it, where its parts would jam if they were pushed one by one. Then the same for the mortar that holds no
-/// longer, see brokenMortar(), and for what is unjoined, see splitUnjoined(). True if any body came free.
+/// number, those with anchors stay in place, the others move as they did in the body. Where bonds broke, islands with
+/// fewer nodes than PlayStructure::minimumIsland fall apart. What has lost its support loses all of its bonds at once,
+/// or in a later step, see PlayStructure::collapseDelay; clusters come off as one, where none of their fragments has
+/// support. What comes off a held body within the impactor's bounding radius of the point that was hit is pushed
+/// together: the hole guides it, where its parts would jam if they were pushed one by one. Then the same for the mortar
+/// that holds no longer, see brokenMortar(), and for what is unjoined, see splitUnjoined(). True if any body came free.
 bool splitBodies(const SessionParts& parts, std::vector<BrokenBonds> broken);
 
-/// Splits the bodies whose bonds without strength are all that joins some of their fragments: those placed at the start
-/// of a session, and what has been thrown. splitBodies() does so to what comes off.
+/// Splits the bodies some of whose fragments no bond with a strength joins to the others: those placed at the start of a
+/// session, and what has been thrown. splitBodies() does so to what comes off.
 void splitUnjoined(const SessionParts& parts);
 
 /// The clusters of a body that hold now: for kLevelTime after a break, also all deeper levels than that which broke, so

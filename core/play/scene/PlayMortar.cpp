@@ -165,8 +165,8 @@ std::shared_ptr<PlayStructure> withMortar(const PlayStructure& structure, const 
     bonds.insert(bonds.end(), added.bonds.begin(), added.bonds.end());
     std::vector<double> capacities = structure.capacities;
     capacities.insert(capacities.end(), added.capacities.begin(), added.capacities.end());
-    made->setCapacities(std::move(capacities));
     made->graph = bondGraph(structure.graph.centres, std::move(bonds));
+    made->setCapacities(std::move(capacities));
     made->mortar = added.links;
     for (MortarLink& link : made->mortar) {
         if (link.instance != 0) link.bond += firstMortar.at(link.instance);

@@ -63,14 +63,13 @@ void joinByMortar(PlayScene& scene, std::span<const FixedSolid> surroundings) {
     for (auto& [id, member] : members) scene.structures[id] = std::move(member.structure);
 }
 
-bool hasBondsWithoutStrength(const PlayScene& scene) {
-    const auto hasAny = [](const auto& entry) {
-        return std::ranges::find(entry.second->initialDamage, kBroken) != entry.second->initialDamage.end();
-    };
+/// Whether bonds do not join all fragments of a structure, or of one at a level of an instance without strength.
+bool hasUnjoinedStructures(const PlayScene& scene) {
+    const auto isUnjoined = [](const auto& entry) { return !entry.second->isJoined; };
     const auto hasNoStrength = [](const Instance& instance) { return instance.bondStrength <= 0.0; };
-    return std::ranges::any_of(scene.structures, hasAny) ||
+    return std::ranges::any_of(scene.structures, isUnjoined) ||
            std::ranges::any_of(scene.assetStructures,
-                               [&](const auto& entry) { return std::ranges::any_of(entry.second, hasAny); }) ||
+                               [&](const auto& entry) { return std::ranges::any_of(entry.second, isUnjoined); }) ||
            std::ranges::any_of(scene.project.instances, hasNoStrength);
 }
 
@@ -106,7 +105,7 @@ void addStructures(PlayScene& scene) {
         if (found != scene.structures.end())
             found->second = withSupportLimits(found->second, instance, project.gravity);
     }
-    scene.hasUnjoined = hasBondsWithoutStrength(scene);
+    scene.hasUnjoined = hasUnjoinedStructures(scene);
 }
 
 std::shared_ptr<const PlayStructure> structureIn(const PlayScene& scene, const PlayOrigin& origin,

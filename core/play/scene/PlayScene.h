@@ -14,7 +14,7 @@ struct PlayScene {
     std::map<Id, std::shared_ptr<const PlayStructure>> structures;  // of the wholes of bonded instances that break
     /// Of all solids that are fractured, of bonded assets: by the fragment that is; kNone: the whole. Without anchors.
     std::map<AssetVariant, std::map<std::uint32_t, std::shared_ptr<const PlayStructure>>> assetStructures;
-    bool hasUnjoined = false;             // some of these structures have bonds without a strength
+    bool hasUnjoined = false;             // bonds do not join all nodes of some of these structures
     std::vector<JoinedMortar> mortars;    // one for each of the project's
     std::vector<Diagnostic> diagnostics;  // of all assets, each message with the asset's name
 };

@@ -2,12 +2,14 @@
 
 #include "core/base/Assert.h"
 #include "core/play/scene/GroundHull.h"
+#include "core/structure/graph/Islands.h"
 #include "core/structure/graph/Support.h"
 #include "core/structure/strength/BondCapacities.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace rubble {
 namespace {
@@ -70,6 +72,12 @@ std::vector<MortarNode> mortarNodes(const PlayStructure& structure, Id instance,
     return nodes;
 }
 
+std::vector<std::uint32_t> PlayStructure::allNodes() const {
+    std::vector<std::uint32_t> nodes(nodeCount());
+    std::iota(nodes.begin(), nodes.end(), 0u);
+    return nodes;
+}
+
 bool PlayStructure::isHeld() const {
     if (holdsHeaviest) return true;
     for (std::uint32_t bond = 0; bond < graph.bondCount(); ++bond)
@@ -86,6 +94,7 @@ void PlayStructure::setCapacities(std::vector<double> all) {
         if (capacity > 0.0) holding.push_back(capacity);
     }
     leastImpulse = rubble::leastImpulse(holding, rule);
+    isJoined = islandsOf(graph, initialDamage, allNodes()).count() <= 1;
 }
 
 std::vector<double> supportLimitsOf(const PlayStructure& structure, Vec3 up) {

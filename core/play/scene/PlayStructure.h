@@ -36,6 +36,7 @@ struct PlayStructure {
     double span = 0.0;                // m; 0: any
     double collapseDelay = 0.0;       // s
     std::uint32_t minimumIsland = 1;  // nodes
+    bool isJoined = true;             // bonds that are not broken from the start join all nodes
     bool holdsHeaviest = false;       // fixed, though it touches nothing that is: its heaviest island stays
     Vec3 up{0.0};                     // held, with a span: against the scene's gravity, in its frame
     /// Then, of each node: supportLimits(), m; or joinedSupportLimits() where mortar joins it.
@@ -46,6 +47,8 @@ struct PlayStructure {
     std::uint32_t nodeCount() const { return graph.nodeCount(); }
     std::uint32_t fragmentOf(std::uint32_t node) const { return fracture().first + node; }
     const PlaySolid& solidOf(std::uint32_t node) const { return asset->fragments[fragmentOf(node)]; }
+    /// All nodes, ascending.
+    std::vector<std::uint32_t> allNodes() const;
     /// The first bond that is mortar.
     std::uint32_t firstMortar() const { return graph.bondCount() - static_cast<std::uint32_t>(mortar.size()); }
     /// The other half of a bond; null unless it is mortar between two structures.
@@ -59,7 +62,7 @@ struct PlayStructure {
     bool isHeld() const;
     /// Whether it is supported up to a span only, where it is held.
     bool hasSpan() const { return span > 0.0 && !holdsHeaviest; }
-    /// Sets the capacities of all bonds, and what follows from them.
+    /// Sets the capacities of all bonds of the graph, and what follows from them.
     void setCapacities(std::vector<double> all);
 };
 

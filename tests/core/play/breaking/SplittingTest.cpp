@@ -24,6 +24,24 @@ void breakLeftFoot(Session& session) {
     if (const Status applied = session.apply({{id, damage}}); !applied) qFatal("%s", applied.error().message.c_str());
 }
 
+/// A bonded wall of two courses of bricks, 4 x 2 x 0.25 m times `scale`. Slices run beside their head joints: between
+/// both, the mortar takes all of the stone.
+Project columnsOfBricks(double scale, std::uint32_t columns) {
+    Project project = test::bondedWall();
+    Asset& asset = project.assets[0];
+    asset.prism = {{rectangle(scale * Vec2(-2.0, -1.0), scale * Vec2(2.0, 1.0)), {}}, 0.25 * scale};
+    const double mortar = 0.02 * scale, aside = 0.005 * scale;
+    asset.pattern =
+        test::patternOf(project, {Slices{.cuts = columns - 1, .offsetVariation = 0.0, .angleVariation = 0.0},
+                                  BrickBond{.bond = BondKind::Stack,
+                                            .length = 4.0 * scale / columns - mortar,
+                                            .height = scale - mortar,
+                                            .mortar = mortar,
+                                            .origin = {aside - 2.0 * scale, -scale}}});
+    project.instances[0].pose.position = {0.0, scale, 0.0};
+    return project;
+}
+
 }  // namespace
 
 class SplittingTest : public QObject {
@@ -162,6 +180,39 @@ private slots:
         test::addInput(session, ShotInput{"wall", thrown});
         session.step();
         QCOMPARE(session.bodies().size(), 2 * placed - 1);
+    }
+    void whatNoBondJoinsIsApart_data() {
+        QTest::addColumn<double>("scale");
+        QTest::addColumn<unsigned>("columns");
+        QTest::newRow("two columns") << 1.0 << 2u;
+        QTest::newRow("many columns") << 1.0 << 9u;
+        QTest::newRow("small") << 0.2 << 4u;
+        QTest::newRow("large") << 20.0 << 5u;
+    }
+    /// Where the mortar of bricks parts fragments that have no common face, they do not wait for a hit.
+    void whatNoBondJoinsIsApart() {
+        QFETCH(double, scale);
+        QFETCH(unsigned, columns);
+        for (const bool isHeld : {true, false}) {
+            Project project = columnsOfBricks(scale, columns);
+            project.instances[0].isAnchored = isHeld;
+            Session session = test::sessionOf(project);
+            QVERIFY(session.events().splits.empty() && session.damage().begin()->second.isIntact());
+            std::size_t bricks = 0, parts = 0;
+            for (const PlayBody& body : session.bodies()) {
+                if (body.asset == nullptr) continue;
+                QCOMPARE(body.nodes.size(), std::size_t{2});
+                QCOMPARE(body.isHeld, isHeld);
+                bricks += body.nodes.size();
+                ++parts;
+            }
+            QCOMPARE(parts, std::size_t{columns});
+            QCOMPARE(bricks, session.scene().structures.begin()->second->graph.centres.size());
+            for (int k = 0; k < 30; ++k) {
+                session.step();
+                QVERIFY(session.events().splits.empty() && session.events().breaks.empty());
+            }
+        }
     }
     void fragmentsBreakFurtherByTheirLevel() {
         Project project = test::bondedWall(12);
