@@ -1,4 +1,5 @@
 #include "tests/attack/Campaign.h"
+#include "tests/support/ProgramOptions.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -6,11 +7,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 
 namespace {
 
 using namespace rubble::attack;
+using rubble::test::failWith;
+using rubble::test::ProgramOptions;
 
 constexpr const char* kUsage =
     R"(usage: attack [--format NAME]... [--count N] [--seed N] [--first N] [--jobs N] [--save FOLDER] [--importer FILE]
@@ -56,45 +58,21 @@ struct Options {
     bool isPrinted = false;
 };
 
-[[noreturn]] void fail(const std::string& message) {
-    std::fprintf(stderr, "%s\n", message.c_str());
-    std::exit(2);
-}
-
 Options optionsOf(int argumentCount, char** arguments) {
     Options options;
-    for (int k = 1; k < argumentCount; ++k) {
-        const std::string name = arguments[k];
-        const auto text = [&]() -> std::string {
-            if (++k == argumentCount) fail(name + " needs a value.");
-            return arguments[k];
-        };
-        const auto number = [&] { return std::strtoull(text().c_str(), nullptr, 10); };
-        if (name == "--format")
-            options.formats.push_back(text());
-        else if (name == "--count")
-            options.campaign.count = number();
-        else if (name == "--seed")
-            options.campaign.seed = number();
-        else if (name == "--first")
-            options.campaign.first = number();
-        else if (name == "--jobs")
-            options.campaign.jobs = static_cast<int>(number());
-        else if (name == "--save")
-            options.campaign.findings = text();
-        else if (name == "--importer")
-            options.importer = text();
-        else if (name == "--check")
-            options.checked = text();
-        else if (name == "--corpus")
-            options.corpus = text();
-        else if (name == "--verbose")
-            options.campaign.isVerbose = true;
-        else if (name == "--print")
-            options.isPrinted = true;
-        else
-            fail(kUsage);
-    }
+    ProgramOptions(kUsage)
+        .value("--format", options.formats)
+        .value("--count", options.campaign.count)
+        .value("--seed", options.campaign.seed)
+        .value("--first", options.campaign.first)
+        .value("--jobs", options.campaign.jobs)
+        .value("--save", options.campaign.findings)
+        .value("--importer", options.importer)
+        .value("--check", options.checked)
+        .value("--corpus", options.corpus)
+        .flag("--verbose", options.campaign.isVerbose)
+        .flag("--print", options.isPrinted)
+        .read(argumentCount, arguments);
     return options;
 }
 
@@ -124,7 +102,7 @@ void printImporter(const ImporterFigures& importer) {
 
 int check(const Format& format, const std::filesystem::path& file) {
     std::FILE* const stream = std::fopen(file.c_str(), "rb");
-    if (stream == nullptr) fail("Cannot open \"" + file.string() + "\".");
+    if (stream == nullptr) failWith("Cannot open \"" + file.string() + "\".");
     std::string bytes;
     for (int letter = std::fgetc(stream); letter != EOF; letter = std::fgetc(stream))
         bytes += static_cast<char>(letter);
@@ -147,7 +125,7 @@ int brokenInFolder(const Format& format, const std::filesystem::path& folder) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         std::fflush(nullptr);
         const pid_t process = ::fork();
-        if (process < 0) fail("Cannot start a process.");
+        if (process < 0) failWith("Cannot start a process.");
         if (process == 0) {
             ::alarm(kSeconds);
             const int status = check(format, entry.path());

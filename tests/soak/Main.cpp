@@ -1,5 +1,6 @@
 #include "tests/soak/ChildProcess.h"
 #include "tests/soak/Shrink.h"
+#include "tests/support/ProgramOptions.h"
 
 #include <poll.h>
 
@@ -7,7 +8,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -17,6 +17,8 @@ namespace {
 
 using namespace rubble::soak;
 using rubble::Result;
+using rubble::test::failWith;
+using rubble::test::ProgramOptions;
 
 constexpr const char* kUsage =
     R"(usage: soak [--seed S] [--scenes N] [--minutes M] [--jobs J] [--only INVARIANT] [--keep FOLDER] [--shrink N]
@@ -50,41 +52,21 @@ struct Options {
     std::string show;
 };
 
-[[noreturn]] void fail(const std::string& message) {
-    std::fprintf(stderr, "%s\n", message.c_str());
-    std::exit(2);
-}
-
 Options optionsOf(int argumentCount, char** arguments) {
     Options options;
-    for (int k = 1; k < argumentCount; ++k) {
-        const std::string name = arguments[k];
-        if (k + 1 == argumentCount) fail(kUsage);
-        const char* const text = arguments[++k];
-        const std::uint64_t number = std::strtoull(text, nullptr, 10);
-        if (name == "--seed")
-            options.seed = number;
-        else if (name == "--scenes")
-            options.scenes = number;
-        else if (name == "--minutes")
-            options.minutes = std::strtod(text, nullptr);
-        else if (name == "--jobs")
-            options.jobs = std::max<std::size_t>(1, number);
-        else if (name == "--only")
-            options.only = text;
-        else if (name == "--keep")
-            options.keep = text;
-        else if (name == "--shrink")
-            options.shrunk = number;
-        else if (name == "--corpus")
-            options.corpus = text;
-        else if (name == "--known")
-            options.known = text;
-        else if (name == "--show")
-            options.show = text;
-        else
-            fail(kUsage);
-    }
+    ProgramOptions(kUsage)
+        .value("--seed", options.seed)
+        .value("--scenes", options.scenes)
+        .value("--minutes", options.minutes)
+        .value("--jobs", options.jobs)
+        .value("--only", options.only)
+        .value("--keep", options.keep)
+        .value("--shrink", options.shrunk)
+        .value("--corpus", options.corpus)
+        .value("--known", options.known)
+        .value("--show", options.show)
+        .read(argumentCount, arguments);
+    options.jobs = std::max<std::size_t>(1, options.jobs);
     return options;
 }
 
@@ -97,7 +79,7 @@ void print(const std::string& what, const Failure& one) {
 
 SoakCase loaded(const std::filesystem::path& file) {
     Result<SoakCase> one = loadCase(file);
-    if (!one) fail(one.error().message);
+    if (!one) failWith(one.error().message);
     return std::move(*one);
 }
 
@@ -123,7 +105,7 @@ struct KnownFailures {
 KnownFailures knownFailures(const std::filesystem::path& path) {
     KnownFailures known;
     std::ifstream file(path);
-    if (!path.empty() && !file) fail("Cannot read " + path.string() + ".");
+    if (!path.empty() && !file) failWith("Cannot read " + path.string() + ".");
     for (std::string word; file >> word;) {
         if (word == "scenes") {
             std::uint64_t count = 0;

@@ -1,5 +1,6 @@
 // The editor under random input, and killed at random moments: see docs/security.md.
 #include "tests/attack/monkey/Session.h"
+#include "tests/support/ProgramOptions.h"
 
 #include <sys/prctl.h>
 #include <unistd.h>
@@ -11,6 +12,8 @@
 namespace {
 
 using namespace rubble::attack;
+using rubble::test::failWith;
+using rubble::test::ProgramOptions;
 
 constexpr const char* kUsage = R"(usage: monkey --kills N   [--seed N] [--session N] [--project FILE] [--folder FOLDER]
        monkey --events N  [--seed N] [--session N] [--project FILE] [--folder FOLDER]
@@ -34,32 +37,18 @@ struct MonkeyOptions {
     std::filesystem::path folder;
 };
 
-[[noreturn]] void failWithUsage() {
-    std::fputs(kUsage, stderr);
-    std::exit(2);
-}
-
 MonkeyOptions optionsOf(int argumentCount, char** arguments) {
     MonkeyOptions options;
-    for (int k = 1; k + 1 < argumentCount; k += 2) {
-        const std::string name = arguments[k], value = arguments[k + 1];
-        const auto number = [&] { return std::strtoull(value.c_str(), nullptr, 10); };
-        if (name == "--kills")
-            options.kills = number();
-        else if (name == "--events")
-            options.session.events = number();
-        else if (name == "--seed")
-            options.session.seed = number();
-        else if (name == "--session")
-            options.session.number = number();
-        else if (name == "--project")
-            options.session.project = value;
-        else if (name == "--folder")
-            options.folder = std::filesystem::absolute(value);
-        else
-            failWithUsage();
-    }
-    if (argumentCount % 2 == 0 || (options.kills == 0) == (options.session.events == 0)) failWithUsage();
+    ProgramOptions(kUsage)
+        .value("--kills", options.kills)
+        .value("--events", options.session.events)
+        .value("--seed", options.session.seed)
+        .value("--session", options.session.number)
+        .value("--project", options.session.project)
+        .value("--folder", options.folder)
+        .read(argumentCount, arguments);
+    if ((options.kills == 0) == (options.session.events == 0)) failWith(kUsage);
+    if (!options.folder.empty()) options.folder = std::filesystem::absolute(options.folder);
     return options;
 }
 
