@@ -1,4 +1,5 @@
 #include "tests/soak/ChildProcess.h"
+#include "tests/soak/NewProcess.h"
 #include "tests/soak/Shrink.h"
 #include "tests/support/ProgramOptions.h"
 
@@ -37,6 +38,9 @@ the seed. Exits with 1 if anything did not hold.
   --corpus FOLDER First play what was saved in FOLDER
   --known FILE    Failures to be mended, which FILE lists with how many scenes have them, are no error
   --show WHAT     Play the scene of a seed, or a *.soak file, in this process, and print all that fails
+  --play-on FILE  Load a *.soak file and the state beside it, and print the hashes of each step: what this program
+                  itself calls to compare them
+  --threads N     With so many threads (default: 1)
 )";
 
 struct Options {
@@ -50,6 +54,8 @@ struct Options {
     std::filesystem::path corpus;
     std::filesystem::path known;
     std::string show;
+    std::filesystem::path playedOn;
+    int threads = 1;
 };
 
 Options optionsOf(int argumentCount, char** arguments) {
@@ -65,6 +71,8 @@ Options optionsOf(int argumentCount, char** arguments) {
         .value("--corpus", options.corpus)
         .value("--known", options.known)
         .value("--show", options.show)
+        .value(kPlayOnOption, options.playedOn)
+        .value(kThreadsOption, options.threads)
         .read(argumentCount, arguments);
     options.jobs = std::max<std::size_t>(1, options.jobs);
     return options;
@@ -240,6 +248,7 @@ private:
 
 int main(int argumentCount, char** arguments) {
     const Options options = optionsOf(argumentCount, arguments);
+    if (!options.playedOn.empty()) return playOn(options.playedOn, options.threads);
     if (!options.show.empty()) return show(options.show, options.only);
     const KnownFailures known = knownFailures(options.known);
     const int broken = options.corpus.empty() ? 0 : brokenOfCorpus(options, known);

@@ -4,6 +4,7 @@
 #include "core/io/play/StateFile.h"
 #include "core/play/scene/Projectile.h"
 #include "tests/soak/Moment.h"
+#include "tests/soak/NewProcess.h"
 
 #include <algorithm>
 #include <optional>
@@ -11,17 +12,14 @@
 namespace rubble::soak {
 namespace {
 
-constexpr std::uint64_t kShadowSteps = 30;  // for which a loaded state is played beside the session
-constexpr std::uint64_t kVerifySteps = 25;  // between states that are saved and verified
+constexpr std::uint64_t kStepsAfterLoading = 30;  // that a new process plays from a saved state
+constexpr std::uint64_t kVerifySteps = 25;        // between states that are saved and verified
 
-/// What two courses of the same session have in common.
-struct Trace {
-    ContentHash state;
-    std::uint64_t events = 0;
-    bool operator==(const Trace&) const = default;
+/// A state that was saved after a step.
+struct SavedState {
+    std::uint64_t step = 0;
+    std::string bytes;
 };
-
-Trace traceOf(const Session& session) { return {session.hash(), session.events().told.hash()}; }
 
 /// An input for a body that is there, in place of the one that it names: the same place in the list, counted around.
 PlayInput withPresentBody(PlayInput input, const Session& session) {
@@ -93,6 +91,9 @@ public:
             endSnapshot();
             saveIfDue();
         }
+        if (isWanted(kSavedState) || isWanted(kSameState)) {
+            for (const SavedState& saved : m_saved) compareWithNewProcess(saved);
+        }
         return m_outcome;
     }
 
@@ -100,9 +101,12 @@ private:
     bool isWanted(const std::string& name) const { return m_wanted.empty() || name == m_wanted; }
 
     void report(const std::string& invariant, const std::string& body, const std::string& text) {
-        const auto isKnown = [&](const Failure& one) { return one.invariant == invariant; };
-        if (!isWanted(invariant) || std::ranges::any_of(m_outcome.failures, isKnown)) return;
-        m_outcome.failures.push_back({invariant, m_outcome.steps, body, text});
+        report({invariant, m_outcome.steps, body, text});
+    }
+    void report(const Failure& failure) {
+        const auto isKnown = [&](const Failure& one) { return one.invariant == failure.invariant; };
+        if (!isWanted(failure.invariant) || std::ranges::any_of(m_outcome.failures, isKnown)) return;
+        m_outcome.failures.push_back(failure);
     }
 
     void addCompared() {
@@ -202,9 +206,23 @@ private:
         Result<Session> session = resumedSession(m_scene, std::move(*saved), settings);
         if (!session) return report(kSavedState, "", session.error().message);
         if (session->hash() != m_session.hash()) report(kSavedState, "", "the loaded state has another hash");
-        if (!isSaved) return;
-        m_shadows.push_back(
-            {std::move(*session), "loaded from the state of step " + std::to_string(m_outcome.steps), kShadowSteps});
+        if (isSaved) m_saved.push_back({m_outcome.steps, bytes});
+    }
+
+    /// Compares what was played since a state was saved with what a new process plays that loads it.
+    void compareWithNewProcess(const SavedState& saved) {
+        SoakCase rest{.project = m_case.project, .dt = m_case.dt, .isSleeping = m_case.isSleeping};
+        rest.steps = std::min(kStepsAfterLoading, m_outcome.steps - saved.step);
+        for (std::uint64_t step = saved.step; step < saved.step + rest.steps; ++step)
+            for (const PlayInput& input : m_inputs[step]) rest.inputs.push_back({step, input});
+        const int threads = 1 + static_cast<int>(saved.step % 4);
+        const Result<std::vector<Trace>> traces = tracesOfNewProcess(rest, saved.bytes, threads);
+        const std::string from = "after the state of step " + std::to_string(saved.step) + ", ";
+        if (!traces) return report({kSavedState, saved.step, "", from + traces.error().message});
+        for (std::uint64_t k = 0; k < rest.steps; ++k) {
+            if (k < traces->size() && (*traces)[k] == m_traces[saved.step + k]) continue;
+            return report({kSameState, saved.step + k + 1, "", from + "a step in a new process differs"});
+        }
     }
 
     const SoakCase& m_case;
@@ -214,6 +232,7 @@ private:
     std::vector<std::vector<PlayInput>> m_inputs;  // of each step, as they were applied
     std::vector<Trace> m_traces;                   // after each step
     std::vector<Shadow> m_shadows;
+    std::vector<SavedState> m_saved;
     std::vector<std::unique_ptr<Invariant>> m_invariants;
     std::string m_wanted;
     Moment m_before;

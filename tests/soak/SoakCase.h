@@ -29,7 +29,7 @@ struct SoakCase {
     std::uint64_t steps = 120;
     std::vector<TimedInput> inputs;    // ascending step
     std::vector<Rewind> rewinds;       // ascending, apart
-    std::vector<std::uint64_t> saves;  // steps after which the state is saved, loaded and played beside the session
+    std::vector<std::uint64_t> saves;  // steps after which the state is saved, for a new process to play on
     bool isCompared = false;           // also played with other threads and lanes from the start
     bool operator==(const SoakCase&) const = default;
 };
