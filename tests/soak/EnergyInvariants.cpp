@@ -41,7 +41,7 @@ public:
         const bool isPushed = pushesApart(step.before);
         findEnergies(step);
         return !wasGrabbed && !m_isGrabbed && !isPushed && !m_isSimplified && !step.hasInput<MaterialInput>() &&
-               !step.hasInput<GrabInput>();
+               !step.hasInput<GrabInput>() && !step.changesMasses();
     }
 
     double before() const { return m_before; }          // J: with the gravity of the step

@@ -145,6 +145,7 @@ private:
     /// Mass comes by throws and goes by removals; gaps take some of what breaks.
     std::optional<Fault> checkMass(const StepFacts& step) const {
         if (step.hasInput<MaterialInput>() || step.hasInput<RemoveInput>()) return std::nullopt;
+        if (step.changesMasses()) return std::nullopt;
         double expected = totalMass(step.before);
         for (const ThrownBody& thrown : step.thrown) expected += thrown.mass;
         for (const PlayRemoval& removal : step.events.removed) expected -= removal.mass;

@@ -63,6 +63,8 @@ struct StepFacts {
         }
         return false;
     }
+    /// Whether the method of the thesis gave fragments masses of its own.
+    bool changesMasses() const { return session.scene().project.damage.isThesis && !events.breaks.empty(); }
 };
 
 /// A promise that was broken.
