@@ -28,8 +28,8 @@ struct BrokenBonds {
 /// that holds no longer, see brokenMortar(), and for what is unjoined, see splitUnjoined(). True if any body came free.
 bool splitBodies(const SessionParts& parts, std::vector<BrokenBonds> broken);
 
-/// Splits the bodies some of whose fragments no bond with a strength joins to the others: those placed at the start of a
-/// session, and what has been thrown. splitBodies() does so to what comes off.
+/// Splits the bodies some of whose fragments no bond with a strength joins to the others: those placed at the start of
+/// a session, and what has been thrown. splitBodies() does so to what comes off.
 void splitUnjoined(const SessionParts& parts);
 
 /// The clusters of a body that hold now: for kLevelTime after a break, also all deeper levels than that which broke, so
