@@ -3,6 +3,7 @@
 #include "core/io/play/ReplayFile.h"
 #include "core/io/play/StateFile.h"
 #include "core/play/scene/Projectile.h"
+#include "tests/soak/FrameRate.h"
 #include "tests/soak/Moment.h"
 #include "tests/soak/NewProcess.h"
 
@@ -94,6 +95,8 @@ public:
         if (isWanted(kSavedState) || isWanted(kSameState)) {
             for (const SavedState& saved : m_saved) compareWithNewProcess(saved);
         }
+        if (!isWanted(kFrameRate)) return m_outcome;
+        if (const std::optional<Fault> fault = frameRateFault(m_case)) report(kFrameRate, fault->body, fault->text);
         return m_outcome;
     }
 

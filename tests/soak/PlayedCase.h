@@ -32,6 +32,7 @@ Outcome playedCase(const SoakCase& one, const std::string& invariant = {},
 /// The names of the promises that playing checks beside invariants().
 inline constexpr const char* kSameState = "same state";    // on other threads and lanes, after loading and rewinding
 inline constexpr const char* kSavedState = "saved state";  // what was saved can be loaded
+inline constexpr const char* kFrameRate = "frame rate";    // a throw breaks the same bonds at any
 inline constexpr const char* kPlayable = "playable";       // the scene can be played
 
 }  // namespace rubble::soak
