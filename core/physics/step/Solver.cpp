@@ -5,6 +5,7 @@
 #include "core/physics/solver/SpeedThresholds.h"
 #include "core/physics/state/AngularMomentum.h"
 #include "core/physics/step/Displacement.h"
+#include "core/physics/step/WarmStart.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,16 +91,24 @@ void finishBody(WorldState& state, std::uint32_t number, int subSteps, float h) 
 class Stages {
 public:
     Stages(WorldState& state, ThreadPool& threads, const Regions& regions, const SolverKernels& kernels,
-           const SolverStep& step, SolveScratch& scratch)
-        : m_state(state), m_threads(threads), m_regions(regions), m_kernels(kernels), m_step(step), m_scratch(scratch) {
+           const SolverStep& step, SolveScratch& scratch, std::span<const StartMotion> starts)
+        : m_state(state),
+          m_threads(threads),
+          m_regions(regions),
+          m_kernels(kernels),
+          m_step(step),
+          m_scratch(scratch),
+          m_starts(starts) {
         clearLists(m_scratch.fastRotating, m_regions.count());
         clearLists(m_scratch.slowRotating, m_regions.count());
         m_regions.forEach(threads, [&](std::size_t region) { classifyBodies(region); });
+        planFirstSubStep();
         planSubStep();
         m_scratch.restitution.clear();
         if (m_state.bouncyBodies > 0) planColours(m_scratch.restitution, kernels.restitute);
     }
 
+    void runFirstSubStep() const { run(m_scratch.firstSubStep); }
     void runSubStep() const { run(m_scratch.subStep); }
     void runRestitution() const { run(m_scratch.restitution); }
 
@@ -114,13 +123,29 @@ private:
             (isFast ? m_scratch.fastRotating : m_scratch.slowRotating)[region].push_back(body);
         }
     }
-    void planSubStep() {
-        std::vector<SolveStage>& stages = m_scratch.subStep;
+    void planFirstSubStep() {
+        clearLists(m_scratch.thrown, m_regions.count());
+        std::vector<SolveStage>& stages = m_scratch.firstSubStep;
         stages.clear();
+        planWarmStart(stages);
+        if (m_state.colours.contactCount() > 0) {
+            stages.push_back({.over = SolveStage::Over::Thrown});
+            stages.push_back({.over = SolveStage::Over::Unbalanced});
+        }
+        planSolution(stages);
+    }
+    void planSubStep() {
+        m_scratch.subStep.clear();
+        planWarmStart(m_scratch.subStep);
+        planSolution(m_scratch.subStep);
+    }
+    void planWarmStart(std::vector<SolveStage>& stages) const {
         stages.push_back({.over = SolveStage::Over::Velocities});
         if (!m_scratch.scaled.empty()) stages.push_back({.over = SolveStage::Over::Scaled});
         if (m_state.grabbed.index != 0) stages.push_back({.over = SolveStage::Over::Grabbed});
         planColours(stages, m_kernels.warmStart);
+    }
+    void planSolution(std::vector<SolveStage>& stages) const {
         planColours(stages, m_kernels.solve);
         stages.push_back({.over = SolveStage::Over::Positions});
         planColours(stages, m_kernels.relax);
@@ -145,6 +170,10 @@ private:
                 return;
             case SolveStage::Over::Grabbed:
                 if (region == 0) pullGrabbed(m_state, m_step);
+                return;
+            case SolveStage::Over::Thrown: return findThrown(region);
+            case SolveStage::Over::Unbalanced:
+                if (region == 0) dropUnbalancedImpulses(m_state, mergeSorted(m_scratch.thrown), m_starts, m_step);
         }
     }
     void passContacts(const SolveStage& stage, std::size_t region) const {
@@ -158,6 +187,11 @@ private:
             m_regions.forEachBlockRange(blocks.size(), region, [&](IndexRange range) {
                 stage.pass(blocks.subspan(range.begin, range.size()), m_step);
             });
+        }
+    }
+    void findThrown(std::size_t region) const {
+        for (const std::uint32_t body : m_regions.bodies(region)) {
+            if (isThrown(m_state, body, m_starts[body], m_step)) m_scratch.thrown[region].push_back(body);
         }
     }
     void moveBodies(std::size_t region) const {
@@ -174,6 +208,7 @@ private:
     const SolverKernels& m_kernels;
     const SolverStep& m_step;
     SolveScratch& m_scratch;
+    std::span<const StartMotion> m_starts;
 };
 
 }  // namespace
@@ -212,10 +247,11 @@ void prepareContacts(WorldState& state, ThreadPool& threads, const Regions& regi
 }
 
 void solveSubSteps(WorldState& state, ThreadPool& threads, const Regions& regions, SolveScratch& scratch,
-                   const SolverKernels& kernels, const SolverStep& step) {
+                   const SolverKernels& kernels, const SolverStep& step, std::span<const StartMotion> starts) {
     state.grabWork = 0.0;
-    const Stages stages(state, threads, regions, kernels, step, scratch);
-    for (int i = subStepsOf(step.dt); i > 0; --i) stages.runSubStep();
+    const Stages stages(state, threads, regions, kernels, step, scratch, starts);
+    stages.runFirstSubStep();
+    for (int i = subStepsOf(step.dt); i > 1; --i) stages.runSubStep();
     stages.runRestitution();
 }
 

@@ -10,7 +10,7 @@ namespace rubble {
 
 /// A parallel stage between two barriers: a pass over the contacts of a colour, or over bodies.
 struct SolveStage {
-    enum class Over : std::uint8_t { Contacts, Velocities, Scaled, Positions, Grabbed };
+    enum class Over : std::uint8_t { Contacts, Velocities, Scaled, Positions, Grabbed, Thrown, Unbalanced };
     Over over = Over::Contacts;
     void (*pass)(std::span<ContactBlock>, const SolverStep&) = nullptr;
     std::uint32_t list = 0;  // the first of the colour's two lists
@@ -20,6 +20,8 @@ struct SolveStage {
 struct SolveScratch {
     std::vector<std::vector<std::uint32_t>> fastRotating;  // by region
     std::vector<std::vector<std::uint32_t>> slowRotating;  // by region: the other awake bodies
+    std::vector<std::vector<std::uint32_t>> thrown;        // by region: bodies that warm starting may have thrown
+    std::vector<SolveStage> firstSubStep;
     std::vector<SolveStage> subStep;
     std::vector<SolveStage> restitution;
     std::vector<BlockList> unequalBlocks;  // by region, of prepareContacts(), in this step
@@ -33,9 +35,10 @@ SolverStep solverStep(WorldState& state, float dt);
 /// kMaxLoadRatio in mass; call before solveSubSteps().
 void prepareContacts(WorldState& state, ThreadPool& threads, const Regions& regions, SolveScratch& scratch,
                      const SolverKernels& kernels, const SolverStep& step);
-/// Solves the sub-steps of a step. The displacements are in the bodies' motions, not yet in their poses.
+/// Solves the sub-steps of a step. The displacements are in the bodies' motions, not yet in their poses. `starts`, by
+/// body: the velocities now; not needed without contacts.
 void solveSubSteps(WorldState& state, ThreadPool& threads, const Regions& regions, SolveScratch& scratch,
-                   const SolverKernels& kernels, const SolverStep& step);
+                   const SolverKernels& kernels, const SolverStep& step, std::span<const StartMotion> starts);
 /// Limits the angular velocities of what contacts have touched to kMaxSpin.
 void limitSpins(WorldState& state, ThreadPool& threads, const Regions& regions);
 /// Applies the displacements of a step of dt seconds to the poses, and updates rest times.

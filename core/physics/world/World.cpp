@@ -289,7 +289,8 @@ void World::solve(double dt) {
     context.solve.scaled = scaleMasses(*m_state, context.solve.unequalBlocks, context.kernels, step);
     softenSharedContacts(*m_state, context.threads, context.regions, step);
     context.times.prepare = watch.lap();
-    solveSubSteps(*m_state, context.threads, context.regions, context.solve, context.kernels, step);
+    solveSubSteps(*m_state, context.threads, context.regions, context.solve, context.kernels, step,
+                  context.energy.starts);
     restoreMasses(*m_state, context.solve.scaled);
     limitSpins(*m_state, context.threads, context.regions);
     context.times.solve = watch.lap();
