@@ -34,7 +34,9 @@ struct HitEvent {
     Vec3 normal;                 // from first to second
     double approachSpeed = 0.0;  // m/s
     double impulse = 0.0;        // N·s, over the step
-    double energy = 0.0;         // J: mechanical energy that the contact took in the step, with friction
+    /// J: mechanical energy that the contact took in the step, with friction. That of all hits is at most
+    /// StepEvents::contactLoss, since what one contact takes may accelerate other bodies.
+    double energy = 0.0;
 };
 
 /// The events of the last step, in a deterministic order.

@@ -63,8 +63,8 @@ void saveStartMotions(const WorldState& state, ThreadPool& threads, const Region
     });
 }
 
-double contactLoss(const WorldState& state, ThreadPool& threads, const Regions& regions, const SolverKernels& kernels,
-                   const SolverStep& step, ContactEnergyScratch& scratch) {
+void findLosses(const WorldState& state, ThreadPool& threads, const Regions& regions, const SolverKernels& kernels,
+                const SolverStep& step, ContactEnergyScratch& scratch) {
     regions.forEach(threads, [&](std::size_t region) {
         const std::span<const std::uint32_t> bodies = regions.bodies(region);
         kernels.findLosses(bodies, step, scratch.starts.data(), scratch.losses.data());
@@ -74,6 +74,9 @@ double contactLoss(const WorldState& state, ThreadPool& threads, const Regions& 
             }
         }
     });
+}
+
+double contactLoss(const WorldState& state, const ContactEnergyScratch& scratch) {
     double sum = 0.0;  // in the order of the bodies, on any number of threads
     for (const std::uint32_t body : state.awake) sum += static_cast<double>(scratch.losses[body].energy);
     return sum;
@@ -119,6 +122,14 @@ void addGravity(const WorldState& state, const SolverStep& step, const std::vect
         if (!state.bodies[one.body].isAwake) continue;
         hits[one.hit].energy += gravityBeyondMean(state, one.body, step, starts[one.body]);
     }
+}
+
+void limitHits(std::vector<HitEvent>& hits, double loss) {
+    double taken = 0.0;
+    for (const HitEvent& hit : hits) taken += std::max(hit.energy, 0.0);
+    if (taken <= std::max(loss, 0.0)) return;
+    const double kept = std::max(loss, 0.0) / taken;
+    for (HitEvent& hit : hits) hit.energy = std::max(hit.energy, 0.0) * kept;
 }
 
 }  // namespace rubble

@@ -18,11 +18,13 @@ struct ContactEnergyScratch {
 void saveStartMotions(const WorldState& state, ThreadPool& threads, const Regions& regions,
                       ContactEnergyScratch& scratch);
 
-/// The mechanical energy that bodies lost by their contacts in the sub-steps just solved, J: of all that moved in
-/// another way than in free flight, kinetic and potential energy before less that after. Damping counts as contact, the
-/// work of World::grab() does not. Poses must be those before the step.
-double contactLoss(const WorldState& state, ThreadPool& threads, const Regions& regions, const SolverKernels& kernels,
-                   const SolverStep& step, ContactEnergyScratch& scratch);
+/// Finds the mechanical energy that each awake body lost by its contacts in the sub-steps just solved, J: of all that
+/// moved in another way than in free flight, kinetic and potential energy before less that after. Damping counts as
+/// contact. Poses must be those before the step.
+void findLosses(const WorldState& state, ThreadPool& threads, const Regions& regions, const SolverKernels& kernels,
+                const SolverStep& step, ContactEnergyScratch& scratch);
+/// Their sum, J.
+double contactLoss(const WorldState& state, const ContactEnergyScratch& scratch);
 
 /// The mechanical energy that the bodies of a contact lost by its impulses in the sub-steps just solved, J.
 ///
@@ -37,5 +39,9 @@ double contactEnergy(const WorldState& state, const ContactBlock& block, std::si
 /// with the largest impulse gets it.
 void addGravity(const WorldState& state, const SolverStep& step, const std::vector<StartMotion>& starts,
                 std::vector<HitEvent>& hits);
+
+/// Scales the energies of hits down to `loss`, J, what all contacts took together, where they took more: the rest they
+/// passed on, to bodies that other contacts accelerated.
+void limitHits(std::vector<HitEvent>& hits, double loss);
 
 }  // namespace rubble

@@ -9,9 +9,9 @@
 #include "core/physics/state/VerifyBody.h"
 #include "core/physics/state/WorldState.h"
 #include "core/physics/step/BroadPhase.h"
-#include "core/physics/step/ContactEnergy.h"
 #include "core/physics/step/ContinuousCollision.h"
 #include "core/physics/step/DeepContacts.h"
+#include "core/physics/step/EnergyLimit.h"
 #include "core/physics/step/Impacts.h"
 #include "core/physics/step/NarrowPhase.h"
 #include "core/physics/step/SharedLoad.h"
@@ -309,11 +309,11 @@ void World::solve(double dt) {
 void World::findContactEvents(const SolverStep& step) {
     StepContext& context = *m_context;
     StepEvents& events = m_state->events;
+    const double loss = limitEnergy(*m_state, context.threads, context.regions, context.kernels, step, context.energy);
     findHits(*m_state, context.threads, context.regions, context.energy.starts, context.hits, events.hits);
     addGravity(*m_state, step, context.energy.starts, events.hits);
-    events.contactLoss =
-        contactLoss(*m_state, context.threads, context.regions, context.kernels, step, context.energy) +
-        m_state->grabWork;
+    limitHits(events.hits, loss);
+    events.contactLoss = loss + m_state->grabWork;
 }
 
 void World::step(double dt) {

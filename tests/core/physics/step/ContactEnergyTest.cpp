@@ -131,6 +131,21 @@ private slots:
         QVERIFY(energyOf(made.world) > 10'000.0);  // it hangs, and touches nothing
         QVERIFY(std::abs(made.world.events().contactLoss) < 20.0);
     }
+    /// What a contact takes and another gives is no loss.
+    void hitsTakeNoMoreThanAllContacts() {
+        const auto limited = [](std::vector<double> energies, double loss) {
+            std::vector<HitEvent> hits(energies.size());
+            for (std::size_t k = 0; k < hits.size(); ++k) hits[k].energy = energies[k];
+            limitHits(hits, loss);
+            for (std::size_t k = 0; k < hits.size(); ++k) energies[k] = hits[k].energy;
+            return energies;
+        };
+        QCOMPARE(limited({6.0, -1.0, 2.0}, 8.0), (std::vector{6.0, -1.0, 2.0}));
+        QCOMPARE(limited({6.0, -1.0, 2.0}, 4.0), (std::vector{3.0, 0.0, 1.0}));
+        QCOMPARE(limited({6.0}, -3.0), (std::vector{0.0}));
+        QCOMPARE(limited({-2.0}, -3.0), (std::vector{-2.0}));
+        QCOMPARE(limited({}, 0.0), (std::vector<double>{}));
+    }
     /// A heap that falls together: what it loses in all is what its contacts took, on any number of threads.
     void heap() {
         std::array<double, 2> lost{};
