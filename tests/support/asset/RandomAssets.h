@@ -1,14 +1,30 @@
 #pragma once
 
 #include "core/base/Random.h"
+#include "core/base/math/Power.h"
 #include "core/base/math/Trigonometry.h"
 #include "tests/support/asset/ProjectParts.h"
 #include "tests/support/geometry/Outlines.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace rubble::test {
+
+/// A magnitude between two, each decade as likely.
+inline double magnitudeIn(Random& random, double low, double high) {
+    return power(10.0, random.between(std::log10(low), std::log10(high)));
+}
+
+/// Scales a prism.
+inline void scale(Prism& prism, double size) {
+    for (Vec2& point : prism.outline.outer) point *= size;
+    for (Ring& hole : prism.outline.holes) {
+        for (Vec2& point : hole) point *= size;
+    }
+    prism.depth *= size;
+}
 
 /// A random outline within 1 m of the origin: convex, concave, or with a hole, depending on `kind`.
 inline Polygon randomOutline(Random& random, int kind) {

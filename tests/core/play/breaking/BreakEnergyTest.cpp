@@ -1,5 +1,4 @@
 // Tests core/play/state/EnergyAudit.cpp and core/play/breaking/Swap.cpp: only the source adds energy, in random assets.
-#include "core/base/math/Power.h"
 #include "core/play/breaking/Swap.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/RandomAssets.h"
@@ -18,20 +17,6 @@ namespace {
 constexpr std::uint64_t kEnergySeed = 52;
 constexpr int kEnergySteps = 20;
 
-/// A magnitude between two, each decade as likely.
-double magnitudeIn(Random& random, double low, double high) {
-    return power(10.0, random.between(std::log10(low), std::log10(high)));
-}
-
-/// Scales a prism of about 1 m.
-void scale(Prism& prism, double size) {
-    for (Vec2& point : prism.outline.outer) point *= size;
-    for (Ring& hole : prism.outline.holes) {
-        for (Vec2& point : hole) point *= size;
-    }
-    prism.depth *= size;
-}
-
 /// A breakable asset: of every kind of pattern at a size of 1 m, or of scattered seeds from 1 cm to 10 m; with and
 /// without levels, gaps and cuts at the impact. It hangs in the air, free.
 Project randomBreakable(Random& random, int round) {
@@ -39,21 +24,21 @@ Project randomBreakable(Random& random, int round) {
     Asset& asset = project.assets[0];
     const std::vector<LayerParameters> samples = patternSamples();
     double size = 1.0;
-    asset.prism.depth = magnitudeIn(random, 0.01, 0.6);
+    asset.prism.depth = test::magnitudeIn(random, 0.01, 0.6);
     if (round % 2 == 0) {
         asset.pattern = test::patternOf(project, {samples[static_cast<std::size_t>(round / 2) % samples.size()]});
     } else {
-        size = magnitudeIn(random, 0.01, 10.0);
-        scale(asset.prism, size);
+        size = test::magnitudeIn(random, 0.01, 10.0);
+        test::scale(asset.prism, size);
         asset.pattern =
             test::patternOf(project, {UniformScatter{.count = 2 + static_cast<std::uint32_t>(random.below(60))}});
     }
-    project.materials[0].density = magnitudeIn(random, 20.0, 8000.0);
+    project.materials[0].density = test::magnitudeIn(random, 20.0, 8000.0);
     if (round % 5 == 0) asset.shaping.gap = 0.004 * size;
     if (round % 7 == 0) asset.levels = {{.pattern = test::patternOf(project, {UniformScatter{.count = 4}})}};
     if (round % 3 == 0) {
         asset.cutAtImpact = CutAtImpact{.fragments = 2 + static_cast<std::uint32_t>(random.below(80)),
-                                        .falloffRadius = size * magnitudeIn(random, 0.02, 1.0)};
+                                        .falloffRadius = size * test::magnitudeIn(random, 0.02, 1.0)};
     }
     asset.threshold = 1e-9;  // everything breaks it
     project.ground.height = -3.0 * size;
@@ -66,12 +51,12 @@ PlayInput randomSource(Random& random, const Session& session, int round) {
     const BodyId body = session.bodies().back().body;
     const double mass = session.world().mass(body), size = session.world().shape(body).boundingRadius;
     const Vec3 front{0.0, 0.0, 2.0 * size}, aim = test::randomIn(random, 0.3 * size);
-    const double speed = magnitudeIn(random, 1.0, 40.0);
+    const double speed = test::magnitudeIn(random, 1.0, 40.0);
     switch (round / 2 % 4) {
         case 0:
             return ShotInput{"throw", Throw{.kind = static_cast<ProjectileKind>(random.below(3)),
                                             .size = Vec3(std::max(0.002, size * random.between(0.1, 0.6))),
-                                            .mass = mass * magnitudeIn(random, 0.02, 5.0),
+                                            .mass = mass * test::magnitudeIn(random, 0.02, 5.0),
                                             .from = front,
                                             .to = aim,
                                             .speed = speed * std::max(1.0, size)}};

@@ -30,7 +30,7 @@ std::vector<std::uint32_t> fragmentsIn(const Session& session, const Box3& box) 
     return fragments;
 }
 
-constexpr Box3 kLeftPier{{-2.0, -1.25, -1.0}, {-1.5, 0.75, 1.0}};
+constexpr Box3 kLeftPierBox{{-2.0, -1.25, -1.0}, {-1.5, 0.75, 1.0}};
 constexpr Box3 kRightPier{{1.5, -1.25, -1.0}, {2.0, 0.75, 1.0}};
 
 Collapse collapseWithout(const Session& session, std::vector<BodyPart> removed) {
@@ -133,7 +133,7 @@ class PartsRemovedTest : public QObject {
 private slots:
     void lintelFallsWithoutBothPiersAndStandsOnOne() {
         const Session session = test::sessionOf(test::bondedPortal(0.0, 0.0));
-        const std::vector<std::uint32_t> left = fragmentsIn(session, kLeftPier);
+        const std::vector<std::uint32_t> left = fragmentsIn(session, kLeftPierBox);
         std::vector<std::uint32_t> both = fragmentsIn(session, kRightPier);
         QVERIFY(left.size() > 4 && both.size() > 4);
         QVERIFY(fallingOf(collapseWithout(session, {{1, left}})).empty());
@@ -157,7 +157,7 @@ private slots:
             Project project = test::bondedPortal(1.5, delay);
             project.assets[0].bonding.impulsePerArea = 1e9;  // what falls breaks nothing
             Session session = test::sessionOf(project);
-            const std::vector<std::uint32_t> pier = fragmentsIn(session, kLeftPier);
+            const std::vector<std::uint32_t> pier = fragmentsIn(session, kLeftPierBox);
             const FragmentSet before = heldFragments(session),
                               falling = fallingOf(collapseWithout(session, {{1, pier}}));
             breakBonds(session, pier, [](std::uint32_t) { return false; });
@@ -178,7 +178,7 @@ private slots:
         test::addInstance(project, block, "beside", {.position = {5.0, 0.2, 0.0}});
         Session session = test::sessionOf(project);
         for (int k = 0; k < 60; ++k) session.step();
-        std::vector<std::uint32_t> piers = fragmentsIn(session, kLeftPier);
+        std::vector<std::uint32_t> piers = fragmentsIn(session, kLeftPierBox);
         std::ranges::copy(fragmentsIn(session, kRightPier), std::back_inserter(piers));
         const Collapse collapse = collapseWithout(session, {{1, piers}});
         QCOMPARE(collapse.islands.size(), std::size_t{1});
@@ -192,7 +192,7 @@ private slots:
         Session session = test::sessionOf(project);
         for (int k = 0; k < 120; ++k) session.step();
         QVERIFY(!session.body(1)->isHeld);
-        const std::vector<std::uint32_t> pier = fragmentsIn(session, kLeftPier);
+        const std::vector<std::uint32_t> pier = fragmentsIn(session, kLeftPierBox);
         const FragmentSet falling = fallingOf(collapseWithout(session, {{1, pier}}));
         QCOMPARE(falling.size(), structureOf(session).nodeCount() - pier.size());  // it tips over
         const Box3 top{{-2.0, 1.0, -1.0}, {-1.5, 1.25, 1.0}};
@@ -235,7 +235,7 @@ private slots:
     void sessionIsNotTouched() {
         Session session = test::sessionOf(test::bondedPortal(1.5, 0.25)),
                 alone = test::sessionOf(test::bondedPortal(1.5, 0.25));
-        QVERIFY(!collapseWithout(session, {{1, fragmentsIn(session, kLeftPier)}}).islands.empty());
+        QVERIFY(!collapseWithout(session, {{1, fragmentsIn(session, kLeftPierBox)}}).islands.empty());
         QVERIFY(session.body(1)->nodes.empty() && session.damage().begin()->second.isIntact());
         for (int k = 0; k < 10; ++k) session.step(), alone.step();
         QVERIFY(session.hash() == alone.hash());
