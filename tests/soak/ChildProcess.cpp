@@ -56,12 +56,14 @@ struct ChildRun::Shared {
     std::uint64_t steps = 0;
     std::uint64_t breaks = 0;
     std::uint64_t splits = 0;
+    std::optional<double> agreement{};
     std::array<char, kTextSize> failures{};
 
     void set(const Outcome& outcome) {
         steps = outcome.steps;
         breaks = outcome.breaks;
         splits = outcome.splits;
+        agreement = outcome.agreement;
         const std::string text = linesOf(outcome.failures);
         std::memcpy(failures.data(), text.data(), std::min(text.size(), failures.size() - 1));
     }
@@ -106,7 +108,8 @@ Outcome ChildRun::finished() {
 }
 
 Outcome ChildRun::outcomeOf(int status) const {
-    Outcome outcome{failuresOf(m_shared->failures.data()), m_shared->steps, m_shared->breaks, m_shared->splits};
+    Outcome outcome{failuresOf(m_shared->failures.data()), m_shared->steps, m_shared->breaks, m_shared->splits,
+                    m_shared->agreement};
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return outcome;
     const bool isHang = WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF;
     std::array<char, 512> errors{};

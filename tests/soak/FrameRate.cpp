@@ -6,11 +6,11 @@
 namespace rubble::soak {
 namespace {
 
-constexpr int kRate = 60;            // steps/s
-constexpr int kFineRate = 240;       // steps/s
-constexpr int kLongest = 2 * kRate;  // steps until the first bond breaks
-constexpr int kStepsAfter = 2;
-constexpr double kEqual = 0.95;  // of all bonds that break at one of both rates
+constexpr int kRate = 60;                   // steps/s
+constexpr int kFineRate = 240;              // steps/s
+constexpr int kLongest = 2;                 // s until the first bond breaks
+constexpr double kTimeAfter = 2.0 / kRate;  // s
+constexpr double kNear = 0.1;  // of the speed: bonds that break by so much more, or not by so much less, don't count
 
 using Bonds = std::set<std::pair<Id, std::size_t>>;  // by instance
 
@@ -31,45 +31,47 @@ std::optional<ShotInput> firstThrow(const SoakCase& one) {
     return std::nullopt;
 }
 
-/// A session in which something is thrown in the first step; nothing if that cannot be.
-std::optional<Session> thrownSession(const std::shared_ptr<const PlayScene>& scene, const ShotInput& shot, int rate) {
-    Result<Session> session = Session::start(scene, {.dt = 1.0 / rate});
-    if (!session || !session->add(shot)) return std::nullopt;
-    return std::move(*session);
+ShotInput atSpeed(ShotInput shot, double factor) {
+    std::get<Throw>(shot.action).speed *= factor;
+    return shot;
 }
 
-/// Plays on until kStepsAfter after the first break of bonds. Returns the number of steps; 0: none broke.
-int playedUntilBroken(Session& session) {
-    for (int step = 1; step <= kLongest; ++step) {
-        session.step();
-        if (session.events().splits.empty()) continue;
-        for (int k = 0; k < kStepsAfter; ++k) session.step();
-        return step + kStepsAfter;
+/// The bonds that have broken shortly after the first did, where something is thrown in the first step; nothing if that
+/// cannot be.
+std::optional<Bonds> bondsBroken(const std::shared_ptr<const PlayScene>& scene, const ShotInput& shot, int rate) {
+    Result<Session> session = Session::start(scene, {.dt = 1.0 / rate});
+    if (!session || !session->add(shot)) return std::nullopt;
+    for (int step = 0; step < kLongest * rate; ++step) {
+        session->step();
+        if (session->events().splits.empty()) continue;
+        for (double after = 0.0; after < kTimeAfter - 1e-9; after += 1.0 / rate) session->step();
+        return brokenBonds(*session);
     }
-    return 0;
+    return Bonds{};
 }
 
 }  // namespace
 
-std::optional<Fault> frameRateFault(const SoakCase& one) {
+std::optional<double> frameRateAgreement(const SoakCase& one) {
     const std::optional<ShotInput> shot = firstThrow(one);
     if (!shot) return std::nullopt;
     Project still = one.project;
     still.gravity = Vec3(0.0);
     const Result<std::shared_ptr<const PlayScene>> scene = playScene(still);
     if (!scene) return std::nullopt;
-    std::optional<Session> session = thrownSession(*scene, *shot, kRate),
-                           fine = thrownSession(*scene, *shot, kFineRate);
-    const int steps = session && fine ? playedUntilBroken(*session) : 0;
-    if (steps == 0) return std::nullopt;
-    for (int step = 0; step < steps * (kFineRate / kRate); ++step) fine->step();
-    const Bonds bonds = brokenBonds(*session), fineBonds = brokenBonds(*fine);
-    Bonds all = bonds;
-    all.insert(fineBonds.begin(), fineBonds.end());
-    const std::size_t common = bonds.size() + fineBonds.size() - all.size();
-    if (static_cast<double>(common) >= kEqual * static_cast<double>(all.size())) return std::nullopt;
-    return Fault{"", std::to_string(bonds.size()) + " bonds break at 60 steps a second, " +
-                         std::to_string(fineBonds.size()) + " at 240, " + std::to_string(common) + " at both"};
+    const std::optional<Bonds> coarse = bondsBroken(*scene, *shot, kRate), fine = bondsBroken(*scene, *shot, kFineRate);
+    if (!coarse || !fine) return std::nullopt;
+    const Bonds slower = bondsBroken(*scene, atSpeed(*shot, 1.0 - kNear), kFineRate).value_or(Bonds{});
+    const Bonds faster = bondsBroken(*scene, atSpeed(*shot, 1.0 + kNear), kFineRate).value_or(Bonds{});
+    std::size_t all = 0, common = 0;
+    Bonds any = *coarse;
+    any.insert(fine->begin(), fine->end());
+    for (const auto& bond : any) {
+        if (slower.contains(bond) != faster.contains(bond)) continue;
+        ++all;
+        common += coarse->contains(bond) && fine->contains(bond) ? 1 : 0;
+    }
+    return all > 0 ? std::optional(static_cast<double>(common) / static_cast<double>(all)) : std::nullopt;
 }
 
 }  // namespace rubble::soak

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <set>
 
 namespace {
@@ -97,6 +98,7 @@ int show(const std::string& what, const std::string& only) {
     const SoakCase one = isFile ? loaded(what) : generatedCase(std::strtoull(what.c_str(), nullptr, 10));
     const Outcome outcome = playedCase(one, only);
     for (const Failure& failure : outcome.failures) print(what, failure);
+    if (outcome.agreement) std::printf("%.3f of the bonds break at 60 and at 240 steps a second\n", *outcome.agreement);
     std::printf("%llu steps of %g s, %llu breaks, %llu splits\n", static_cast<unsigned long long>(outcome.steps),
                 one.dt, static_cast<unsigned long long>(outcome.breaks),
                 static_cast<unsigned long long>(outcome.splits));
@@ -164,7 +166,7 @@ public:
             ::poll(nullptr, 0, 2);  // ms
         }
         printFigures();
-        bool isAsKnown = true;
+        bool isAsKnown = isFrameRateIndependent();
         for (const auto& [name, count] : m_found) {
             const auto most = known.scenes.find(name);
             if (count <= (most != known.scenes.end() ? most->second : 0)) continue;
@@ -204,6 +206,7 @@ private:
         m_breaks += outcome->breaks;
         m_splits += outcome->splits;
         m_failed += outcome->failures.empty() ? 0 : 1;
+        if (outcome->agreement) m_agreements.push_back(*outcome->agreement);
         for (const Failure& failure : outcome->failures) {
             print("--show " + std::to_string(one.seed), failure);
             const std::uint64_t count = ++m_found[failure.invariant];
@@ -221,6 +224,22 @@ private:
         const rubble::Status saved = saveCase(file, shrunk.one, shrunk.failure.invariant + ": " + shrunk.failure.text);
         if (!saved) std::printf("  %s\n", saved.error().message.c_str());
         print("  saved as --show " + file.string(), shrunk.failure);
+    }
+
+    /// Prints how often throws break the same bonds at two frame rates. True if often enough, or too few were thrown.
+    bool isFrameRateIndependent() const {
+        constexpr double kEqual = 0.95, kLeastShare = 0.95, kLeastMean = 0.97;
+        constexpr std::size_t kFewest = 50;
+        if (m_agreements.empty()) return true;
+        const auto throws = static_cast<double>(m_agreements.size());
+        const auto isEqual = [&](double agreement) { return agreement >= kEqual; };
+        const double share = static_cast<double>(std::ranges::count_if(m_agreements, isEqual)) / throws;
+        const double mean = std::accumulate(m_agreements.begin(), m_agreements.end(), 0.0) / throws;
+        std::printf(
+            "%.1f %% of %.0f throws break the same bonds at 60 and at 240 steps a second, %.3f of them in the "
+            "mean\n",
+            100.0 * share, throws, mean);
+        return m_agreements.size() < kFewest || (share >= kLeastShare && mean >= kLeastMean);
     }
 
     void printFigures() const {
@@ -241,6 +260,7 @@ private:
     std::uint64_t m_breaks = 0;
     std::uint64_t m_splits = 0;
     std::uint64_t m_failed = 0;
+    std::vector<double> m_agreements;              // of the throws at two frame rates
     std::map<std::string, std::uint64_t> m_found;  // by invariant
 };
 

@@ -95,8 +95,7 @@ public:
         if (isWanted(kSavedState) || isWanted(kSameState)) {
             for (const SavedState& saved : m_saved) compareWithNewProcess(saved);
         }
-        if (!isWanted(kFrameRate)) return m_outcome;
-        if (const std::optional<Fault> fault = frameRateFault(m_case)) report(kFrameRate, fault->body, fault->text);
+        if (invariant.empty()) m_outcome.agreement = frameRateAgreement(m_case);
         return m_outcome;
     }
 

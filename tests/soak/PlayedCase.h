@@ -3,6 +3,7 @@
 #include "tests/soak/SoakCase.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct Outcome {
     std::uint64_t steps = 0;
     std::uint64_t breaks = 0;
     std::uint64_t splits = 0;
+    std::optional<double> agreement{};  // frameRateAgreement(); only where all invariants are checked
 };
 
 /// Plays a case and checks everything that must hold. `progress` is called before each step, with what was found so
@@ -32,7 +34,6 @@ Outcome playedCase(const SoakCase& one, const std::string& invariant = {},
 /// The names of the promises that playing checks beside invariants().
 inline constexpr const char* kSameState = "same state";    // on other threads and lanes, after loading and rewinding
 inline constexpr const char* kSavedState = "saved state";  // what was saved can be loaded
-inline constexpr const char* kFrameRate = "frame rate";    // a throw breaks the same bonds at any
 inline constexpr const char* kPlayable = "playable";       // the scene can be played
 
 }  // namespace rubble::soak
