@@ -7,23 +7,20 @@
 namespace rubble {
 namespace {
 
-/// The velocities that a body has after the step where nothing but gravity and damping acts on it: bit for bit as the
-/// solver computes them.
-StartMotion freeFlight(StartMotion motion, const BodyMotion& body, const SolverStep& step) {
-    const float h = step.subStep;
-    const float linear = 1.0f / (1.0f + h * body.linearDamping), angular = 1.0f / (1.0f + h * body.angularDamping);
-    for (int k = static_cast<int>(std::lround(step.dt / h)); k > 0; --k) {
-        motion.velocity.x = (motion.velocity.x + h * step.gravity.x) * linear;
-        motion.velocity.y = (motion.velocity.y + h * step.gravity.y) * linear;
-        motion.velocity.z = (motion.velocity.z + h * step.gravity.z) * linear;
-        motion.angularVelocity *= angular;
-    }
-    return motion;
-}
-
+/// Whether a body moved in the step as where nothing but gravity and damping acts on it: bit for bit as the solver
+/// computes it, with the displacement, which continuous collision may have corrected.
 bool fliesFreely(const StartMotion& start, const BodyMotion& now, const SolverStep& step) {
-    const StartMotion flown = freeFlight(start, now, step);
-    return flown.velocity == now.velocity && flown.angularVelocity == now.angularVelocity;
+    const float h = step.subStep;
+    const float linear = 1.0f / (1.0f + h * now.linearDamping), angular = 1.0f / (1.0f + h * now.angularDamping);
+    Vec3f velocity = start.velocity, angularVelocity = start.angularVelocity, displacement(0.0f);
+    for (int k = static_cast<int>(std::lround(step.dt / h)); k > 0; --k) {
+        velocity.x = (velocity.x + h * step.gravity.x) * linear;
+        velocity.y = (velocity.y + h * step.gravity.y) * linear;
+        velocity.z = (velocity.z + h * step.gravity.z) * linear;
+        angularVelocity *= angular;
+        displacement += velocity * h;
+    }
+    return velocity == now.velocity && angularVelocity == now.angularVelocity && displacement == now.deltaPosition;
 }
 
 /// The work of gravity on a body in the step, less that at its mean velocity, J.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace rubble {
 namespace {
@@ -76,13 +77,12 @@ public:
         m_isDriven[state.grabbed.index] = 1;  // body 0: none
     }
 
-    /// Those with a body of which `isMeant` is true.
-    template <class IsMeant>
-    std::vector<Island> with(const IsMeant& isMeant) {
+    /// Those of some bodies.
+    std::vector<Island> of(std::span<const std::uint32_t> bodies) {
         std::vector<std::uint32_t> place(m_state.bodies.size(), kNone);
         std::vector<Island> islands;
-        for (const std::uint32_t body : m_state.awake) {
-            if (!isDynamic(body) || !isMeant(body) || place[m_sets.rootOf(body)] != kNone) continue;
+        for (const std::uint32_t body : bodies) {
+            if (place[m_sets.rootOf(body)] != kNone) continue;
             place[m_sets.rootOf(body)] = static_cast<std::uint32_t>(islands.size());
             islands.emplace_back();
         }
@@ -172,13 +172,15 @@ double limitEnergy(WorldState& state, ThreadPool& threads, const Regions& region
     const auto gainOf = [&](std::uint32_t body) {
         return -static_cast<double>(scratch.losses[body].energy) - toleranceOf(state, body, weight);
     };
-    const auto gains = [&](std::uint32_t body) { return scratch.losses[body].energy < 0.0f && gainOf(body) > 0.0; };
-    if (std::ranges::any_of(state.awake, gains)) {
-        for (const Island& island : Islands(state).with(gains)) {
-            double gain = 0.0;
-            for (const std::uint32_t body : island.bodies) gain += gainOf(body);
-            if (gain > 0.0 && !island.isDriven) reduceEnergy(state, island, gain, scratch.losses);
-        }
+    std::vector<std::uint32_t> gaining;
+    for (const std::uint32_t body : state.awake) {
+        if (scratch.losses[body].energy < 0.0f && gainOf(body) > 0.0) gaining.push_back(body);
+    }
+    if (gaining.empty()) return contactLoss(state, scratch);
+    for (const Island& island : Islands(state).of(gaining)) {
+        double gain = 0.0;
+        for (const std::uint32_t body : island.bodies) gain += gainOf(body);
+        if (gain > 0.0 && !island.isDriven) reduceEnergy(state, island, gain, scratch.losses);
     }
     return contactLoss(state, scratch);
 }
