@@ -36,7 +36,7 @@ bool isLighter(const WorldState& state, std::uint32_t body, std::uint32_t other)
     return state.bodies[body].isDynamic() && state.bodies[body].mass < state.bodies[other].mass;
 }
 
-void clampDisplacement(WorldState& state, std::uint32_t body) {
+void clampDisplacement(WorldState& state, std::uint32_t body, std::vector<BodyPair>& clamped) {
     visitContacts(state, body, [&](std::uint32_t number, std::uint32_t other) {
         const Contact& contact = state.contacts[number];
         const Proxy& proxy = state.proxies[contact.proxies[contact.bodies[0] == other ? 0 : 1]];
@@ -44,6 +44,7 @@ void clampDisplacement(WorldState& state, std::uint32_t body) {
         const PlacedHull& placed = placedHullOf(state, proxy);
         const HullRayHit hit = castRay(*placed.hull, displacement.from - placed.offset, displacement.displacement);
         if (hit.fraction > 1.0f) return;
+        clamped.push_back({body, other});
         const float distance = kDistanceFraction * state.bodies[body].shape->minWidth;
         const float fraction = std::max(0.0f, hit.fraction + distance / dot(hit.normal, displacement.displacement));
         // The stopping point, as it has moved with the other body by the end of the step: unless that spins, and would
@@ -64,8 +65,8 @@ void clampDisplacement(WorldState& state, std::uint32_t body) {
 
 }  // namespace
 
-void clampFastBodies(WorldState& state, ThreadPool& threads, const Regions& regions,
-                     std::vector<std::vector<std::uint32_t>>& byRegion) {
+std::vector<BodyPair> clampFastBodies(WorldState& state, ThreadPool& threads, const Regions& regions,
+                                      std::vector<std::vector<std::uint32_t>>& byRegion) {
     clearLists(byRegion, regions.count());
     regions.forEach(threads, [&](std::size_t region) {
         for (std::uint32_t number : regions.bodies(region)) {
@@ -76,7 +77,9 @@ void clampFastBodies(WorldState& state, ThreadPool& threads, const Regions& regi
         }
     });
     std::vector<std::uint32_t>& fast = mergeSorted(byRegion);
-    for (std::uint32_t body : fast) clampDisplacement(state, body);
+    std::vector<BodyPair> clamped;
+    for (std::uint32_t body : fast) clampDisplacement(state, body, clamped);
+    return clamped;
 }
 
 }  // namespace rubble

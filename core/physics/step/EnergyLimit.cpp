@@ -65,7 +65,7 @@ struct Island {
 /// Finds the islands of some bodies.
 class Islands {
 public:
-    explicit Islands(const WorldState& state)
+    Islands(const WorldState& state, std::span<const BodyPair> clamped)
         : m_state(state), m_sets(state.bodies.size()), m_isFixed(state.bodies.size()), m_isDriven(state.bodies.size()) {
         for (const ContactColours::List& list : state.colours.lists()) {
             for (const ContactBlock& block : list.blocks) {
@@ -74,6 +74,7 @@ public:
                 }
             }
         }
+        for (const auto& [body, other] : clamped) add(body, other);
         m_isDriven[state.grabbed.index] = 1;  // body 0: none
     }
 
@@ -166,7 +167,7 @@ void reduceEnergy(WorldState& state, const Island& island, double gain, std::vec
 }  // namespace
 
 double limitEnergy(WorldState& state, ThreadPool& threads, const Regions& regions, const SolverKernels& kernels,
-                   const SolverStep& step, ContactEnergyScratch& scratch) {
+                   const SolverStep& step, std::span<const BodyPair> clamped, ContactEnergyScratch& scratch) {
     findLosses(state, threads, regions, kernels, step, scratch);
     const float weight = length(step.gravity);
     const auto gainOf = [&](std::uint32_t body) {
@@ -177,7 +178,7 @@ double limitEnergy(WorldState& state, ThreadPool& threads, const Regions& region
         if (scratch.losses[body].energy < 0.0f && gainOf(body) > 0.0) gaining.push_back(body);
     }
     if (gaining.empty()) return contactLoss(state, scratch);
-    for (const Island& island : Islands(state).of(gaining)) {
+    for (const Island& island : Islands(state, clamped).of(gaining)) {
         double gain = 0.0;
         for (const std::uint32_t body : island.bodies) gain += gainOf(body);
         if (gain > 0.0 && !island.isDriven) reduceEnergy(state, island, gain, scratch.losses);

@@ -284,7 +284,7 @@ void World::solve(double dt) {
     context.regions.assignBodies(*m_state, context.threadCount);
     context.regions.sortContacts(*m_state, context.threads);
     prepareContacts(*m_state, context.threads, context.regions, context.solve, context.kernels, step);
-    const bool hasContacts = m_state->colours.contactCount() > 0;
+    const bool hasContacts = m_state->colours.contactCount() > 0 || !m_state->separated.empty();
     if (hasContacts) saveStartMotions(*m_state, context.threads, context.regions, context.energy);
     context.solve.scaled = scaleMasses(*m_state, context.solve.unequalBlocks, context.kernels, step);
     softenSharedContacts(*m_state, context.threads, context.regions, step);
@@ -296,9 +296,10 @@ void World::solve(double dt) {
     context.times.solve = watch.lap();
     displaceDeepContacts(*m_state, context.threads, context.regions, step.dt);
     findUnforeseenPairs(*m_state, context.threads, context.regions, context.pairs);
-    clampFastBodies(*m_state, context.threads, context.regions, context.fastBodies);
+    const std::vector<BodyPair> clamped =
+        clampFastBodies(*m_state, context.threads, context.regions, context.fastBodies);
     displaceOutOfStatic(*m_state, context.threads, context.regions, step);
-    if (hasContacts) findContactEvents(step);
+    if (hasContacts) findContactEvents(step, clamped);
     finishBodies(*m_state, context.threads, context.regions, context.dt);
     context.counts.awake = static_cast<int>(m_state->awake.size());
     context.counts.islands = sleepRestingIslands(*m_state);
@@ -306,10 +307,11 @@ void World::solve(double dt) {
     if (context.hasEnoughContacts(*m_state)) context.heuristic.addStep(context.times.total());
 }
 
-void World::findContactEvents(const SolverStep& step) {
+void World::findContactEvents(const SolverStep& step, std::span<const BodyPair> clamped) {
     StepContext& context = *m_context;
     StepEvents& events = m_state->events;
-    const double loss = limitEnergy(*m_state, context.threads, context.regions, context.kernels, step, context.energy);
+    const double loss =
+        limitEnergy(*m_state, context.threads, context.regions, context.kernels, step, clamped, context.energy);
     findHits(*m_state, context.threads, context.regions, context.energy.starts, context.hits, events.hits);
     addGravity(*m_state, step, context.energy.starts, events.hits);
     limitHits(events.hits, loss);

@@ -199,7 +199,7 @@ private:
     enum class CollideBodies : std::uint8_t { All, Changed };
     void collide(double dt, CollideBodies bodies);
     /// Sets the hits and the energy that contacts took, after the sub-steps.
-    void findContactEvents(const SolverStep& step);
+    void findContactEvents(const SolverStep& step, std::span<const std::array<std::uint32_t, 2>> clamped);
 
     std::unique_ptr<WorldState> m_state;
     std::unique_ptr<StepContext> m_context;
