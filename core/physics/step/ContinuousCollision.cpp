@@ -36,8 +36,10 @@ bool isLighter(const WorldState& state, std::uint32_t body, std::uint32_t other)
     return state.bodies[body].isDynamic() && state.bodies[body].mass < state.bodies[other].mass;
 }
 
-void clampDisplacement(WorldState& state, std::uint32_t body, std::vector<BodyPair>& clamped) {
+/// Clamps the displacement of a body at others that are dynamic, or at those that are not.
+void clampDisplacement(WorldState& state, std::uint32_t body, bool isDynamic, std::vector<BodyPair>& clamped) {
     visitContacts(state, body, [&](std::uint32_t number, std::uint32_t other) {
+        if (state.bodies[other].isDynamic() != isDynamic) return;
         const Contact& contact = state.contacts[number];
         const Proxy& proxy = state.proxies[contact.proxies[contact.bodies[0] == other ? 0 : 1]];
         const RelativeDisplacement displacement = displacementPast(state, body, other);
@@ -55,7 +57,7 @@ void clampDisplacement(WorldState& state, std::uint32_t body, std::vector<BodyPa
             state.poses[other].centre - state.poses[body].centre + state.motions[other].deltaPosition + kept;
         if (isLighter(state, other, body) || lengthSquared(stopped) > lengthSquared(moved))
             stopped = moved * std::clamp(fraction, 0.0f, 1.0f);
-        if (state.bodies[other].isDynamic()) {
+        if (isDynamic) {
             state.motions[body].deltaPosition = stopped;
         } else {
             correctDisplacement(state, body, stopped);
@@ -78,7 +80,9 @@ std::vector<BodyPair> clampFastBodies(WorldState& state, ThreadPool& threads, co
     });
     std::vector<std::uint32_t>& fast = mergeSorted(byRegion);
     std::vector<BodyPair> clamped;
-    for (std::uint32_t body : fast) clampDisplacement(state, body, clamped);
+    for (const bool isDynamic : {true, false}) {  // what is fixed last: others may carry bodies into it
+        for (const std::uint32_t body : fast) clampDisplacement(state, body, isDynamic, clamped);
+    }
     return clamped;
 }
 

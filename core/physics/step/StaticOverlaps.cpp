@@ -1,5 +1,6 @@
 #include "core/physics/step/StaticOverlaps.h"
 
+#include "core/physics/narrowphase/HullRay.h"
 #include "core/physics/state/Contacts.h"
 #include "core/physics/step/Displacement.h"
 #include "core/physics/step/NarrowPhase.h"
@@ -39,14 +40,31 @@ SeparatingAxis overlapOf(const StaticContact& contact, const BodyPose& body, con
 }
 
 /// What moves a body out of another, m; zero if it is not too deep.
-Vec3f wayOut(const WorldState& state, std::uint32_t number, const StaticContact& contact, const SolverStep& step) {
+struct WayOut {
+    Vec3f way{0.0f, 0.0f, 0.0f};
+    bool isThrough = false;  // it would bring the centre to the other side
+};
+
+/// Whether the centre of a body passes through another on its way from before the step to after it and on.
+bool passesThrough(const WorldState& state, std::uint32_t number, const StaticContact& contact, const BodyPose& after,
+                   Vec3f way) {
+    const auto inOther = [&](Vec3f point, const BodyPose& other) {
+        return other.rotation.matrix().transposedTimes(point - other.centre) - contact.otherHull.offset;
+    };
+    const Vec3f from = inOther(state.poses[number].centre, state.poses[contact.other]);
+    const Vec3f to = inOther(after.centre + way, poseAfter(state, contact.other));
+    return castRay(*contact.otherHull.hull, from, to - from).fraction <= 1.0f;
+}
+
+WayOut wayOut(const WorldState& state, std::uint32_t number, const StaticContact& contact, const SolverStep& step) {
     const float most = std::clamp(kWidthFraction * contact.hull.hull->minWidth, kMinDepth, kMaxDepth);
     const BodyPose pose = poseAfter(state, number);
     const SeparatingAxis axis = overlapOf(contact, pose, poseAfter(state, contact.other), most);
-    if (axis.separation >= -most) return Vec3f(0.0f);
+    if (axis.separation >= -most) return {};
     const SeparatingAxis before = overlapOf(contact, state.poses[number], state.poses[contact.other], most);
     const float allowed = std::max(most, -before.separation - step.pushOutSpeed * step.dt);
-    return pose.rotation.matrix() * axis.normal * std::min(0.0f, axis.separation + allowed);
+    const Vec3f way = pose.rotation.matrix() * axis.normal * std::min(0.0f, axis.separation + allowed);
+    return {way, passesThrough(state, number, contact, pose, way)};
 }
 
 /// Calls visit(way) for what moves a body out of what is not dynamic, one after the other.
@@ -60,8 +78,8 @@ void visitWaysOut(WorldState& state, std::uint32_t number, const SolverStep& ste
         const std::size_t side = contact.bodies[0] == number ? 0 : 1;
         const StaticContact one{placedHullOf(state, state.proxies[contact.proxies[side]]), other,
                                 placedHullOf(state, state.proxies[contact.proxies[1 - side]])};
-        const Vec3f way = wayOut(state, number, one, step);
-        if (way == Vec3f(0.0f)) return;
+        const WayOut way = wayOut(state, number, one, step);
+        if (way.way == Vec3f(0.0f)) return;
         if (contact.slot.isSet()) outdateManifold(state, contact);
         visit(way);
     });
@@ -71,11 +89,13 @@ void visitWaysOut(WorldState& state, std::uint32_t number, const SolverStep& ste
 bool displace(WorldState& state, std::uint32_t number, const SolverStep& step) {
     for (int round = 0; round < kRounds; ++round) {
         bool isOut = true;
-        visitWaysOut(state, number, step, [&](Vec3f way) {
-            correctDisplacement(state, number, state.motions[number].deltaPosition + way);
+        bool isThrough = false;
+        visitWaysOut(state, number, step, [&](const WayOut& way) {
+            correctDisplacement(state, number, state.motions[number].deltaPosition + way.way);
             isOut = false;
+            isThrough |= way.isThrough;
         });
-        if (isOut) return true;
+        if (isOut || isThrough) return isOut;
     }
     return false;
 }
@@ -89,7 +109,7 @@ void shorten(WorldState& state, std::uint32_t number, const SolverStep& step, co
                 .normalized();
         correctDisplacement(state, number, moved.deltaPosition * fraction);
         bool isOut = true;
-        visitWaysOut(state, number, step, [&](Vec3f) { isOut = false; });
+        visitWaysOut(state, number, step, [&](const WayOut&) { isOut = false; });
         if (isOut) return;
     }
 }
