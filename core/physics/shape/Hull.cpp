@@ -72,6 +72,8 @@ void addCorners(Hull& hull, const Polytope& polytope, Vec3 centre) {
     hull.cornerCount = static_cast<int>(polytope.vertices.size());
     pad(hull.corners, hull.corner(0));
     hull.middle = (low + high) * 0.5f;
+    for (int i = 0; i < hull.cornerCount; ++i)
+        hull.mean += hull.corner(i) * (1.0f / static_cast<float>(hull.cornerCount));
     hull.extents = (high - low) * 0.5f;
 }
 

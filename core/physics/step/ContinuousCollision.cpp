@@ -10,26 +10,31 @@ namespace rubble {
 namespace {
 
 constexpr float kFastFraction = 0.5f;  // of a body's width: with a smaller displacement it cannot tunnel
-// Distance, relative to a body's width, at which its centre stops before the surface. On the surface itself, the axis
-// of least overlap could lead out through the far side.
+// Distance, relative to a hull's width, at which its middle stops before the surface. On the surface itself, the axis of
+// least overlap could lead out through the far side.
 constexpr float kDistanceFraction = 0.25f;
 
-/// The movement of a point, in the frame of a moving body.
-struct RelativeDisplacement {
-    Vec3f from;
-    Vec3f displacement;
-};
-
 Mat3f endRotation(const WorldState& state, std::uint32_t body) {
-    return (state.motions[body].deltaRotation * state.poses[body].rotation).matrix();
+    return (state.motions[body].deltaRotation * state.poses[body].rotation).normalized().matrix();
 }
 
-RelativeDisplacement displacementPast(const WorldState& state, std::uint32_t body, std::uint32_t other) {
+/// The movement of a point of a body: from its centre before the step and after it.
+struct PointPath {
+    Vec3f before, after;
+};
+
+/// The path of a point inside a hull of a body. The body's own centre may be in none of its hulls.
+PointPath pathOf(const WorldState& state, std::uint32_t body, const PlacedHull& placed) {
+    const Vec3f point = placed.offset + placed.hull->mean;
+    return {state.poses[body].centre + state.poses[body].rotation.matrix() * point,
+            state.poses[body].centre + state.motions[body].deltaPosition + endRotation(state, body) * point};
+}
+
+/// The same, in the frame of another body, which moves.
+PointPath pathPast(const WorldState& state, const PointPath& path, std::uint32_t other) {
     const BodyPose& pose = state.poses[other];
-    const Vec3f before = state.poses[body].centre - pose.centre;
-    const Vec3f after = before + state.motions[body].deltaPosition - state.motions[other].deltaPosition;
-    const Vec3f from = pose.rotation.matrix().transposedTimes(before);
-    return {from, endRotation(state, other).transposedTimes(after) - from};
+    return {pose.rotation.matrix().transposedTimes(path.before - pose.centre),
+            endRotation(state, other).transposedTimes(path.after - pose.centre - state.motions[other].deltaPosition)};
 }
 
 bool isLighter(const WorldState& state, std::uint32_t body, std::uint32_t other) {
@@ -41,20 +46,22 @@ void clampDisplacement(WorldState& state, std::uint32_t body, bool isDynamic, st
     visitContacts(state, body, [&](std::uint32_t number, std::uint32_t other) {
         if (state.bodies[other].isDynamic() != isDynamic) return;
         const Contact& contact = state.contacts[number];
-        const Proxy& proxy = state.proxies[contact.proxies[contact.bodies[0] == other ? 0 : 1]];
-        const RelativeDisplacement displacement = displacementPast(state, body, other);
-        const PlacedHull& placed = placedHullOf(state, proxy);
-        const HullRayHit hit = castRay(*placed.hull, displacement.from - placed.offset, displacement.displacement);
+        const std::size_t side = contact.bodies[0] == other ? 0 : 1;
+        const PlacedHull& placed = placedHullOf(state, state.proxies[contact.proxies[side]]);
+        const PlacedHull& own = placedHullOf(state, state.proxies[contact.proxies[1 - side]]);
+        const PointPath path = pathOf(state, body, own), past = pathPast(state, path, other);
+        const Vec3f displacement = past.after - past.before;
+        const HullRayHit hit = castRay(*placed.hull, past.before - placed.offset, displacement);
         if (hit.fraction > 1.0f) return;
         clamped.push_back({body, other});
-        const float distance = kDistanceFraction * state.bodies[body].shape->minWidth;
-        const float fraction = std::max(0.0f, hit.fraction + distance / dot(hit.normal, displacement.displacement));
+        const float distance = kDistanceFraction * own.hull->minWidth;
+        const float fraction = std::max(0.0f, hit.fraction + distance / dot(hit.normal, displacement));
         // The stopping point, as it has moved with the other body by the end of the step: unless that spins, and would
         // carry the body farther than it moves.
-        const Vec3f kept = endRotation(state, other) * (displacement.from + displacement.displacement * fraction);
+        const Vec3f kept = state.poses[other].centre + state.motions[other].deltaPosition +
+                           endRotation(state, other) * (past.before + displacement * fraction);
         const Vec3f moved = state.motions[body].deltaPosition;
-        Vec3f stopped =
-            state.poses[other].centre - state.poses[body].centre + state.motions[other].deltaPosition + kept;
+        Vec3f stopped = moved + kept - path.after;
         if (isLighter(state, other, body) || lengthSquared(stopped) > lengthSquared(moved))
             stopped = moved * std::clamp(fraction, 0.0f, 1.0f);
         if (isDynamic) {

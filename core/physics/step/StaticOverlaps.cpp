@@ -42,17 +42,21 @@ SeparatingAxis overlapOf(const StaticContact& contact, const BodyPose& body, con
 /// What moves a body out of another, m; zero if it is not too deep.
 struct WayOut {
     Vec3f way{0.0f, 0.0f, 0.0f};
-    bool isThrough = false;  // it would bring the centre to the other side
+    bool isThrough = false;  // it would bring the hull to the other side
 };
 
-/// Whether the centre of a body passes through another on its way from before the step to after it and on.
+/// Whether the middle of a hull passes through another on its way from before the step to after it and on.
 bool passesThrough(const WorldState& state, std::uint32_t number, const StaticContact& contact, const BodyPose& after,
                    Vec3f way) {
-    const auto inOther = [&](Vec3f point, const BodyPose& other) {
-        return other.rotation.matrix().transposedTimes(point - other.centre) - contact.otherHull.offset;
+    const Vec3f middle = contact.hull.offset + contact.hull.hull->mean;
+    const auto inOther = [&](const BodyPose& body, const BodyPose& other) {
+        const Vec3f at = body.centre + body.rotation.matrix() * middle;
+        return other.rotation.matrix().transposedTimes(at - other.centre) - contact.otherHull.offset;
     };
-    const Vec3f from = inOther(state.poses[number].centre, state.poses[contact.other]);
-    const Vec3f to = inOther(after.centre + way, poseAfter(state, contact.other));
+    BodyPose last = after;
+    last.centre += way;
+    const Vec3f from = inOther(state.poses[number], state.poses[contact.other]);
+    const Vec3f to = inOther(last, poseAfter(state, contact.other));
     return castRay(*contact.otherHull.hull, from, to - from).fraction <= 1.0f;
 }
 
