@@ -24,8 +24,7 @@ public:
         m_isSimplified = std::ranges::any_of(session.scene().diagnostics, isSimplified);
         for (const BodyFacts& one : moment.bodies) {
             for (const BodyFacts& other : moment.bodies) {
-                const bool canMove = one.isDynamic() || other.isDynamic() || one.body.isHeld || other.body.isHeld;
-                if (one.body.number >= other.body.number || !canMove) continue;
+                if (one.body.number >= other.body.number) continue;  // what is fixed may break
                 if (overlapDepth(m_hulls.of(one), m_hulls.of(other)) > kOverlap) {
                     m_overlapping.emplace(one.body.origin, other.body.origin);
                 }

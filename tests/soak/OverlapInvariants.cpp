@@ -22,8 +22,9 @@ public:
                 if (one.body.number >= other.body.number) continue;
                 const double depth = overlapDepth(hulls.of(one), hulls.of(other));
                 if (depth > 0.0) m_depths[{one.body.origin, other.body.origin}] = depth;
-                if (depth <= kSinkFloor || one.isDynamic() == other.isDynamic()) continue;
-                m_inside.insert(one.isDynamic() ? one.body.origin : other.body.origin);
+                if (depth <= kSinkFloor) continue;
+                if (!other.isDynamic()) m_inside.insert(one.body.origin);  // also if it is fixed: it may break
+                if (!one.isDynamic()) m_inside.insert(other.body.origin);
             }
         }
     }
