@@ -167,6 +167,7 @@ private:
 bool losesMass(const StepFacts& step) {
     double before = 0.0, after = 0.0;
     for (const BodyFacts& one : step.before.bodies) before += one.mass;
+    for (const ThrownBody& thrown : step.thrown) before += thrown.mass;  // which may have broken already
     for (const BodyFacts& one : step.after.bodies) after += one.mass;
     return after < before * (1.0 - 1e-6);
 }
