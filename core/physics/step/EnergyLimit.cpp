@@ -141,6 +141,24 @@ Motion rigidMotion(const WorldState& state, const Island& island) {
     return whole;
 }
 
+/// Lowers bodies that rise in the step, by `gain` J in all, or by as much as they rise.
+void lowerBodies(WorldState& state, const Island& island, double gain, std::vector<BodyLoss>& losses) {
+    const Vec3f up = normalized(state.gravity * -1.0f);
+    const float weight = length(state.gravity);
+    const auto riseOf = [&](std::uint32_t body) {  // J
+        return weight * state.bodies[body].mass * std::max(0.0f, dot(up, state.motions[body].deltaPosition));
+    };
+    double rise = 0.0;
+    for (const std::uint32_t body : island.bodies) rise += static_cast<double>(riseOf(body));
+    if (rise <= 0.0) return;
+    const auto part = static_cast<float>(std::min(1.0, gain / rise));
+    for (const std::uint32_t body : island.bodies) {
+        losses[body].energy += part * riseOf(body);
+        Vec3f& displacement = state.motions[body].deltaPosition;
+        displacement -= up * (part * std::max(0.0f, dot(up, displacement)));
+    }
+}
+
 /// Reduces the energy of an island by up to `gain` J.
 void reduceEnergy(WorldState& state, const Island& island, double gain, std::vector<BodyLoss>& losses) {
     const Motion whole = island.isFixed ? Motion{} : rigidMotion(state, island);
@@ -162,6 +180,7 @@ void reduceEnergy(WorldState& state, const Island& island, double gain, std::vec
         state.motions[body].angularVelocity -= toFloat(less * own.angularVelocity);
         losses[body].energy += static_cast<float>(before - kineticOf(state, body));
     }
+    if (island.isFixed && relative < gain) lowerBodies(state, island, gain - relative, losses);
 }
 
 }  // namespace

@@ -298,8 +298,8 @@ void World::solve(double dt) {
     findUnforeseenPairs(*m_state, context.threads, context.regions, context.pairs);
     const std::vector<BodyPair> clamped =
         clampFastBodies(*m_state, context.threads, context.regions, context.fastBodies);
-    displaceOutOfStatic(*m_state, context.threads, context.regions, step);
     if (hasContacts) findContactEvents(step, clamped);
+    displaceOutOfStatic(*m_state, context.threads, context.regions, step);
     finishBodies(*m_state, context.threads, context.regions, context.dt);
     context.counts.awake = static_cast<int>(m_state->awake.size());
     context.counts.islands = sleepRestingIslands(*m_state);
