@@ -13,6 +13,7 @@ namespace {
 // How deep bodies may be: thin ones less, so that their centres stay outside.
 constexpr float kMinDepth = 0.0005f, kMaxDepth = 0.004f;  // m
 constexpr float kWidthFraction = 0.4f;
+constexpr float kOutSpeed = 0.1f;  // m/s: of what is deeper already
 constexpr int kRounds = 4;  // of displacements, where several bodies displace one
 
 /// Whether the bodies of a contact may come to overlap, or overlap deeper, while they move by `reach`, m. What hardly
@@ -66,7 +67,7 @@ WayOut wayOut(const WorldState& state, std::uint32_t number, const StaticContact
     const SeparatingAxis axis = overlapOf(contact, pose, poseAfter(state, contact.other), most);
     if (axis.separation >= -most) return {};
     const SeparatingAxis before = overlapOf(contact, state.poses[number], state.poses[contact.other], most);
-    const float allowed = std::max(most, -before.separation - step.pushOutSpeed * step.dt);
+    const float allowed = std::max(most, -before.separation - kOutSpeed * step.dt);
     const Vec3f way = pose.rotation.matrix() * axis.normal * std::min(0.0f, axis.separation + allowed);
     return {way, passesThrough(state, number, contact, pose, way)};
 }

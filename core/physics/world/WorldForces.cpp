@@ -62,6 +62,16 @@ void resetContacts(WorldState& state, std::uint32_t body) {
     state.rebox.push_back(body);
 }
 
+/// Has no contact warm start: its impulses carried another weight.
+void forgetImpulses(WorldState& state) {
+    for (ContactColours::List& list : state.colours.lists()) {
+        for (ContactBlock& block : list.blocks) {
+            for (PointRows& point : block.points) point.impulse = {};
+            block.frictionX = block.frictionY = block.torsionalImpulse = {};
+        }
+    }
+}
+
 }  // namespace
 
 Vec3 World::gravity() const { return toDouble(m_state->gravity); }
@@ -70,6 +80,7 @@ Status World::setGravity(Vec3 gravity) {
     if (!isWithin(gravity, kMaxSpeed)) return rangeError("Gravity", kMaxSpeed, "m/s² along each axis");
     m_state->gravity = toFloat(gravity);
     for (BodyId body : bodies()) wakeBody(*m_state, body.index);
+    forgetImpulses(*m_state);
     return success();
 }
 
