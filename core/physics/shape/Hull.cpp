@@ -180,6 +180,9 @@ Result<Hull> makeHull(const Polytope& polytope, Vec3 centre) {
     hull.minWidth = static_cast<float>(minWidthOf(*simple));
     addCorners(hull, *simple, centre);
     addFaces(hull, *simple, centre);
+    hull.meanDepth = hull.boundingRadius;
+    for (const HullPlane& plane : hull.planes)
+        hull.meanDepth = std::min(hull.meanDepth, plane.offset - dot(plane.normal, hull.mean));
     hull.innerRadius = innerRadiusOf(hull);
     addSides(hull);
     addEdges(hull, *simple);

@@ -45,6 +45,7 @@ struct Hull {
     // Per edge, padded with zeros: its vector, its first corner, the normals of its two faces.
     VectorRows edgeVectors, edgeCorners, edgeFirstNormals, edgeSecondNormals;
     Vec3f mean{0.0f, 0.0f, 0.0f};     // of the corners: inside, which the centre of mass need not be
+    float meanDepth = 0.0f;           // m: how far inside the mean is
     Vec3f middle{0.0f, 0.0f, 0.0f};   // of the bounding box
     Vec3f extents{0.0f, 0.0f, 0.0f};  // half the sides of the bounding box
     float minWidth = 0.0f;            // m: the least extent along a face normal

@@ -3,6 +3,7 @@
 #include "core/physics/narrowphase/HullRay.h"
 #include "core/physics/state/Contacts.h"
 #include "core/physics/step/Displacement.h"
+#include "core/physics/step/NarrowPhase.h"
 
 #include <algorithm>
 
@@ -41,6 +42,17 @@ bool isLighter(const WorldState& state, std::uint32_t body, std::uint32_t other)
     return state.bodies[body].isDynamic() && state.bodies[body].mass < state.bodies[other].mass;
 }
 
+/// Takes the speed at which a body approaches another along a normal of it, which points out. Where they overlap already,
+/// their contact is along another axis, and would never stop them.
+void stopApproach(WorldState& state, std::uint32_t body, std::uint32_t other, Vec3f normal) {
+    BodyMotion &own = state.motions[body], &others = state.motions[other];
+    const float speed = dot(own.velocity - others.velocity, normal);
+    if (speed >= 0.0f) return;
+    const Vec3f impulse = normal * (-speed / (own.inverseMass + others.inverseMass));
+    own.velocity += impulse * own.inverseMass;
+    others.velocity -= impulse * others.inverseMass;
+}
+
 /// Clamps the displacement of a body at others that are dynamic, or at those that are not.
 void clampDisplacement(WorldState& state, std::uint32_t body, bool isDynamic, std::vector<BodyPair>& clamped) {
     visitContacts(state, body, [&](std::uint32_t number, std::uint32_t other) {
@@ -64,6 +76,8 @@ void clampDisplacement(WorldState& state, std::uint32_t body, bool isDynamic, st
         Vec3f stopped = moved + kept - path.after;
         if (isLighter(state, other, body) || lengthSquared(stopped) > lengthSquared(moved))
             stopped = moved * std::clamp(fraction, 0.0f, 1.0f);
+        if (contact.slot.isSet() && !isApart(state, contact))
+            stopApproach(state, body, other, state.poses[other].rotation.matrix() * hit.normal);
         if (isDynamic) {
             state.motions[body].deltaPosition = stopped;
         } else {
