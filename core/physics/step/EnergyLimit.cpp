@@ -11,9 +11,10 @@ namespace rubble {
 namespace {
 
 // What a body may seem to gain:
-constexpr float kSoftness = 5e-4f;  // m: contacts give way, and lift again by that
-constexpr float kSlowest = 1e-6f;   // J/kg: of motion by rounding
-constexpr float kRounding = 1e-5f;  // of twice its kinetic energy
+constexpr float kSoftness = 5e-4f;       // m: contacts give way, and lift again by that
+constexpr float kSlowest = 1e-6f;        // J/kg: of motion by rounding
+constexpr float kRounding = 1e-5f;       // of twice its kinetic energy
+constexpr float kRiseFraction = 0.005f;  // of its bounding radius, by which it may rise in a step without motion
 
 /// The motion of a rigid body or of an island as a whole.
 struct Motion {
@@ -141,7 +142,8 @@ Motion rigidMotion(const WorldState& state, const Island& island) {
     return whole;
 }
 
-/// Lowers bodies that rise in the step, by `gain` J in all, or by as much as they rise.
+/// Lowers bodies that rise in the step, by `gain` J in all, or by as much as they rise: but by no less than what
+/// resolves overlaps in time, which is little of what a fall from their size gives.
 void lowerBodies(WorldState& state, const Island& island, double gain, std::vector<BodyLoss>& losses) {
     const Vec3f up = normalized(state.gravity * -1.0f);
     const float weight = length(state.gravity);
@@ -149,8 +151,12 @@ void lowerBodies(WorldState& state, const Island& island, double gain, std::vect
         return weight * state.bodies[body].mass * std::max(0.0f, dot(up, state.motions[body].deltaPosition));
     };
     double rise = 0.0;
-    for (const std::uint32_t body : island.bodies) rise += static_cast<double>(riseOf(body));
-    if (rise <= 0.0) return;
+    for (const std::uint32_t body : island.bodies) {
+        rise += static_cast<double>(riseOf(body));
+        gain -=
+            static_cast<double>(kRiseFraction * state.poses[body].boundingRadius * weight * state.bodies[body].mass);
+    }
+    if (rise <= 0.0 || gain <= 0.0) return;
     const auto part = static_cast<float>(std::min(1.0, gain / rise));
     for (const std::uint32_t body : island.bodies) {
         losses[body].energy += part * riseOf(body);

@@ -123,7 +123,7 @@ private slots:
         addFreeBody(scene, "box", addShape(scene, {boxOf(Vec3(0.5))}), {.position = {0.0, 0.0, 0.0}});
         SceneWorld moved = worldOf(scene);
         double before = 0.0;
-        for (int step = 0; step < 60; ++step) {
+        for (int step = 0; step < 180; ++step) {
             moved.world.step(1.0 / 60.0);
             const double y = moved.world.state(moved.bodies.back()).pose.position.y;
             QVERIFY2(y - before <= 4.0 / 60.0, qPrintable(QString::number(60.0 * (y - before))));
