@@ -6,11 +6,10 @@
 namespace rubble::soak {
 namespace {
 
-constexpr int kRate = 60;                   // steps/s
-constexpr int kFineRate = 240;              // steps/s
-constexpr int kLongest = 2;                 // s until the first bond breaks
-constexpr double kTimeAfter = 2.0 / kRate;  // s
-constexpr double kNear = 0.1;  // of the speed: bonds that break by so much more, or not by so much less, don't count
+constexpr int kRate = 60;       // steps/s
+constexpr int kFineRate = 240;  // steps/s
+constexpr int kLongest = 2;     // s until the first bond breaks
+constexpr double kNear = 0.1;   // of the speed: bonds that break by so much more, or not by so much less, don't count
 
 using Bonds = std::set<std::pair<Id, std::size_t>>;  // by instance
 
@@ -36,18 +35,25 @@ ShotInput atSpeed(ShotInput shot, double factor) {
     return shot;
 }
 
-/// The bonds that have broken shortly after the first did, where something is thrown in the first step; nothing if that
-/// cannot be.
-std::optional<Bonds> bondsBroken(const std::shared_ptr<const PlayScene>& scene, const ShotInput& shot, int rate) {
+/// What a throw in the first step breaks.
+struct Broken {
+    Bonds bonds;
+    int steps = 0;  // until then
+};
+
+/// Plays until the end of the step in which bonds break, or for `steps`; nothing if that cannot be.
+std::optional<Broken> played(const std::shared_ptr<const PlayScene>& scene, const ShotInput& shot, int rate,
+                             std::optional<int> steps = std::nullopt) {
     Result<Session> session = Session::start(scene, {.dt = 1.0 / rate});
     if (!session || !session->add(shot)) return std::nullopt;
-    for (int step = 0; step < kLongest * rate; ++step) {
+    Broken broken;
+    while (broken.steps < steps.value_or(kLongest * rate)) {
         session->step();
-        if (session->events().splits.empty()) continue;
-        for (double after = 0.0; after < kTimeAfter - 1e-9; after += 1.0 / rate) session->step();
-        return brokenBonds(*session);
+        ++broken.steps;
+        if (!steps && !session->events().splits.empty()) break;
     }
-    return Bonds{};
+    broken.bonds = brokenBonds(*session);
+    return broken;
 }
 
 }  // namespace
@@ -59,17 +65,19 @@ std::optional<double> frameRateAgreement(const SoakCase& one) {
     still.gravity = Vec3(0.0);
     const Result<std::shared_ptr<const PlayScene>> scene = playScene(still);
     if (!scene) return std::nullopt;
-    const std::optional<Bonds> coarse = bondsBroken(*scene, *shot, kRate), fine = bondsBroken(*scene, *shot, kFineRate);
-    if (!coarse || !fine) return std::nullopt;
-    const Bonds slower = bondsBroken(*scene, atSpeed(*shot, 1.0 - kNear), kFineRate).value_or(Bonds{});
-    const Bonds faster = bondsBroken(*scene, atSpeed(*shot, 1.0 + kNear), kFineRate).value_or(Bonds{});
+    const std::optional<Broken> coarse = played(*scene, *shot, kRate);
+    if (!coarse || coarse->bonds.empty()) return std::nullopt;
+    const std::optional<Broken> fine = played(*scene, *shot, kFineRate, coarse->steps * (kFineRate / kRate));
+    const std::optional<Broken> slower = played(*scene, atSpeed(*shot, 1.0 - kNear), kFineRate);
+    const std::optional<Broken> faster = played(*scene, atSpeed(*shot, 1.0 + kNear), kFineRate);
+    if (!fine || !slower || !faster) return std::nullopt;
     std::size_t all = 0, common = 0;
-    Bonds any = *coarse;
-    any.insert(fine->begin(), fine->end());
+    Bonds any = coarse->bonds;
+    any.insert(fine->bonds.begin(), fine->bonds.end());
     for (const auto& bond : any) {
-        if (slower.contains(bond) != faster.contains(bond)) continue;
+        if (slower->bonds.contains(bond) != faster->bonds.contains(bond)) continue;
         ++all;
-        common += coarse->contains(bond) && fine->contains(bond) ? 1 : 0;
+        common += coarse->bonds.contains(bond) && fine->bonds.contains(bond) ? 1 : 0;
     }
     return all > 0 ? std::optional(static_cast<double>(common) / static_cast<double>(all)) : std::nullopt;
 }
