@@ -141,8 +141,8 @@ void addRewinds(Random& random, SoakCase& one) {
     one.rewinds.push_back({.step = random.below(one.steps / 2), .steps = 5 + random.below(30)});
 }
 
-/// Has a few scenes break by the simplified method of the thesis. From a generator of their own: the others stay as they
-/// were.
+/// Has a few scenes break by the simplified method of the thesis. From a generator of their own: the others stay as
+/// they were.
 void chooseMethod(std::uint64_t seed, const RandomScene& scene, Project& project) {
     Random random(mixSeeds(seed, 0x7e515));
     if (!chance(random, 0.06)) return;

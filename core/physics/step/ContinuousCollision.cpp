@@ -11,8 +11,9 @@ namespace rubble {
 namespace {
 
 constexpr float kFastFraction = 0.5f;  // of a body's width: with a smaller displacement it cannot tunnel
-// Distance, relative to a hull's width, at which its middle stops before the surface. On the surface itself, the axis of
-// least overlap could lead out through the far side.
+// Distance, relative to a hull's width, at which its middle stops before the surface, if the hull reaches so far: what
+// does not touch is not stopped by a contact. On the surface itself, the axis of least overlap could lead out through
+// the far side.
 constexpr float kDistanceFraction = 0.25f;
 
 Mat3f endRotation(const WorldState& state, std::uint32_t body) {
@@ -42,8 +43,8 @@ bool isLighter(const WorldState& state, std::uint32_t body, std::uint32_t other)
     return state.bodies[body].isDynamic() && state.bodies[body].mass < state.bodies[other].mass;
 }
 
-/// Takes the speed at which a body approaches another along a normal of it, which points out. Where they overlap already,
-/// their contact is along another axis, and would never stop them.
+/// Takes the speed at which a body approaches another along a normal of it, which points out. Where they overlap
+/// already, their contact is along another axis, and would never stop them.
 void stopApproach(WorldState& state, std::uint32_t body, std::uint32_t other, Vec3f normal) {
     BodyMotion &own = state.motions[body], &others = state.motions[other];
     const float speed = dot(own.velocity - others.velocity, normal);

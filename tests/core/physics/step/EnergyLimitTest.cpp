@@ -88,7 +88,8 @@ private slots:
             QVERIFY2(most < 0.002 * peak, QByteArray::number(100.0 * most / peak) + " %");
         }
     }
-    /// Overlaps are resolved in the same direction on both sides, and what they would add is taken from relative motion.
+    /// Overlaps are resolved in the same direction on both sides, and what they would add is taken from relative
+    /// motion.
     void islandsKeepTheirMomentum() {
         Random random(7);
         for (int round = 0; round < 20; ++round) {

@@ -13,7 +13,8 @@ using namespace rubble::test;
 
 namespace {
 
-/// Thin splinters, one on the other, and a heavy block on them, on a fixed table: bodies 1 to `count` are the splinters.
+/// Thin splinters, one on the other, and a heavy block on them, on a fixed table: bodies 1 to `count` are the
+/// splinters.
 BodyScene pressedSplinters(Random& random, int count, double width) {
     BodyScene scene;
     addFixedBox(scene, "table", {-2.0, -1.0, -2.0}, {2.0, 0.0, 2.0});
