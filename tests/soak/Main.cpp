@@ -228,18 +228,18 @@ private:
 
     /// Prints how often throws break the same bonds at two frame rates. True if often enough, or too few were thrown.
     bool isFrameRateIndependent() const {
-        constexpr double kEqual = 0.95, kLeastShare = 0.95, kLeastMean = 0.97;
+        constexpr double kEqual = 0.95, kLeastFraction = 0.95, kLeastMean = 0.97;
         constexpr std::size_t kFewest = 50;
         if (m_agreements.empty()) return true;
         const auto throws = static_cast<double>(m_agreements.size());
         const auto isEqual = [&](double agreement) { return agreement >= kEqual; };
-        const double share = static_cast<double>(std::ranges::count_if(m_agreements, isEqual)) / throws;
+        const double fraction = static_cast<double>(std::ranges::count_if(m_agreements, isEqual)) / throws;
         const double mean = std::accumulate(m_agreements.begin(), m_agreements.end(), 0.0) / throws;
         std::printf(
             "%.1f %% of %.0f throws break the same bonds at 60 and at 240 steps a second, %.3f of them in the "
             "mean\n",
-            100.0 * share, throws, mean);
-        return m_agreements.size() < kFewest || (share >= kLeastShare && mean >= kLeastMean);
+            100.0 * fraction, throws, mean);
+        return m_agreements.size() < kFewest || (fraction >= kLeastFraction && mean >= kLeastMean);
     }
 
     void printFigures() const {
