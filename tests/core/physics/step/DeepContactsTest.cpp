@@ -32,7 +32,8 @@ std::vector<float> displacementsOf(double depth, BodyKind below, double speed = 
     ThreadPool threads(1);
     Regions regions;
     regions.assignBodies(state, 1);
-    displaceDeepContacts(state, threads, regions, static_cast<float>(kStep));
+    std::vector<std::vector<DeepContact>> scratch;
+    displaceDeepContacts(state, threads, regions, static_cast<float>(kStep), scratch);
     return {state.motions[1].deltaPosition.y, state.motions[2].deltaPosition.y};
 }
 
