@@ -300,7 +300,9 @@ Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const 
     Result<Session> floating = started(scene, asset);
     if (!floating) return ofAsset(authored, floating.error());
     const std::shared_ptr<const SessionSnapshot> start = floating->snapshot();
-    SwapAudit audit{.gapFraction = gapFractionOf(*asset->bake), .diagnostics = asset->diagnostics};
+    SwapAudit audit;
+    audit.gapFraction = gapFractionOf(*asset->bake);
+    audit.diagnostics = asset->diagnostics;
     if (audit.gapFraction > 0.0) {
         audit.diagnostics.push_back(diagnostic(DiagnosticCode::GapVolume, {.asset = authored.id},
                                                "The gap between fragments takes " +
