@@ -13,14 +13,14 @@ namespace {
 // How deep bodies may be: thin ones less, so that their centres stay outside.
 constexpr float kMinDepth = 0.0005f, kMaxDepth = 0.004f;  // m
 constexpr float kWidthFraction = 0.4f;
-constexpr float kOutSpeed = 0.1f;  // m/s: of what is deeper already
-constexpr int kRounds = 4;  // of displacements, where several bodies displace one
+constexpr float kOutSpeed = 0.1f;      // m/s: of what is deeper already
+constexpr float kMinReach = 0.00025f;  // m: what moves less comes no deeper
+constexpr int kRounds = 4;             // of displacements, where several bodies displace one
 
-/// Whether the bodies of a contact may come to overlap, or overlap deeper, while they move by `reach`, m. What hardly
-/// moves does not; a manifold that is recycled says nothing of other corners.
+/// Whether the bodies of a contact may come to overlap, or overlap deeper, while they move by `reach`, m. A manifold
+/// that is recycled says nothing of other corners.
 bool mayOverlap(const WorldState& state, const Contact& contact, float reach) {
-    constexpr float kMinReach = 0.00025f;  // m
-    if (contact.slot.isSet()) return reach > kMinReach;
+    if (contact.slot.isSet()) return true;
     const float travel = state.poses[contact.bodies[0]].travel + state.poses[contact.bodies[1]].travel;
     return travel + reach >= state.separated[contact.separatedIndex].collideAtTravel;
 }
@@ -119,12 +119,33 @@ void shorten(WorldState& state, std::uint32_t number, const SolverStep& step, co
     }
 }
 
+/// Marks the bodies that have contacts with what is not dynamic: most have none, and a walk over all contacts of a body
+/// takes as long as collisions.
+void markNearStatic(const WorldState& state, std::vector<std::uint8_t>& isNear) {
+    isNear.assign(state.bodies.size(), 0);
+    for (const ContactColours::List& list : state.colours.lists()) {
+        for (const ContactBlock& block : list.blocks) {
+            for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+                if (block.againstFixed[lane] != 0.0f) isNear[block.first[lane]] = isNear[block.second[lane]] = 1;
+            }
+        }
+    }
+    for (const SeparatedContact& contact : state.separated) {
+        const auto [first, second] = contact.bodies;
+        const bool isDynamic = state.motions[first].inverseMass > 0.0f && state.motions[second].inverseMass > 0.0f;
+        if (!isDynamic) isNear[first] = isNear[second] = 1;
+    }
+}
+
 }  // namespace
 
-void displaceOutOfStatic(WorldState& state, ThreadPool& threads, const Regions& regions, const SolverStep& step) {
+void displaceOutOfStatic(WorldState& state, ThreadPool& threads, const Regions& regions, const SolverStep& step,
+                         std::vector<std::uint8_t>& isNear) {
+    markNearStatic(state, isNear);
     regions.forEach(threads, [&](std::size_t region) {
         for (const std::uint32_t number : regions.bodies(region)) {
-            if (!state.bodies[number].isDynamic() || state.bodies[number].firstContact == kNone) continue;
+            if (isNear[number] == 0 || !state.bodies[number].isDynamic()) continue;
+            if (reachOf(state, number) <= kMinReach) continue;
             const BodyMotion moved = state.motions[number];
             if (!displace(state, number, step)) shorten(state, number, step, moved);
         }

@@ -71,6 +71,7 @@ struct World::StepContext {
     std::vector<std::vector<HitEvent>> hits;             // by region
     std::vector<std::vector<std::uint32_t>> fastBodies;  // by region
     std::vector<std::vector<DeepContact>> deepContacts;  // by region
+    std::vector<std::uint8_t> isNearStatic;              // by body
     StepCounts counts;
     StepTimes times;
     Regions regions;
@@ -300,7 +301,7 @@ void World::solve(double dt) {
     const std::vector<BodyPair> clamped =
         clampFastBodies(*m_state, context.threads, context.regions, context.fastBodies);
     if (hasContacts) findContactEvents(step, clamped);
-    displaceOutOfStatic(*m_state, context.threads, context.regions, step);
+    displaceOutOfStatic(*m_state, context.threads, context.regions, step, context.isNearStatic);
     finishBodies(*m_state, context.threads, context.regions, context.dt);
     context.counts.awake = static_cast<int>(m_state->awake.size());
     context.counts.islands = sleepRestingIslands(*m_state);
