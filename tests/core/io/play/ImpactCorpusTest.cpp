@@ -109,7 +109,7 @@ private slots:
             require(one.growth <= kGrowth * one.peak, QString("energy at %1 Hz").arg(rate));
         }
         if (isCompared) require(equalPart(all[60].broken, all[240].broken) >= kEqualBonds, "bonds");
-        QCOMPARE(faults.join(", "), value["knownFaults"].toString());
+        QCOMPARE(faults.join(", "), QString());
     }
     void everyFileIsACase() {
         std::size_t count = 0;
