@@ -168,8 +168,10 @@ private:
         return std::nullopt;
     }
 
+    /// What is held has the centre of mass of its whole, however little of that is left.
     static bool isSame(const PlayBody& one, const PlayBody& other) {
-        return one.fragment == other.fragment && one.structure == other.structure && one.nodes == other.nodes;
+        return one.fragment == other.fragment && one.structure == other.structure && one.nodes == other.nodes &&
+               one.isHeld == other.isHeld;
     }
 
     /// The centre of a body that lies in one of its hulls cannot come out on the other side of something.
