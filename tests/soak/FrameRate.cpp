@@ -1,7 +1,8 @@
 #include "tests/soak/FrameRate.h"
 
+#include "tests/support/play/BrokenBonds.h"
+
 #include <algorithm>
-#include <set>
 
 namespace rubble::soak {
 namespace {
@@ -11,16 +12,8 @@ constexpr int kFineRate = 240;  // steps/s
 constexpr int kLongest = 2;     // s until the first bond breaks
 constexpr double kNear = 0.1;   // of the speed: bonds that break by so much more, or not by so much less, don't count
 
-using Bonds = std::set<std::pair<Id, std::size_t>>;  // by instance
-
-Bonds brokenBonds(const Session& session) {
-    Bonds bonds;
-    for (const auto& [instance, damage] : session.damage()) {
-        for (std::size_t bond = 0; bond < damage.broken.size(); ++bond)
-            if (damage.broken[bond]) bonds.emplace(instance, bond);
-    }
-    return bonds;
-}
+using test::Bonds;
+using test::brokenBonds;
 
 std::optional<ShotInput> firstThrow(const SoakCase& one) {
     for (const TimedInput& timed : one.inputs) {

@@ -2,6 +2,7 @@
 #include "core/io/project/ProjectFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/JsonCases.h"
+#include "tests/support/play/BrokenBonds.h"
 #include "tests/support/play/Sessions.h"
 
 #include <QJsonArray>
@@ -25,16 +26,8 @@ constexpr double kEqualBonds = 0.95;            // of all that break at one of t
 
 QJsonArray impactCases() { return test::readJson(kImpacts + "cases.json")["cases"].toArray(); }
 
-using Bonds = std::set<std::pair<Id, std::size_t>>;  // by instance
-
-Bonds brokenBonds(const Session& session) {
-    Bonds bonds;
-    for (const auto& [instance, damage] : session.damage()) {
-        for (std::size_t bond = 0; bond < damage.broken.size(); ++bond)
-            if (damage.broken[bond]) bonds.emplace(instance, bond);
-    }
-    return bonds;
-}
+using test::Bonds;
+using test::brokenBonds;
 
 /// The part of the bonds in either set that is in both (Jaccard); 1 of none.
 double equalPart(const Bonds& one, const Bonds& other) {
