@@ -37,8 +37,8 @@ Result<std::shared_ptr<Shape>> emptyShape(const MassProperties& mass) {
     }
     auto shape = std::make_shared<Shape>();
     shape->mass = mass;
-    shape->mass.inertia = withMinMoment(mass.inertia);
-    shape->inverseInertia = glm::inverse(shape->mass.inertia);
+    shape->inertia = withMinMoment(mass.inertia);
+    shape->inverseInertia = glm::inverse(shape->inertia);
     return shape;
 }
 
@@ -103,6 +103,12 @@ Result<std::shared_ptr<const Shape>> compoundShape(std::span<const CompoundPart>
     return std::shared_ptr<const Shape>(std::move(*shape));
 }
 
+Vec3 spinOfPart(const Shape& shape, const Quat& orientation, Vec3 angularVelocity) {
+    if (shape.inertia == shape.mass.inertia) return angularVelocity;
+    const Vec3 own = glm::conjugate(orientation) * angularVelocity;
+    return orientation * (shape.inverseInertia * (shape.mass.inertia * own));
+}
+
 std::shared_ptr<const Shape> remainingShape(const Shape& shape, std::span<const std::uint32_t> hulls) {
     RUBBLE_ASSERT(!hulls.empty());
     auto remaining = std::make_shared<Shape>();
@@ -110,6 +116,7 @@ std::shared_ptr<const Shape> remainingShape(const Shape& shape, std::span<const 
     for (std::size_t k = 0; k < hulls.size(); ++k) remaining->hulls[k] = shape.hulls[hulls[k]];
     remaining->owner = shape.owner;
     remaining->mass = shape.mass;
+    remaining->inertia = shape.inertia;
     remaining->inverseInertia = shape.inverseInertia;
     remaining->boundingRadius = shape.boundingRadius;
     remaining->extents = shape.extents;

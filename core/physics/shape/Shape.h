@@ -22,7 +22,8 @@ struct Shape {
     std::vector<PlacedHull> hulls;
     std::shared_ptr<const void> owner;  // of the hulls
     MassProperties mass;                // at density 1 kg/m³, in the frame of the given polytopes
-    Mat3 inverseInertia{1.0};           // 1/(kg·m²), at that density
+    Mat3 inertia{1.0};                  // kg·m², at that density: that of the mass, raised for what is too thin
+    Mat3 inverseInertia{1.0};           // 1/(kg·m²), of this inertia
     float boundingRadius = 0.0f;        // m: distance from the centre of mass to the farthest vertex, at least
     // m: the largest distance of a vertex from the centre of mass along each axis; at least that of a remainingShape().
     Vec3f extents{0.0f};
@@ -49,6 +50,10 @@ struct CompoundPart {
 /// Errors: BadInput for no part, or mass properties that are not positive and finite.
 Result<std::shared_ptr<const Shape>> compoundShape(std::span<const CompoundPart> parts, const MassProperties& mass,
                                                    std::shared_ptr<const void> owner);
+
+/// The angular velocity, rad/s in world axes, of a part of a body that rotates at another one: the same, but for a
+/// shape whose inertia is raised. That one takes the angular momentum of its mass, or energy would appear.
+Vec3 spinOfPart(const Shape& shape, const Quat& orientation, Vec3 angularVelocity);
 
 /// The shape of some hulls of another one, by number, which stay where they are in it; one hull at least. All else
 /// remains as it is, the mass properties and bounds as well: this is the shape of what is left of a held body, of which

@@ -15,7 +15,7 @@ bool isRepresentable(double value) { return value >= kMinMagnitude && value <= k
 bool hasRepresentableMass(const Shape& shape, double density) {
     if (!isRepresentable(shape.mass.volume * density)) return false;
     for (int k = 0; k < 3; ++k) {
-        if (!isRepresentable(shape.mass.inertia[k][k] * density)) return false;
+        if (!isRepresentable(shape.inertia[k][k] * density)) return false;
         if (!isRepresentable(shape.inverseInertia[k][k] / density)) return false;
     }
     return true;

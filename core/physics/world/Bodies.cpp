@@ -35,7 +35,7 @@ void assignMaterial(WorldState& state, std::uint32_t number, const BodyMaterial&
     if (!body.isDynamic()) return;
     const Shape& shape = *body.shape;
     body.mass = static_cast<float>(shape.mass.volume * material.density);
-    body.inertia = toFloat(shape.mass.inertia * material.density);
+    body.inertia = toFloat(shape.inertia * material.density);
     body.inverseInertia = toFloat(shape.inverseInertia * (1.0 / material.density));
     body.angularMomentum = body.referenceAngularVelocity = Vec3f(0.0f);  // computed from the angular velocity again
     state.motions[number].inverseMass = 1.0f / body.mass;

@@ -24,7 +24,7 @@ MovingMass restingMass(const Shape& shape, double density, const Pose& pose) {
     const Mat3 rotation = glm::mat3_cast(pose.orientation);
     MovingMass mass;
     mass.inverseMass = 1.0 / (density * shape.mass.volume);
-    mass.inertia = rotation * (density * shape.mass.inertia) * glm::transpose(rotation);
+    mass.inertia = rotation * (density * shape.inertia) * glm::transpose(rotation);
     mass.inverseInertia = glm::inverse(mass.inertia);
     mass.centre = pose.position + rotation * shape.mass.centre;
     return mass;

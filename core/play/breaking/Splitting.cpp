@@ -178,7 +178,7 @@ SplitPart splitPart(const SessionParts& parts, const PlayBody& before, const Pla
     const BodyState state = parts.world.state(before.body);
     const Vec3 centre = state.pose.position + state.pose.orientation * (made.offset + made.shape->mass.centre);
     made.velocity = limited(state.velocity + glm::cross(state.angularVelocity, centre - state.centre));
-    made.angularVelocity = limited(state.angularVelocity);
+    made.angularVelocity = limited(spinOfPart(*made.shape, state.pose.orientation, state.angularVelocity));
     return made;
 }
 

@@ -83,7 +83,7 @@ BodyDefinition fragmentDefinition(const SessionParts& parts, const PendingBreak&
         .shape = solid.shape,
         .pose = {broken.pose.position + broken.pose.orientation * offset, broken.pose.orientation},
         .velocity = broken.mass.velocity,
-        .angularVelocity = broken.mass.angularVelocity,
+        .angularVelocity = spinOfPart(*solid.shape, broken.pose.orientation, broken.mass.angularVelocity),
         .density = material.density,
         .friction = material.friction,
         .restitution = material.restitution};

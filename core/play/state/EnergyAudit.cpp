@@ -18,10 +18,10 @@ double kineticEnergy(double mass, const Mat3& inertia, Vec3 velocity, Vec3 angul
 double kineticEnergy(const World& world, BodyId body) {
     if (world.kind(body) != BodyKind::Dynamic) return 0.0;
     const BodyState state = world.state(body);
-    const MassProperties& unit = world.shape(body).mass;
+    const Shape& shape = world.shape(body);
     const double mass = world.mass(body);
     const Vec3 turning = glm::conjugate(state.pose.orientation) * state.angularVelocity;  // in the body's axes
-    return kineticEnergy(mass, (mass / unit.volume) * unit.inertia, state.velocity, turning);
+    return kineticEnergy(mass, (mass / shape.mass.volume) * shape.inertia, state.velocity, turning);
 }
 
 double kineticEnergy(const World& world) {

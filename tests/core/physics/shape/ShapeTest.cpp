@@ -34,11 +34,25 @@ private slots:
         for (const double width : {0.2, 0.025, 0.005, 1e-4, 1e-6}) {
             const std::shared_ptr<const Shape> shape = *makeShape(std::vector{boxOf({1.0, width, width})});
             const double mass = width * width, own = mass * 2.0 * width * width / 12.0;
-            const Mat3& inertia = shape->mass.inertia;
+            const Mat3& inertia = shape->inertia;
             if (width >= 0.025) QVERIFY(std::abs(inertia[0][0] - own) < 1e-9 * own);
             QVERIFY(inertia[0][0] >= 0.99e-4 * (inertia[0][0] + inertia[1][1] + inertia[2][2]));
             QVERIFY(std::abs(inertia[1][1] - mass * (1.0 + width * width) / 12.0) < 3e-4 * inertia[1][1]);
             QVERIFY(std::abs(shape->inverseInertia[0][0] * inertia[0][0] - 1.0) < 1e-9);
+            QVERIFY(std::abs(shape->mass.inertia[0][0] - own) < 1e-9 * own);
+        }
+    }
+    /// What is thinner than 1 : 100 rotates slower once it is a body of its own: by its angular momentum, in its axes.
+    void slenderPartsKeepTheirAngularMomentum() {
+        for (const double width : {0.2, 1e-4}) {
+            const std::shared_ptr<const Shape> shape = *makeShape(std::vector{boxOf({1.0, width, width})});
+            const Quat turned = glm::angleAxis(1.1, glm::normalize(Vec3(1.0, 2.0, -3.0)));
+            const Vec3 own(900.0, 20.0, -5.0);
+            const Vec3 spin = glm::conjugate(turned) * spinOfPart(*shape, turned, turned * own);
+            const Vec3 difference = shape->inertia * spin - shape->mass.inertia * own;
+            QVERIFY(glm::length(difference) < 1e-12 * glm::length(shape->mass.inertia * own));
+            if (width == 0.2) QVERIFY(glm::length(spin - own) < 1e-12 * glm::length(own));
+            QVERIFY(glm::dot(spin, shape->inertia * spin) <= (1.0 + 1e-12) * glm::dot(own, shape->mass.inertia * own));
         }
     }
     void measuresOfTwoCubes() {
