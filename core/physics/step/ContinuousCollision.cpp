@@ -39,6 +39,17 @@ PointPath pathPast(const WorldState& state, const PointPath& path, std::uint32_t
             endRotation(state, other).transposedTimes(path.after - pose.centre - state.motions[other].deltaPosition)};
 }
 
+/// Whether a point of a path comes as near to a body as the body reaches. In the frame of a body that spins, a path is
+/// a chord: it may lead through what the point never comes near.
+bool comesNear(const WorldState& state, const PointPath& path, std::uint32_t other) {
+    const Vec3f from = path.before - state.poses[other].centre;
+    const Vec3f way = path.after - path.before - state.motions[other].deltaPosition;
+    const float size = lengthSquared(way);
+    const Vec3f nearest = from + way * (size > 0.0f ? std::clamp(-dot(from, way) / size, 0.0f, 1.0f) : 0.0f);
+    const float radius = state.poses[other].boundingRadius;
+    return lengthSquared(nearest) <= radius * radius;
+}
+
 bool isLighter(const WorldState& state, std::uint32_t body, std::uint32_t other) {
     return state.bodies[body].isDynamic() && state.bodies[body].mass < state.bodies[other].mass;
 }
@@ -62,7 +73,9 @@ void clampDisplacement(WorldState& state, std::uint32_t body, bool isDynamic, st
         const std::size_t side = contact.bodies[0] == other ? 0 : 1;
         const PlacedHull& placed = placedHullOf(state, state.proxies[contact.proxies[side]]);
         const PlacedHull& own = placedHullOf(state, state.proxies[contact.proxies[1 - side]]);
-        const PointPath path = pathOf(state, body, own), past = pathPast(state, path, other);
+        const PointPath path = pathOf(state, body, own);
+        if (!comesNear(state, path, other)) return;
+        const PointPath past = pathPast(state, path, other);
         const Vec3f displacement = past.after - past.before;
         const HullRayHit hit = castRay(*placed.hull, past.before - placed.offset, displacement);
         if (hit.fraction > 1.0f) return;

@@ -22,6 +22,7 @@ constexpr float kMinSliding = 0.001f;  // m
 constexpr float kGapFraction = 0.75f;
 /// Bodies that move more than this fraction of the thinner one's width in a step get a swept manifold.
 constexpr float kSweptFraction = 0.5f;
+constexpr float kSpinFraction = 0.5f;  // rad per step, from which on tangents lead too far out
 constexpr std::size_t kMinContactsPerChunk = 1024;
 
 /// False if hulls that are separated along an axis stay so while the second moves: a sweep would find nothing.
@@ -50,6 +51,35 @@ void slideAlong(HullCollision& collision, const SeparatingAxis& axis, const Hull
     collision.axis = axis;
     collision.axis.separation = std::min(axis.separation, 0.0f);
     collision.manifold = axis.separation > margin ? Manifold{} : manifoldAlong(axis, first, second, pose, margin);
+}
+
+/// How far the rotation of a body in a step can move one of its points along a direction, m: no point leaves the sphere
+/// around the body. `point` is relative to its centre.
+float reachOfRotation(const BodyMotion& motion, const BodyPose& pose, Vec3f point, Vec3f direction, float dt) {
+    const float radius = pose.boundingRadius;
+    return std::min(length(motion.angularVelocity) * dt * radius, radius - dot(point, direction));
+}
+
+/// Removes the points that cannot touch in the step, however fast their bodies spin: taken as moving on along tangents,
+/// they would collide in the air.
+void removeOutOfReach(const WorldState& state, const Contact& contact, Manifold& manifold, Vec3f firstOffset,
+                      float dt) {
+    constexpr float kMargin = 2.0f;  // of what the bodies approach: what else they touch may push them
+    const BodyPose &first = state.poses[contact.bodies[0]], &second = state.poses[contact.bodies[1]];
+    const BodyMotion &a = state.motions[contact.bodies[0]], &b = state.motions[contact.bodies[1]];
+    const Mat3f rotation = first.rotation.matrix();
+    const Vec3f normal = rotation * manifold.normal;
+    const float approach = (length(b.velocity - a.velocity) + length(state.gravity) * dt) * dt;
+    int kept = 0;
+    for (int i = 0; i < manifold.count; ++i) {
+        const float separation = manifold.points[i].separation;
+        const Vec3f point = rotation * (manifold.points[i].position + firstOffset), half = normal * (0.5f * separation);
+        const Vec3f ofSecond = point + half + first.centre - second.centre;
+        const float reach = kMargin * approach + reachOfRotation(a, first, point - half, normal, dt) +
+                            reachOfRotation(b, second, ofSecond, normal * -1.0f, dt);
+        if (separation <= reach) manifold.points[kept++] = manifold.points[i];
+    }
+    manifold.count = kept;
 }
 
 /// A unit vector perpendicular to another, a function of it only.
@@ -280,6 +310,9 @@ HullCollision collideContact(const WorldState& state, const Contact& contact, fl
     } else if (collision.axis.separation > margin && isFast && mayMeet(collision.axis, inFirst)) {
         sweep(collision, first, second, pose, inFirst);
     }
+    const bool isSpinning = swing > kSpinFraction * std::min(first.boundingRadius, second.boundingRadius);
+    if (isSpinning && !collision.isSwept)
+        removeOutOfReach(state, contact, collision.manifold, firstPlaced.offset, dt);
     return collision;
 }
 
