@@ -16,13 +16,16 @@ bool contains(const Polytope& hull, Vec3 point) {
                                [&](const Plane& plane) { return glm::dot(plane.normal, point) <= plane.offset; });
 }
 
-/// The part of a segment inside a hull, as fractions.
+/// What lies less deep along a surface grazes it: positions are no more exact where an edge ends.
+constexpr double kGrazed = 2e-4;  // m
+
+/// The part of a segment deeper than kGrazed in a hull, as fractions.
 /// Source: Cyrus, Beck 1978.
 std::pair<double, double> clipped(const Polytope& hull, Vec3 from, Vec3 to) {
     double enter = 0.0, leave = 1.0;
     for (const Plane& plane : hull.planes) {
-        const double start = glm::dot(plane.normal, from) - plane.offset;
-        const double end = glm::dot(plane.normal, to) - plane.offset;
+        const double start = glm::dot(plane.normal, from) - plane.offset + kGrazed;
+        const double end = glm::dot(plane.normal, to) - plane.offset + kGrazed;
         if (start > 0.0 && end > 0.0) return {1.0, 0.0};
         if (start > 0.0) enter = std::max(enter, start / (start - end));
         if (end > 0.0) leave = std::min(leave, start / (start - end));

@@ -37,7 +37,8 @@ public:
         m_hulls.keepOnly(step.after);
         const bool wasGrabbed = m_isGrabbed;
         m_isGrabbed = step.session.world().grabSpring().has_value();
-        const bool isPushed = pushesApart(step.before);
+        // What is fixed and breaks in the step may be free after it only.
+        const bool isPushed = pushesApart(step.before) || pushesApart(step.after);
         findEnergies(step);
         return !wasGrabbed && !m_isGrabbed && !isPushed && !m_isSimplified && !step.hasInput<MaterialInput>() &&
                !step.hasInput<GrabInput>() && !step.changesMasses();

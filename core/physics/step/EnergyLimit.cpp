@@ -12,9 +12,9 @@ namespace {
 
 // What a body may seem to gain:
 constexpr float kSoftness = 5e-4f;       // m: contacts give way, and lift again by that
-constexpr float kSlowest = 1e-6f;        // J/kg: of motion by rounding
+constexpr float kSlowest = 5e-7f;        // J/kg: of motion by rounding
 constexpr float kRounding = 1e-5f;       // of twice its kinetic energy
-constexpr float kRiseFraction = 0.005f;  // of its bounding radius, by which it may rise in a step without motion
+constexpr float kRiseFraction = 0.001f;  // of its bounding radius, by which it may rise in a step without motion
 
 /// The motion of a rigid body or of an island as a whole.
 struct Motion {
