@@ -311,8 +311,7 @@ HullCollision collideContact(const WorldState& state, const Contact& contact, fl
         sweep(collision, first, second, pose, inFirst);
     }
     const bool isSpinning = swing > kSpinFraction * std::min(first.boundingRadius, second.boundingRadius);
-    if (isSpinning && !collision.isSwept)
-        removeOutOfReach(state, contact, collision.manifold, firstPlaced.offset, dt);
+    if (isSpinning && !collision.isSwept) removeOutOfReach(state, contact, collision.manifold, firstPlaced.offset, dt);
     return collision;
 }
 
