@@ -16,8 +16,8 @@ bool contains(const Polytope& hull, Vec3 point) {
                                [&](const Plane& plane) { return glm::dot(plane.normal, point) <= plane.offset; });
 }
 
-/// What lies less deep along a surface grazes it: positions are no more exact where an edge ends.
-constexpr double kGrazed = 2e-4;  // m
+/// What is less deep grazes a surface, as the thinnest bodies may. Round an edge, their path is no straight line.
+constexpr double kGrazed = 5e-4;  // m
 
 /// The part of a segment deeper than kGrazed in a hull, as fractions.
 /// Source: Cyrus, Beck 1978.

@@ -107,6 +107,7 @@ private:
     using Placed = std::pair<const BodyFacts*, BodyHulls::Posed>;
 
     std::optional<Fault> faultOf(const StepFacts& step, const Placed& one, const Placed& other) const {
+        if (m_initial.isInside(*one.first) || m_initial.isInside(*other.first)) return std::nullopt;  // it jams
         const double depth = overlapDepth(one.second, other.second);
         if (depth <= kSinkFloor) return std::nullopt;
         const double width = std::min(one.first->minWidth, other.first->minWidth);

@@ -62,6 +62,7 @@ public:
             if (!one.isDynamic() || !one.state.asleep) continue;
             const std::string name = step.session.nameOf(one.body);
             if (!supported.contains(one.body.body)) return Fault{name, "it sleeps, and nothing static supports it"};
+            if (isDeep(contacts[one.body.body])) continue;
             if (const double slope = beyondFriction(step, one, contacts[one.body.body]); slope > kSlope) {
                 return Fault{name, "it sleeps on a slope that is " + textOf(slope) + " beyond its friction"};
             }
@@ -75,6 +76,13 @@ public:
 private:
     static bool isStatic(const World& world, BodyId body) {
         return !world.contains(body) || world.kind(body) != BodyKind::Dynamic;
+    }
+
+    /// What began inside of something may be jammed there, where contacts are no support. All others, "static overlap"
+    /// finds.
+    static bool isDeep(const std::vector<ContactPoint>& points) {
+        constexpr double kDepth = 0.005;  // m
+        return std::ranges::any_of(points, [&](const ContactPoint& point) { return point.separation < -kDepth; });
     }
 
     /// The normal of a contact, into a body.

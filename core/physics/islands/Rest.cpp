@@ -20,7 +20,7 @@ constexpr float kRounding = 1.2e-7f;     // of coordinates, and so of the displa
 // The stay of what drifts begins again whenever its distance d has grown. What slows down, turns, and accelerates back
 // through where it was, goes (growth - 1) d + 2 growth d = 2.3 d before that.
 constexpr float kGrowth = 1.1f;
-constexpr float kMinToAndFro = 2.4f;  // path of a body that rattles, relative to its distance
+constexpr float kMinToAndFro = 2.6f;  // path of a body that rattles, relative to its distance: more, since it jitters
 
 /// An upper bound of the length of w × r for the points r of a body, both in its axes. The extents count along each
 /// axis: a needle that rolls about its length hardly moves.

@@ -15,6 +15,7 @@ constexpr float kMinDepth = 0.0005f, kMaxDepth = 0.004f;  // m
 constexpr float kWidthFraction = 0.4f;
 constexpr float kOutSpeed = 0.1f;      // m/s: of what is deeper already
 constexpr float kMinReach = 0.00025f;  // m: what moves less comes no deeper
+constexpr float kRounding = 5e-7f;     // of positions, relative, with that of their sums
 constexpr int kRounds = 4;             // of displacements, where several bodies displace one
 
 /// Whether the bodies of a contact may come to overlap, or overlap deeper, while they move by `reach`, m. A manifold
@@ -68,7 +69,10 @@ WayOut wayOut(const WorldState& state, std::uint32_t number, const StaticContact
     if (axis.separation >= -most) return {};
     const SeparatingAxis before = overlapOf(contact, state.poses[number], state.poses[contact.other], most);
     const float allowed = std::max(most, -before.separation - kOutSpeed * step.dt);
-    const Vec3f way = pose.rotation.matrix() * axis.normal * std::min(0.0f, axis.separation + allowed);
+    const Vec3f size = componentAbs(pose.centre);
+    const float rounding = kRounding * std::max({1.0f, size.x, size.y, size.z});
+    if (axis.separation >= -allowed - rounding) return {};
+    const Vec3f way = pose.rotation.matrix() * axis.normal * (axis.separation + allowed);
     return {way, passesThrough(state, number, contact, pose, way)};
 }
 
