@@ -16,16 +16,13 @@ bool contains(const Polytope& hull, Vec3 point) {
                                [&](const Plane& plane) { return glm::dot(plane.normal, point) <= plane.offset; });
 }
 
-/// What is less deep grazes a surface, as the thinnest bodies may. Round an edge, their path is no straight line.
-constexpr double kGrazed = 5e-4;  // m
-
-/// The part of a segment deeper than kGrazed in a hull, as fractions.
+/// The part of a segment deeper than `depth` in a hull, as fractions.
 /// Source: Cyrus, Beck 1978.
-std::pair<double, double> clipped(const Polytope& hull, Vec3 from, Vec3 to) {
+std::pair<double, double> clipped(const Polytope& hull, Vec3 from, Vec3 to, double depth) {
     double enter = 0.0, leave = 1.0;
     for (const Plane& plane : hull.planes) {
-        const double start = glm::dot(plane.normal, from) - plane.offset + kGrazed;
-        const double end = glm::dot(plane.normal, to) - plane.offset + kGrazed;
+        const double start = glm::dot(plane.normal, from) - plane.offset + depth;
+        const double end = glm::dot(plane.normal, to) - plane.offset + depth;
         if (start > 0.0 && end > 0.0) return {1.0, 0.0};
         if (start > 0.0) enter = std::max(enter, start / (start - end));
         if (end > 0.0) leave = std::min(leave, start / (start - end));
@@ -70,11 +67,11 @@ bool contains(const BodyHulls::Posed& body, Vec3 point) {
     return std::ranges::any_of(*body.hulls, [&](const Polytope& hull) { return contains(hull, local); });
 }
 
-double lengthThrough(const BodyHulls::Posed& body, Vec3 from, Vec3 to) {
+double lengthThrough(const BodyHulls::Posed& body, Vec3 from, Vec3 to, double depth) {
     const Vec3 start = inFrame(body.pose, from), end = inFrame(body.pose, to);
     double length = 0.0;
     for (const Polytope& hull : *body.hulls) {
-        const auto [enter, leave] = clipped(hull, start, end);
+        const auto [enter, leave] = clipped(hull, start, end, depth);
         if (enter > 0.0 && leave < 1.0 && leave > enter) length += (leave - enter) * glm::distance(start, end);
     }
     return length;

@@ -36,7 +36,8 @@ private:
 double overlapDepth(const BodyHulls::Posed& first, const BodyHulls::Posed& second);
 /// Whether a point is in a hull of a body.
 bool contains(const BodyHulls::Posed& body, Vec3 point);
-/// The length of the part of a segment that is inside a hull of a body, m; only of hulls that contain neither end.
-double lengthThrough(const BodyHulls::Posed& body, Vec3 from, Vec3 to);
+/// The length of the part of a segment that is deeper than `depth` in a hull of a body, m; only of hulls in which
+/// neither end is.
+double lengthThrough(const BodyHulls::Posed& body, Vec3 from, Vec3 to, double depth);
 
 }  // namespace rubble::soak

@@ -175,6 +175,11 @@ private:
                one.isHeld == other.isHeld;
     }
 
+    /// How far the path of a body may be from a straight line, m: it is pushed once in a step, say round an edge.
+    static double deviationOf(const StepFacts& step, const BodyState& before, const BodyState& after) {
+        return 0.25 * step.session.stepLength() * glm::distance(before.velocity, after.velocity);
+    }
+
     /// The centre of a body that lies in one of its hulls cannot come out on the other side of something.
     std::optional<Fault> passedThrough(const StepFacts& step, const BodyFacts& moving, const BodyFacts& fixed,
                                        const BodyHulls::Posed& posed) {
@@ -182,11 +187,14 @@ private:
         const BodyFacts* const before = step.before.find(moving.body.number);
         if (before == nullptr || !isSame(before->body, moving.body)) return std::nullopt;
         if (!contains(m_hulls.of(moving), moving.state.centre)) return std::nullopt;
-        const double length = lengthThrough(posed, before->state.centre, moving.state.centre);
+        const double length = lengthThrough(posed, before->state.centre, moving.state.centre,
+                                            kGrazed + deviationOf(step, before->state, moving.state));
         if (length <= std::max(0.001, kSinkFraction * moving.minWidth)) return std::nullopt;
         return Fault{step.session.nameOf(moving.body),
                      "its centre passed through " + textOf(length) + " m of " + step.session.nameOf(fixed.body)};
     }
+
+    static constexpr double kGrazed = 5e-4;  // m: as deep as the thinnest bodies may be
 
     BodyHulls m_hulls;
     InitialOverlaps m_initial;

@@ -14,13 +14,15 @@ constexpr float kRestSpeed = 0.05f;      // m/s, of any point of a body at rest
 constexpr float kRestFraction = 0.001f;  // of a fall, within which a body at rest stays: 1.2 mm on earth
 constexpr float kStaySpeed = 1.0f;       // m/s, of any point of a body that stays in one place
 constexpr float kStayDistance = 0.02f;   // m, from that place
-constexpr float kStayFraction = 0.01f;   // of a fall, within which it stays: 2 cm in 0.64 s on earth
+// Of a fall, within which it stays: 2 cm in 1.28 s on earth. What turns back in the middle of that time moves a quarter
+// of what it falls in all of it.
+constexpr float kStayFraction = 0.0025f;
 constexpr float kSizeFraction = 0.1f;    // of the bounding radius: the largest distance of both
 constexpr float kRounding = 1.2e-7f;     // of coordinates, and so of the displacements by contacts
 // The stay of what drifts begins again whenever its distance d has grown. What slows down, turns, and accelerates back
 // through where it was, goes (growth - 1) d + 2 growth d = 2.3 d before that.
 constexpr float kGrowth = 1.1f;
-constexpr float kMinToAndFro = 2.6f;  // path of a body that rattles, relative to its distance: more, since it jitters
+constexpr float kMinToAndFro = 2.4f;  // path of a body that rattles, relative to its distance
 
 /// An upper bound of the length of w × r for the points r of a body, both in its axes. The extents count along each
 /// axis: a needle that rolls about its length hardly moves.
