@@ -17,8 +17,8 @@ constexpr float kStayDistance = 0.02f;   // m, from that place
 // Of a fall, within which it stays: 2 cm in 1.28 s on earth. What turns back in the middle of that time moves a quarter
 // of what it falls in all of it.
 constexpr float kStayFraction = 0.0025f;
-constexpr float kSizeFraction = 0.1f;    // of the bounding radius: the largest distance of both
-constexpr float kRounding = 1.2e-7f;     // of coordinates, and so of the displacements by contacts
+constexpr float kSizeFraction = 0.1f;  // of the bounding radius: the largest distance of both
+constexpr float kRounding = 1.2e-7f;   // of coordinates, and so of the displacements by contacts
 // The stay of what drifts begins again whenever its distance d has grown. What slows down, turns, and accelerates back
 // through where it was, goes (growth - 1) d + 2 growth d = 2.3 d before that.
 constexpr float kGrowth = 1.1f;
