@@ -39,8 +39,9 @@ float arcOf(const WorldState& state, std::uint32_t number, Vec3f rotation) {
 
 /// Whether both a displacement and a rotation, of a body or per second, move its points by no more than a limit.
 bool isWithin(const WorldState& state, std::uint32_t number, Vec3f displacement, Vec3f rotation, float limit) {
-    if (length(displacement) > limit) return false;
-    return length(rotation) * state.poses[number].boundingRadius <= limit || arcOf(state, number, rotation) <= limit;
+    const float radius = state.poses[number].boundingRadius, squared = limit * limit;
+    if (lengthSquared(displacement) > squared) return false;
+    return lengthSquared(rotation) * radius * radius <= squared || arcOf(state, number, rotation) <= limit;
 }
 
 /// Whether no point of a body moves faster than `speed`, m/s.

@@ -55,8 +55,9 @@ struct PrepareKernels : ContactLanes<W> {
         return stale;
     }
 
-    /// Computes the current separations and approach speeds.
-    [[gnu::always_inline]] static void updatePoints(ContactBlock& block, const ReferenceBlock& reference, int part,
+    /// Computes the current separations and approach speeds. Returns the least separations, of points that are not
+    /// there as well.
+    [[gnu::always_inline]] static F updatePoints(ContactBlock& block, const ReferenceBlock& reference, int part,
                                                     const Poses& a, const Poses& b, const Velocities& va,
                                                     const Velocities& vb) {
         const V n = row(block.normal, part), now = a.centre - b.centre, then = row(reference.centreOffset, part);
@@ -74,13 +75,17 @@ struct PrepareKernels : ContactLanes<W> {
             put(F{}, *sum, part);
         }
         put(all<W>(-1.0f), block.points[0].sustained, part);
+        F least{};
         for (int i = 0; i < 4; ++i) {
             PointRows& point = block.points[i];
             const V position = row(point.position, part);
-            put(row(reference.separation[i], part) + base + dot<W>(position, slope), point.separation, part);
+            const F separation = row(reference.separation[i], part) + base + dot<W>(position, slope);
+            put(separation, point.separation, part);
             put(speed.at(position), point.approach, part);
             put(F{}, point.stepImpulse, part);
+            least = lesser<W>(least, separation);
         }
+        return least;
     }
 
     /// Computes the effective mass of each point along the normal, and the coupling of each pair.
@@ -151,9 +156,9 @@ struct PrepareKernels : ContactLanes<W> {
         return (heavier > F{}) & (lighter > kMaxLoadRatio * heavier);
     }
 
-    static bool prepare(std::span<ContactBlock> blocks, std::span<const ReferenceBlock> references,
+    static BlockTraits prepare(std::span<ContactBlock> blocks, std::span<const ReferenceBlock> references,
                         const SolverStep& step) {
-        Masks<W> massesDiffer{};
+        Masks<W> massesDiffer{}, isDeep{};
         for (std::size_t i = 0; i < blocks.size(); ++i) {
             ContactBlock& block = blocks[i];
             for (int part = 0; part < kBlockLanes / W; ++part) {
@@ -162,13 +167,14 @@ struct PrepareKernels : ContactLanes<W> {
                 put(a.inverseInertia, block.firstInverseInertia, part);
                 put(b.inverseInertia, block.secondInverseInertia, part);
                 put(F{}, block.sharedMassScale, part);
-                updatePoints(block, references[i], part, a, b, va, vb);
+                const F least = updatePoints(block, references[i], part, a, b, va, vb);
+                isDeep |= least * row(block.stiffening, part) < all<W>(-kDeepOverlap);
                 computeNormalMasses(block, part, a, b, va.inverseMass + vb.inverseMass);
                 computeFrictionMasses(block, part, a, b, va.inverseMass + vb.inverseMass);
                 massesDiffer |= differ(va, vb);
             }
         }
-        return bitsOf<W>(massesDiffer) != 0;
+        return {bitsOf<W>(massesDiffer) != 0, bitsOf<W>(isDeep) != 0};
     }
 };
 

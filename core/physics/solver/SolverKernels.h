@@ -19,6 +19,8 @@ struct Softness {
 
 /// The largest load on a body, as a multiple of its mass, that the sub-steps carry well.
 inline constexpr float kMaxLoadRatio = 10.0f;
+/// The largest overlap of contacts under the load of high piles, as a multiple of that up to which they are soft.
+inline constexpr float kDeepOverlap = 1.6f;
 
 /// The parameters of a step, for all passes.
 struct SolverStep {
@@ -33,15 +35,21 @@ struct SolverStep {
     float restitutionSpeed = 0.0f;  // m/s: no restitution below it
 };
 
+/// What needs more than the passes of the solver in some blocks.
+struct BlockTraits {
+    bool isUnequal = false;  // two dynamic bodies differ by more than kMaxLoadRatio in mass
+    bool isDeep = false;     // points may overlap by more than kDeepOverlap
+};
+
 /// The solver's passes over blocks of contacts that share no dynamic body, or over bodies. All SIMD widths give the
 /// same bits.
 struct SolverKernels {
     /// One bit per lane: set if its manifold is outdated, since its bodies moved or rotated too far relative to each
     /// other.
     unsigned (*staleLanes)(const ContactBlock& block, const ReferenceBlock& reference, const SolverStep& step);
-    /// Computes current separations and effective masses. Returns whether any two dynamic bodies differ by more than
-    /// kMaxLoadRatio in mass.
-    bool (*prepare)(std::span<ContactBlock> blocks, std::span<const ReferenceBlock> references, const SolverStep& step);
+    /// Computes current separations and effective masses.
+    BlockTraits (*prepare)(std::span<ContactBlock> blocks, std::span<const ReferenceBlock> references,
+                           const SolverStep& step);
     /// Applies the impulses of the last sub-step.
     void (*warmStart)(std::span<ContactBlock> blocks, const SolverStep& step);
     /// Normal impulses, with a bias velocity that resolves overlaps.

@@ -266,8 +266,9 @@ void findUnforeseenPairs(WorldState& state, ThreadPool& threads, const Regions& 
     clearLists(scratch.leaving, regions.count());
     regions.forEach(threads, [&](std::size_t region) {
         for (const std::uint32_t body : regions.bodies(region)) {
-            const float travel = state.poses[body].travel + reachOf(state, body);
-            if (travel > state.bodies[body].boxValidUntil && travel > state.predictedTravel[body])
+            const float travel = state.poses[body].travel;
+            const float foreseen = std::max(state.bodies[body].boxValidUntil, state.predictedTravel[body]);
+            if (travel + maxReachOf(state, body) > foreseen && travel + reachOf(state, body) > foreseen)
                 scratch.leaving[region].push_back(body);
         }
     });

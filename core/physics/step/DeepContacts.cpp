@@ -9,8 +9,14 @@ namespace {
 
 constexpr float kRate = 12.0f;        // 1/s: the part of the excess of an overlap
 constexpr float kFastest = 0.1f;      // m/s: of the displacement
-constexpr float kDeep = 1.6f;         // of what is soft in all: less is the load of high piles
 constexpr float kImpactSpeed = 0.2f;  // m/s, along the normal: faster ones are impacts
+
+/// A contact that overlaps by more than kDeepOverlap.
+struct DeepContact {
+    std::uint32_t contact = 0;
+    std::uint32_t first = 0, second = 0;  // bodies
+    Vec3f way{0.0f, 0.0f, 0.0f};          // m: of the second body, relative to the first
+};
 
 void findDeep(const ContactBlock& block, float dt, std::vector<DeepContact>& found) {
     for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
@@ -19,7 +25,7 @@ void findDeep(const ContactBlock& block, float dt, std::vector<DeepContact>& fou
             const PointRows& point = block.points[i];
             if (std::abs(point.approach[lane]) < kImpactSpeed) depth = std::max(depth, -point.separation[lane]);
         }
-        const float excess = depth - kDeep / block.stiffening[lane];
+        const float excess = depth - kDeepOverlap / block.stiffening[lane];
         if (!(excess > 0.0f)) continue;
         found.push_back({block.contact[lane], block.first[lane], block.second[lane],
                          block.normal.at(lane) * std::min(std::min(0.5f, kRate * dt) * excess, kFastest * dt)});
@@ -28,18 +34,11 @@ void findDeep(const ContactBlock& block, float dt, std::vector<DeepContact>& fou
 
 }  // namespace
 
-void displaceDeepContacts(WorldState& state, ThreadPool& threads, const Regions& regions, float dt,
-                          std::vector<std::vector<DeepContact>>& byRegion) {
-    clearLists(byRegion, regions.count());
-    regions.forEach(threads, [&](std::size_t region) {
-        for (std::size_t list = 0; list < ContactColours::kLists; ++list) {
-            const std::span blocks = std::span<const ContactBlock>(state.colours.lists()[list].blocks);
-            for (const ContactBlock& block : regions.part(list, blocks, region)) findDeep(block, dt, byRegion[region]);
-        }
-    });
-    std::vector<DeepContact>& deep = byRegion.front();
-    for (std::size_t region = 1; region < byRegion.size(); ++region)
-        deep.insert(deep.end(), byRegion[region].begin(), byRegion[region].end());
+void displaceDeepContacts(WorldState& state, std::span<const BlockList> blocks, float dt) {
+    std::vector<DeepContact> deep;
+    for (const BlockList& list : blocks) {
+        for (const ContactBlock* block : list) findDeep(*block, dt, deep);
+    }
     std::ranges::sort(deep, {}, &DeepContact::contact);
     for (const DeepContact& one : deep) {
         const bool isFirst = state.bodies[one.first].isDynamic(), isSecond = state.bodies[one.second].isDynamic();

@@ -29,6 +29,12 @@ float reachOf(const WorldState& state, std::uint32_t number) {
            2.0f * length(motion.deltaRotation.vector()) * state.poses[number].boundingRadius;
 }
 
+float maxReachOf(const WorldState& state, std::uint32_t number) {
+    const BodyMotion& motion = state.motions[number];
+    const auto sum = [](Vec3f v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+    return sum(motion.deltaPosition) + 2.0f * sum(motion.deltaRotation.vector()) * state.poses[number].boundingRadius;
+}
+
 void correctDisplacement(WorldState& state, std::uint32_t number, Vec3f displacement) {
     BodyMotion& motion = state.motions[number];
     const float gain = -state.bodies[number].mass * dot(state.gravity, displacement - motion.deltaPosition);  // J

@@ -9,6 +9,8 @@ BodyPose poseAfter(const WorldState& state, std::uint32_t body);
 
 /// An upper bound of how far the points of a body move in it, m.
 float reachOf(const WorldState& state, std::uint32_t body);
+/// The same, up to 1.8 times as much, and quicker.
+float maxReachOf(const WorldState& state, std::uint32_t body);
 
 /// Corrects the displacement of a body in the step being solved, m, for what is not dynamic. Height that the body gains
 /// by it is taken from its motion, as far as that suffices, since nothing else would pay for it.

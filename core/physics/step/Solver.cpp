@@ -67,8 +67,9 @@ Vec3f parabolaCorrection(const WorldState& state, const BodyMotion& motion, int 
     const Vec3f correction = state.gravity * (-0.5f * n * h * h);
     if (motion.inverseMass == 0.0f || motion.linearDamping != 0.0f) return Vec3f(0.0f);
     const Vec3f free = (motion.velocity - state.gravity * (0.5f * (n - 1.0f) * h)) * (n * h);
-    const float most = kTolerance * length(correction) + kRounding * length(motion.deltaPosition);
-    return lengthSquared(motion.deltaPosition - free) <= most * most ? correction : Vec3f(0.0f);
+    const float most = kTolerance * kTolerance * lengthSquared(correction) +
+                       kRounding * kRounding * lengthSquared(motion.deltaPosition);
+    return lengthSquared(motion.deltaPosition - free) <= most ? correction : Vec3f(0.0f);
 }
 
 /// Applies the displacement of the step to the pose.
@@ -231,6 +232,7 @@ SolverStep solverStep(WorldState& state, float dt) {
 void prepareContacts(WorldState& state, ThreadPool& threads, const Regions& regions, SolveScratch& scratch,
                      const SolverKernels& kernels, const SolverStep& step) {
     clearLists(scratch.unequalBlocks, regions.count());
+    clearLists(scratch.deepBlocks, regions.count());
     regions.forEach(threads, [&](std::size_t region) {
         for (std::size_t number = 0; number < ContactColours::kLists; ++number) {
             ContactColours::List& list = state.colours.lists()[number];
@@ -238,8 +240,9 @@ void prepareContacts(WorldState& state, ThreadPool& threads, const Regions& regi
             const std::span references = regions.part(number, std::span<const ReferenceBlock>(list.references), region);
             regions.forEachBlockRange(blocks.size(), region, [&](IndexRange range) {
                 for (std::size_t i = range.begin; i < range.end; ++i) {
-                    const bool isUnequal = kernels.prepare(blocks.subspan(i, 1), references.subspan(i, 1), step);
-                    if (isUnequal) scratch.unequalBlocks[region].push_back(&blocks[i]);
+                    const BlockTraits traits = kernels.prepare(blocks.subspan(i, 1), references.subspan(i, 1), step);
+                    if (traits.isUnequal) scratch.unequalBlocks[region].push_back(&blocks[i]);
+                    if (traits.isDeep) scratch.deepBlocks[region].push_back(&blocks[i]);
                 }
             });
         }

@@ -25,14 +25,15 @@ struct SolveScratch {
     std::vector<SolveStage> subStep;
     std::vector<SolveStage> restitution;
     std::vector<BlockList> unequalBlocks;  // by region, of prepareContacts(), in this step
+    std::vector<BlockList> deepBlocks;     // the same
     std::vector<ScaledBody> scaled;        // of scaleMasses(), in this step
 };
 
 /// The parameters of a step of dt > 0 seconds.
 SolverStep solverStep(WorldState& state, float dt);
 
-/// Computes separations and effective masses, and finds the blocks with dynamic bodies that differ by more than
-/// kMaxLoadRatio in mass; call before solveSubSteps().
+/// Computes separations and effective masses, and finds the blocks that are unequal or deep (BlockTraits); call before
+/// solveSubSteps().
 void prepareContacts(WorldState& state, ThreadPool& threads, const Regions& regions, SolveScratch& scratch,
                      const SolverKernels& kernels, const SolverStep& step);
 /// Solves the sub-steps of a step. The displacements are in the bodies' motions, not yet in their poses. `starts`, by

@@ -123,8 +123,10 @@ void shorten(WorldState& state, std::uint32_t number, const SolverStep& step, co
     }
 }
 
-/// Marks the bodies that have contacts with what is not dynamic: most have none, and a walk over all contacts of a body
-/// takes as long as collisions.
+/// A walk over the contacts of a body takes as long as markNearStatic() for so many.
+constexpr std::size_t kContactsPerWalk = 64;
+
+/// Marks the bodies that have contacts with what is not dynamic: most have none.
 void markNearStatic(const WorldState& state, std::vector<std::uint8_t>& isNear) {
     isNear.assign(state.bodies.size(), 0);
     for (const ContactColours::List& list : state.colours.lists()) {
@@ -145,11 +147,16 @@ void markNearStatic(const WorldState& state, std::vector<std::uint8_t>& isNear) 
 
 void displaceOutOfStatic(WorldState& state, ThreadPool& threads, const Regions& regions, const SolverStep& step,
                          std::vector<std::uint8_t>& isNear) {
-    markNearStatic(state, isNear);
+    const auto moves = [&](std::uint32_t number) {
+        return maxReachOf(state, number) > kMinReach && state.bodies[number].isDynamic();
+    };
+    const auto moving = static_cast<std::size_t>(std::ranges::count_if(state.awake, moves));
+    if (moving == 0) return;
+    const bool isMarked = moving * kContactsPerWalk > state.colours.contactCount() + state.separated.size();
+    if (isMarked) markNearStatic(state, isNear);
     regions.forEach(threads, [&](std::size_t region) {
         for (const std::uint32_t number : regions.bodies(region)) {
-            if (isNear[number] == 0 || !state.bodies[number].isDynamic()) continue;
-            if (reachOf(state, number) <= kMinReach) continue;
+            if ((isMarked && isNear[number] == 0) || !moves(number)) continue;
             const BodyMotion moved = state.motions[number];
             if (!displace(state, number, step)) shorten(state, number, step, moved);
         }

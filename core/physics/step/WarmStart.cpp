@@ -88,7 +88,11 @@ void takeBack(WorldState& state, ContactBlock& block, std::size_t lane) {
 }  // namespace
 
 bool isThrown(const WorldState& state, std::uint32_t body, const StartMotion& start, const SolverStep& step) {
-    return state.bodies[body].isDynamic() && speedOf(state, body, changeSince(state, body, start, step)) > kThrownSpeed;
+    const Change change = changeSince(state, body, start, step);
+    const float radius = state.poses[body].boundingRadius;  // more than that of gyration
+    const float most = lengthSquared(change.velocity) + radius * radius * lengthSquared(change.angularVelocity);
+    if (most <= kThrownSpeed * kThrownSpeed) return false;
+    return state.bodies[body].isDynamic() && speedOf(state, body, change) > kThrownSpeed;
 }
 
 void dropUnbalancedImpulses(WorldState& state, std::vector<std::uint32_t>& thrown, std::span<const StartMotion> starts,

@@ -70,7 +70,6 @@ struct World::StepContext {
     ContactEnergyScratch energy;
     std::vector<std::vector<HitEvent>> hits;             // by region
     std::vector<std::vector<std::uint32_t>> fastBodies;  // by region
-    std::vector<std::vector<DeepContact>> deepContacts;  // by region
     std::vector<std::uint8_t> isNearStatic;              // by body
     StepCounts counts;
     StepTimes times;
@@ -296,7 +295,7 @@ void World::solve(double dt) {
     restoreMasses(*m_state, context.solve.scaled);
     limitSpins(*m_state, context.threads, context.regions);
     context.times.solve = watch.lap();
-    displaceDeepContacts(*m_state, context.threads, context.regions, step.dt, context.deepContacts);
+    displaceDeepContacts(*m_state, context.solve.deepBlocks, step.dt);
     findUnforeseenPairs(*m_state, context.threads, context.regions, context.pairs);
     const std::vector<BodyPair> clamped =
         clampFastBodies(*m_state, context.threads, context.regions, context.fastBodies);

@@ -2,6 +2,7 @@
 #include "core/physics/step/DeepContacts.h"
 
 #include "core/physics/islands/Sleeping.h"
+#include "core/physics/step/Solver.h"
 
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Simulated.h"
@@ -26,14 +27,16 @@ std::vector<float> displacementsOf(double depth, BodyKind below, double speed = 
                             .shape = shape});
     SceneWorld moved = worldOf(scene);
     moved.world.collide(kStep);
-    static_cast<void>(moved.world.impacts());  // prepares the contacts
     WorldState state = moved.world.snapshot()->state;
     updateAwakeBodies(state);
     ThreadPool threads(1);
     Regions regions;
     regions.assignBodies(state, 1);
-    std::vector<std::vector<DeepContact>> scratch;
-    displaceDeepContacts(state, threads, regions, static_cast<float>(kStep), scratch);
+    regions.sortContacts(state, threads);
+    SolveScratch scratch;
+    const SolverStep step = solverStep(state, static_cast<float>(kStep));
+    prepareContacts(state, threads, regions, scratch, kernelsOf(SimdWidth::Scalar), step);
+    displaceDeepContacts(state, scratch.deepBlocks, step.dt);
     return {state.motions[1].deltaPosition.y, state.motions[2].deltaPosition.y};
 }
 
