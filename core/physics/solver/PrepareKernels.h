@@ -58,8 +58,8 @@ struct PrepareKernels : ContactLanes<W> {
     /// Computes the current separations and approach speeds. Returns the least separations, of points that are not
     /// there as well.
     [[gnu::always_inline]] static F updatePoints(ContactBlock& block, const ReferenceBlock& reference, int part,
-                                                    const Poses& a, const Poses& b, const Velocities& va,
-                                                    const Velocities& vb) {
+                                                 const Poses& a, const Poses& b, const Velocities& va,
+                                                 const Velocities& vb) {
         const V n = row(block.normal, part), now = a.centre - b.centre, then = row(reference.centreOffset, part);
         // Impulses act where the bodies are now, or, for swept manifolds, at their time of impact.
         const auto isSwept = row(reference.isSwept, part) > F{};
@@ -157,7 +157,7 @@ struct PrepareKernels : ContactLanes<W> {
     }
 
     static BlockTraits prepare(std::span<ContactBlock> blocks, std::span<const ReferenceBlock> references,
-                        const SolverStep& step) {
+                               const SolverStep& step) {
         Masks<W> massesDiffer{}, isDeep{};
         for (std::size_t i = 0; i < blocks.size(); ++i) {
             ContactBlock& block = blocks[i];
