@@ -18,14 +18,18 @@ double distanceAtStart(const PlayStructure& structure, std::uint32_t node) {
 }
 
 std::string sentenceOf(const PlayStructure& structure, const Instance& instance, std::size_t count, double farthest,
-                       const std::string& path) {
+                       const std::string& id) {
     const std::string span = quantityText(QuantityKind::Length, structure.span);
     std::string sentence = "Instance " + quotedName(instance.name) + ": " +
                            countText(count, "fragment is", "fragments are") + " farther from what is anchored than " +
-                           "the span of " + span + ", ";
-    sentence += std::isfinite(farthest) ? path + " by " + quantityText(QuantityKind::Length, farthest - structure.span)
-                                        : path + " without any support from below or from a side";
-    return sentence + ". What is there stays until it loses a part of its support; lengthen the span, or add anchors.";
+                           "the span of " + span;
+    const bool isOne = count == 1;
+    sentence += (isOne ? ": fragment " : "; the farthest, fragment ") + id;
+    sentence += std::isfinite(farthest) ? ", by " + quantityText(QuantityKind::Length, farthest - structure.span)
+                                        : std::string(isOne ? "" : ",") + " has no support from below or from a side";
+    sentence += isOne ? ". It stays until it loses a part of its support"
+                      : ". They stay until they lose a part of their support";
+    return sentence + "; lengthen the span, or add anchors.";
 }
 
 Diagnostic problemOf(const PlayStructure& structure, const Instance& instance,
@@ -36,12 +40,13 @@ Diagnostic problemOf(const PlayStructure& structure, const Instance& instance,
     const std::uint32_t fragment = structure.fragmentOf(node);
     const std::string path = structure.asset->bake->fragmentPath(fragment);
     const Vec3& centre = structure.graph.centres[node];
-    Diagnostic problem = diagnostic(DiagnosticCode::BeyondSpan,
-                                    {.asset = instance.asset,
-                                     .fragment = fragment,
-                                     .path = path,
-                                     .point = DiagnosticPlace::Point{centre.x, centre.y}},
-                                    sentenceOf(structure, instance, beyond.size(), farthest, path));
+    Diagnostic problem = diagnostic(
+        DiagnosticCode::BeyondSpan,
+        {.asset = instance.asset,
+         .fragment = fragment,
+         .path = path,
+         .point = DiagnosticPlace::Point{centre.x, centre.y}},
+        sentenceOf(structure, instance, beyond.size(), farthest, structure.asset->bake->fragmentId(fragment)));
     if (!std::isfinite(farthest)) return problem;
     problem.value = farthest;
     problem.limit = structure.span;

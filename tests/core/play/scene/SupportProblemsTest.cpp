@@ -45,7 +45,7 @@ private slots:
         project.ground.isOn = false;
         const std::vector<Diagnostic> problems = supportProblems(*test::playSceneOf(project));
         QCOMPARE(problems.size(), std::size_t{2});
-        QVERIFY(problems[0].message.find("without any support from below") != std::string::npos);
+        QVERIFY(problems[0].message.find("has no support from below or from a side") != std::string::npos);
     }
     void sceneProblemsAreOnlyThoseOfSupport() {
         Project project = test::mortarPortal();
