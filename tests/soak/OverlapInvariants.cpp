@@ -1,5 +1,5 @@
 // Nothing sinks into what is static, or passes through it.
-#include "tests/soak/BodyHulls.h"
+#include "tests/soak/InitialOverlaps.h"
 
 #include <algorithm>
 #include <map>
@@ -8,37 +8,9 @@
 namespace rubble::soak {
 namespace {
 
-/// How far bodies may sink in, at most in the step of an impact: contacts are soft.
-constexpr double kSinkFloor = 0.005;    // m
+/// How far bodies may sink in beside kSinkFloor, at most in the step of an impact: contacts are soft.
 constexpr double kSinkFraction = 0.25;  // of the least width of the body
 constexpr double kSinkOfSize = 0.02;    // of its bounding radius
-
-/// The overlaps with which a scene begins, which play pushes apart: by the origins of both bodies.
-class InitialOverlaps {
-public:
-    void start(const Moment& moment, BodyHulls& hulls) {
-        for (const BodyFacts& one : moment.bodies) {
-            for (const BodyFacts& other : moment.bodies) {
-                if (one.body.number >= other.body.number) continue;
-                const double depth = overlapDepth(hulls.of(one), hulls.of(other));
-                if (depth > 0.0) m_depths[{one.body.origin, other.body.origin}] = depth;
-                if (depth <= kSinkFloor) continue;
-                if (!other.isDynamic()) m_inside.insert(one.body.origin);  // also if it is fixed: it may break
-                if (!one.isDynamic()) m_inside.insert(other.body.origin);
-            }
-        }
-    }
-    double of(const BodyFacts& one, const BodyFacts& other) const {
-        const auto found = m_depths.find(std::minmax(one.body.origin, other.body.origin));
-        return found != m_depths.end() ? found->second : 0.0;
-    }
-    /// Whether a body, or what it was a part of, began deep in something static: it comes out, also through others.
-    bool isInside(const BodyFacts& body) const { return m_inside.contains(body.body.origin); }
-
-private:
-    std::map<std::pair<std::uint32_t, std::uint32_t>, double> m_depths;
-    std::set<std::uint32_t> m_inside;  // origins
-};
 
 /// Calls visit(moving body, static body, its hulls) for all that are awake.
 template <class Visit>

@@ -1,6 +1,6 @@
 // Nothing sleeps in the air, or where it would slide or tip over.
 #include "core/base/math/Trigonometry.h"
-#include "tests/soak/Moment.h"
+#include "tests/soak/InitialOverlaps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +53,10 @@ std::set<BodyId> supportedBodies(const World& world, const Moment& moment, Conta
 class SleepsSupported : public Invariant {
 public:
     const char* name() const override { return "sleeps supported"; }
+    void start(const Session&, const Moment& moment) override {
+        BodyHulls hulls;
+        m_initial.start(moment, hulls);
+    }
     std::optional<Fault> check(const StepFacts& step) override {
         if (step.after.gravity == Vec3(0.0)) return std::nullopt;
         const World& world = step.session.world();
@@ -62,7 +66,7 @@ public:
             if (!one.isDynamic() || !one.state.asleep) continue;
             const std::string name = step.session.nameOf(one.body);
             if (!supported.contains(one.body.body)) return Fault{name, "it sleeps, and nothing static supports it"};
-            if (isDeep(contacts[one.body.body])) continue;
+            if (m_initial.isInside(one)) continue;  // it may be jammed, where contacts are no support
             if (const double slope = beyondFriction(step, one, contacts[one.body.body]); slope > kSlope) {
                 return Fault{name, "it sleeps on a slope that is " + textOf(slope) + " beyond its friction"};
             }
@@ -76,13 +80,6 @@ public:
 private:
     static bool isStatic(const World& world, BodyId body) {
         return !world.contains(body) || world.kind(body) != BodyKind::Dynamic;
-    }
-
-    /// What began inside of something may be jammed there, where contacts are no support. All others, "static overlap"
-    /// finds.
-    static bool isDeep(const std::vector<ContactPoint>& points) {
-        constexpr double kDepth = 0.005;  // m
-        return std::ranges::any_of(points, [&](const ContactPoint& point) { return point.separation < -kDepth; });
     }
 
     /// The normal of a contact, into a body.
@@ -131,6 +128,8 @@ private:
         }
         return beyond;
     }
+
+    InitialOverlaps m_initial;
 };
 
 }  // namespace
