@@ -13,6 +13,8 @@
 #include <cstring>
 #include <new>
 #include <sstream>
+#include <string>
+#include <string_view>
 
 namespace rubble::soak {
 namespace {
@@ -47,6 +49,16 @@ void limitProcess() {
     ::setitimer(ITIMER_PROF, &limit, nullptr);
     const rlimit noCore{0, 0};
     ::setrlimit(RLIMIT_CORE, &noCore);
+}
+
+/// A text without the folder of the sources, which assertions print: saved cases are the same wherever they were found.
+std::string withoutSourceFolder(std::string text) {
+    constexpr std::string_view kFile = __FILE__, kName = "tests/soak/ChildProcess.cpp";
+    static_assert(kFile.ends_with(kName));
+    constexpr std::string_view kFolder = kFile.substr(0, kFile.size() - kName.size());
+    if (kFolder.empty()) return text;
+    for (std::size_t at = 0; (at = text.find(kFolder, at)) != std::string::npos;) text.erase(at, kFolder.size());
+    return text;
 }
 
 }  // namespace
@@ -116,7 +128,7 @@ Outcome ChildRun::outcomeOf(int status) const {
     const ssize_t size = ::pread(m_errors, errors.data(), errors.size() - 1, 0);
     std::string text = isHang ? "more than " + std::to_string(kSeconds) + " s"
                               : std::string(WIFSIGNALED(status) ? ::strsignal(WTERMSIG(status)) : "it exits");
-    if (size > 0) text += ": " + std::string(errors.data(), std::strcspn(errors.data(), "\n"));
+    if (size > 0) text += ": " + withoutSourceFolder({errors.data(), std::strcspn(errors.data(), "\n")});
     outcome.failures.push_back({isHang ? kHang : kCrash, outcome.steps + 1, "", text});
     return outcome;
 }

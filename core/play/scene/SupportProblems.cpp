@@ -21,8 +21,7 @@ std::string sentenceOf(const PlayStructure& structure, const Instance& instance,
                        const std::string& id) {
     const std::string span = quantityText(QuantityKind::Length, structure.span);
     std::string sentence = "Instance " + quotedName(instance.name) + ": " +
-                           countText(count, "fragment is", "fragments are") + " farther from what is anchored than " +
-                           "the span of " + span;
+                           countText(count, "fragment is", "fragments are") + " beyond the span of " + span;
     const bool isOne = count == 1;
     sentence += (isOne ? ": fragment " : "; the farthest, fragment ") + id;
     sentence += std::isfinite(farthest) ? ", by " + quantityText(QuantityKind::Length, farthest - structure.span)
