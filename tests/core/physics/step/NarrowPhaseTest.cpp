@@ -50,6 +50,18 @@ struct PlateOnCube {
 class NarrowPhaseTest : public QObject {
     Q_OBJECT
 private slots:
+    /// A plate reaches 0.708 m from its centre and begins 0.05 m high: however fast it spins, no corner comes 0.66 m
+    /// farther down. It rotates by 1.01 rad in the step, along tangents by 0.71 m.
+    void whatSpinsHasContactsWithinItsReachOnly() {
+        for (const auto& [gap, isReached] : {std::pair(0.6f, true), std::pair(0.7f, false)}) {
+            PlateOnCube scene;
+            for (const std::uint32_t body : {PlateOnCube::kCube, PlateOnCube::kPlate})
+                scene.state.poses[body].boundingRadius = scene.state.bodies[body].shape->boundingRadius;
+            scene.state.poses[PlateOnCube::kPlate].centre.y += gap;
+            scene.state.motions[PlateOnCube::kPlate].angularVelocity = {60.5f, 0.0f, 0.0f};
+            QCOMPARE(scene.collide().manifold.count > 0, isReached);
+        }
+    }
     void poseOfTheSecondInTheFirstsFrame() {
         BodyPose first, second;
         first.centre = Vec3f(1.0f, 0.0f, 0.0f);
