@@ -3,6 +3,7 @@
 // counts.
 //
 //   HouseBench [ROUNDS]
+#include "bench/Timing.h"
 #include "core/base/Percentile.h"
 #include "core/base/Random.h"
 #include "core/play/session/Session.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <vector>
 
 using namespace rubble;
@@ -23,14 +23,6 @@ constexpr int kShots = 200;
 constexpr int kInterval = 30;                 // steps from shot to shot
 constexpr int kAfter = 300;                   // steps after the last
 constexpr double kStepLimit = 1000.0 / 60.0;  // ms
-
-/// The time that the processor takes for something, ms: other work on the machine takes none of it.
-template <class Work>
-double millisecondsOf(const Work& work) {
-    const std::clock_t start = std::clock();
-    work();
-    return 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-}
 
 /// A ball from a random direction, not from below, at a random point of the house.
 Throw randomThrow(Random& random) {
@@ -64,7 +56,7 @@ Played played(const std::shared_ptr<const PlayScene>& scene) {
         static_cast<void>(one.session.add(TimedInput{step, ShotInput{"ball", randomThrow(random)}}));
     }
     for (int step = 0; step < kShots * kInterval + kAfter; ++step)
-        one.times.push_back(millisecondsOf([&] { one.session.step(); }));
+        one.times.push_back(bench::processorMillisecondsOf([&] { one.session.step(); }));
     return one;
 }
 
@@ -102,7 +94,7 @@ void print(const PlayScene& scene, const Played& one, double starting) {
 int main(int argc, char** argv) {
     const int rounds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 3;
     std::shared_ptr<const PlayScene> scene;
-    const double starting = millisecondsOf([&] { scene = *playScene(test::twoStoreyHouse(kDensity)); });
+    const double starting = bench::processorMillisecondsOf([&] { scene = *playScene(test::twoStoreyHouse(kDensity)); });
     Played one = played(scene);
     for (int round = 1; round < rounds; ++round) {
         const Played again = played(scene);

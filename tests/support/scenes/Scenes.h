@@ -27,7 +27,19 @@ BodyScene wallScene();
 /// A pyramid of 1 m boxes in rows of 20, 19, ..., 1: 210 bodies.
 BodyScene pyramidScene();
 
-/// The scene of a name: "house", "cut-house", "wall", "pyramid", "heap-600", ...; empty for any other.
+// Scenes in motion.
+
+/// About so many fragments of a wall of 4 m by 0.5 m, of 12 m length in all, that fly at `speed`, m/s, from a point
+/// 1.25 m behind it, from which they are 3.5 m away at most: Voronoi prisms, splinters, or boxes.
+BodyScene burstScene(std::uint32_t pieces, double speed);
+BodyScene splinterBurstScene(std::uint32_t pieces, double speed);
+BodyScene boxBurstScene(std::uint32_t pieces, double speed);
+
+/// A tower of 4 by 4 boxes of 0.5 m on each level that rotates about an edge of its foot.
+BodyScene topplingTowerScene(std::uint32_t levels);
+
+/// The scene of a name: "house", "cut-house", "wall", "pyramid", "heap-600", "tower-30", "burst-4700-12" (fragments,
+/// m/s), "splinters-4700-12", "boxes-4700-12", ...; empty for any other.
 BodyScene sceneNamed(const std::string& name);
 
 /// The number of its dynamic bodies.

@@ -2,6 +2,7 @@
 #include "tests/support/scenes/Scenes.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace rubble::test {
 namespace {
@@ -45,12 +46,36 @@ BodyScene pyramidScene() {
     return scene;
 }
 
+namespace {
+
+/// The numbers after the hyphens of a name.
+std::vector<double> numbersIn(const std::string& name) {
+    std::vector<double> numbers;
+    for (std::size_t at = name.find('-'); at != std::string::npos; at = name.find('-', at + 1)) {
+        const char* begin = name.c_str() + at + 1;
+        char* end = nullptr;
+        const double number = std::strtod(begin, &end);
+        if (end != begin) numbers.push_back(number);
+    }
+    return numbers;
+}
+
+}  // namespace
+
 BodyScene sceneNamed(const std::string& name) {
     if (name == "house") return houseScene();
     if (name == "cut-house") return cutHouseScene();
     if (name == "wall") return wallScene();
     if (name == "pyramid") return pyramidScene();
-    if (name.starts_with("heap-")) return heapScene(static_cast<std::uint32_t>(std::stoul(name.substr(5))));
+    const std::vector<double> numbers = numbersIn(name);
+    if (numbers.empty()) return {};
+    const auto count = static_cast<std::uint32_t>(numbers.front());
+    if (name.starts_with("heap-")) return heapScene(count);
+    if (name.starts_with("tower-")) return topplingTowerScene(count);
+    if (numbers.size() < 2) return {};
+    if (name.starts_with("burst-")) return burstScene(count, numbers[1]);
+    if (name.starts_with("splinters-")) return splinterBurstScene(count, numbers[1]);
+    if (name.starts_with("boxes-")) return boxBurstScene(count, numbers[1]);
     return {};
 }
 
