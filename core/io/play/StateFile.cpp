@@ -5,6 +5,7 @@
 #include "core/io/play/StateArchive.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/FileErrors.h"
+#include "core/physics/state/Contacts.h"
 #include "core/play/state/SessionFields.h"
 
 #include <zlib.h>
@@ -42,16 +43,19 @@ constexpr std::string_view kMagic = "RBLSTATE";
 
 // Fields that files of older versions do not have, the latest first.
 constexpr std::string_view kAddedNames[] = {
+    "isBullet",     "predictions", "obstacleSizes",    "gapNormal",  // version 4: gaps along their axis
     "dividedUntil",  // version 3: what is at rest, and the time after a break
     "heldLevel",    "heldUntil",   "restDisplacement", "restRotation", "stayReach",    "stayPath",
     "structures",  // version 2: bonds
     "structure",    "bondedNodes", "isHeld",           "collapseStep", "partialDamage"};
-constexpr std::size_t kAddedInVersion3 = 7;
+constexpr std::size_t kAddedInVersion4 = 4, kAddedInVersion3 = 7;
 
 /// The fields that files of a version do not have.
 std::span<const std::string_view> absentIn(std::uint32_t version) {
     const std::span<const std::string_view> added = kAddedNames;
-    return version >= 3 ? std::span<const std::string_view>() : version == 2 ? added.first(kAddedInVersion3) : added;
+    if (version >= 4) return {};
+    if (version == 3) return added.first(kAddedInVersion4);
+    return version == 2 ? added.first(kAddedInVersion4 + kAddedInVersion3) : added;
 }
 
 /// What a file starts with.
@@ -168,6 +172,8 @@ Result<SavedSession> readStateBytes(std::string_view bytes, ContentHash scene) {
     visitFields(saved, reader);
     reader.finish();
     if (reader.fault()) return unreadable(*reader.fault());
+    if (auto* world = std::get_if<WorldState>(&saved.world); world != nullptr && header->version < 4)
+        forgetPredictions(*world);
     if (saved.kind() != header->kind) return unreadable("its kind is not that of its world");
     return saved;
 }

@@ -34,7 +34,8 @@ int SortAndSweep::axisOfGreatestVariance() const {
 
 void SortAndSweep::sort() {
     const std::size_t count = m_boxes.size();
-    const int along = count == 0 ? 0 : axisOfGreatestVariance(), across = (along + 1) % 3, upwards = (along + 2) % 3;
+    const int along = m_axis = count == 0 ? 0 : axisOfGreatestVariance();
+    const int across = (along + 1) % 3, upwards = (along + 2) % 3;
     m_order.clear();
     for (std::size_t i = 0; i < count; ++i) {
         m_order.push_back(keyedIndex(orderedBits(m_boxes[i].box.low[along]), static_cast<std::uint32_t>(i)));
@@ -61,24 +62,44 @@ void SortAndSweep::sort() {
 
 std::span<const std::uint32_t> SortAndSweep::overlappingLater(std::size_t rank, Scratch& scratch) const {
     RUBBLE_ASSERT(rank < size() && m_numbers.size() == size());  // sorted since the last box was added
-    const float end = m_along.high[rank];
-    const float left = m_across.low[rank], right = m_across.high[rank];
-    const float bottom = m_upwards.low[rank], top = m_upwards.high[rank];
+    Box box;
+    box.low[m_axis] = m_along.low[rank];
+    box.high[m_axis] = m_along.high[rank];
+    box.low[(m_axis + 1) % 3] = m_across.low[rank];
+    box.high[(m_axis + 1) % 3] = m_across.high[rank];
+    box.low[(m_axis + 2) % 3] = m_upwards.low[rank];
+    box.high[(m_axis + 2) % 3] = m_upwards.high[rank];
+    return overlappingFrom(rank + 1, box, scratch);
+}
+
+std::span<const std::uint32_t> SortAndSweep::overlapping(const Box& box, Scratch& scratch) const {
+    RUBBLE_ASSERT(m_numbers.size() == size());
+    return overlappingFrom(0, box, scratch);
+}
+
+/// Of the boxes from a rank on.
+std::span<const std::uint32_t> SortAndSweep::overlappingFrom(std::size_t first, const Box& box,
+                                                             Scratch& scratch) const {
+    const int across = (m_axis + 1) % 3, upwards = (m_axis + 2) % 3;
+    const float begin = box.low[m_axis], end = box.high[m_axis];
+    const float left = box.low[across], right = box.high[across];
+    const float bottom = box.low[upwards], top = box.high[upwards];
     const std::size_t size = m_boxes.size();
     if (scratch.overlapping.size() < size + kBatch) scratch.overlapping.resize(size + kBatch);
     std::uint32_t* const overlapping = scratch.overlapping.data();
     std::size_t found = 0;
-    for (std::size_t begin = rank + 1; begin < size && m_along.low[begin] <= end; begin += kBatch) {
-        const float *along = &m_along.low[begin], *lefts = &m_across.low[begin], *rights = &m_across.high[begin];
-        const float *bottoms = &m_upwards.low[begin], *tops = &m_upwards.high[begin];
+    for (std::size_t rank = first; rank < size && m_along.low[rank] <= end; rank += kBatch) {
+        const float *lows = &m_along.low[rank], *highs = &m_along.high[rank];
+        const float *lefts = &m_across.low[rank], *rights = &m_across.high[rank];
+        const float *bottoms = &m_upwards.low[rank], *tops = &m_upwards.high[rank];
         std::array<std::uint32_t, kBatch> overlaps;
         for (std::size_t i = 0; i < kBatch; ++i) {
-            const int isBeside = (along[i] <= end) & (lefts[i] <= right) & (left <= rights[i]);
+            const int isBeside = (lows[i] <= end) & (begin <= highs[i]) & (lefts[i] <= right) & (left <= rights[i]);
             overlaps[i] = static_cast<std::uint32_t>(isBeside & (bottoms[i] <= top) & (bottom <= tops[i]));
         }
         for (std::size_t i = 0; i < kBatch; ++i) {
             // Branchless: written unconditionally, kept by counting, since overlap is unpredictable.
-            overlapping[found] = static_cast<std::uint32_t>(begin + i);
+            overlapping[found] = static_cast<std::uint32_t>(rank + i);
             found += overlaps[i];
         }
     }

@@ -31,6 +31,9 @@ public:
     /// After sort(): the numbers of the boxes that overlap the box at `rank` and have a higher rank, by ascending rank:
     /// each pair is found once. Valid until the scratch is used again.
     std::span<const std::uint32_t> overlappingLater(std::size_t rank, Scratch& scratch) const;
+    /// After sort(): the numbers of the boxes that overlap any box, by ascending rank. Valid until the scratch is used
+    /// again.
+    std::span<const std::uint32_t> overlapping(const Box& box, Scratch& scratch) const;
 
 private:
     struct NumberedBox {
@@ -43,10 +46,12 @@ private:
     };
 
     int axisOfGreatestVariance() const;
+    std::span<const std::uint32_t> overlappingFrom(std::size_t begin, const Box& box, Scratch& scratch) const;
 
     std::vector<NumberedBox> m_boxes;
     std::vector<KeyedIndex> m_order, m_scratch;  // low end and index of each box
     std::vector<std::uint32_t> m_numbers;
+    int m_axis = 0;                        // along which the boxes are sorted
     Extents m_along, m_across, m_upwards;  // the sweep axis, and the other two
 };
 

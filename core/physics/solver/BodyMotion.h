@@ -21,11 +21,11 @@ static_assert(sizeof(BodyMotion) == 64);
 /// The pose of a body at the beginning of the step, and the data that is read along with it.
 struct alignas(64) BodyPose {
     Vec3f centre{0.0f, 0.0f, 0.0f};  // m, of mass
-    float unused = 0.0f;
-    Quatf rotation;               // world from body
-    SymMat3f inverseInertia;      // 1/(kg·m²), in world axes
-    float boundingRadius = 0.0f;  // m: distance from the centre of mass to the farthest corner
-    float travel = 0.0f;          // m: an upper bound of the distance that any point has moved since the body was added
+    float arc = 0.0f;                // m: the part of `travel` by rotation
+    Quatf rotation;                  // world from body
+    SymMat3f inverseInertia;         // 1/(kg·m²), in world axes
+    float boundingRadius = 0.0f;     // m: distance from the centre of mass to the farthest corner
+    float travel = 0.0f;  // m: an upper bound of the distance that any point has moved since the body was added
 };
 static_assert(sizeof(BodyPose) == 64);
 

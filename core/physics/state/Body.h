@@ -43,6 +43,7 @@ struct BodyDefinition {
     double restitution = 0.0;     // in [0, 1]
     double linearDamping = 0.0;   // 1/s
     double angularDamping = 0.0;  // 1/s
+    bool isBullet = false;        // it is swept against everything, however fast that moves: a projectile
     std::uint64_t tag = 0;        // for the caller's use
 
     BodyMaterial material() const { return {density, friction, restitution}; }

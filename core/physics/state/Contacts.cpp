@@ -109,8 +109,16 @@ void removeSeparated(WorldState& state, std::uint32_t contact) {
 void invalidateGaps(WorldState& state, std::uint32_t body) {
     visitContacts(state, body, [&](std::uint32_t contact, std::uint32_t) {
         const std::uint32_t index = state.contacts[contact].separatedIndex;
-        if (index != kNone) state.separated[index].collideAtTravel = kNeverCollided;
+        if (index != kNone) state.separated[index].apart = kNeverCollided;
     });
+}
+
+void forgetPredictions(WorldState& state) {
+    state.predictions.assign(state.bodies.size(), {});
+    state.obstacleSizes.assign(state.bodies.size(), kStands);
+    for (std::size_t body = 0; body < state.bodies.size() && body < state.poses.size(); ++body)
+        state.predictions[body] = {state.poses[body].centre, state.poses[body].arc};
+    for (SeparatedContact& contact : state.separated) contact.apart = kNeverCollided;
 }
 
 void linkContact(WorldState& state, std::uint32_t contact, std::uint32_t side) {

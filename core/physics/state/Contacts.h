@@ -22,6 +22,8 @@ void removeSeparated(WorldState& state, std::uint32_t contact);
 /// Has the separated contacts of a body collided again, whatever its bodies have travelled since: what they can do in a
 /// step has changed.
 void invalidateGaps(WorldState& state, std::uint32_t body);
+/// The same for all bodies, of a state that was saved without what was predicted for the next step.
+void forgetPredictions(WorldState& state);
 /// Stores the lane of a contact while its bodies sleep, and restores it.
 void storeContact(WorldState& state, std::uint32_t contact);
 void restoreContact(WorldState& state, std::uint32_t contact);

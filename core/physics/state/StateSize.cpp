@@ -6,8 +6,8 @@ namespace rubble {
 
 std::size_t byteCount(const WorldState& state) {
     std::size_t bytes = sizeof(WorldState) + state.tree.byteCount() + state.pairs.byteCount();
-    bytes += elementBytes(state.bodies, state.motions, state.poses, state.predictedTravel, state.freeBodies,
-                          state.awake, state.woken);
+    bytes += elementBytes(state.bodies, state.motions, state.poses, state.predictedTravel, state.predictions,
+                          state.obstacleSizes, state.freeBodies, state.awake, state.woken);
     bytes += elementBytes(state.proxies, state.freeProxies, state.rebox, state.contacts, state.freeContacts,
                           state.separated);
     bytes += elementBytes(state.sleepingIslands, state.freeSleepingIslands, state.stored, state.freeStored);

@@ -56,6 +56,8 @@ Place verifyBodies(const WorldState& state) {
     if (state.motions.size() != count) return "motions";
     if (state.poses.size() != count) return "poses";
     if (state.predictedTravel.size() != count) return "predictedTravel";
+    if (state.predictions.size() != count) return "predictions";
+    if (state.obstacleSizes.size() != count) return "obstacleSizes";
     if (Place fault = verifyPlaceholder(state)) return fault;
     std::vector<bool> isFree(count, false);
     std::size_t bouncy = 0, compound = 0;

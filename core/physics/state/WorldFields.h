@@ -62,9 +62,9 @@ void visitFields(Self& self, Visit& visit) {
 
 template <FieldsOf<BodyPose> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
-    auto& [centre, unused, rotation, inverseInertia, boundingRadius, travel] = self;
+    auto& [centre, arc, rotation, inverseInertia, boundingRadius, travel] = self;
     visit("centre", centre);
-    visit("unused", unused);
+    visit("arc", arc);
     visit("rotation", rotation);
     visit("inverseInertia", inverseInertia);
     visit("boundingRadius", boundingRadius);
@@ -73,13 +73,14 @@ void visitFields(Self& self, Visit& visit) {
 
 template <FieldsOf<Body> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
-    [[maybe_unused]] auto& [shape, generation, kind, isAwake, mass, inertia, inverseInertia, centreRemainder,
+    [[maybe_unused]] auto& [shape, generation, kind, isAwake, isBullet, mass, inertia, inverseInertia, centreRemainder,
                             angularMomentum, referenceAngularVelocity, isFastRotating, isTouched, friction, restitution,
                             boxValidUntil, restTime, restDisplacement, restRotation, stayTime, stayReach, stayPath,
                             stayCentre, stayRotation, sleepingIsland, firstProxy, firstContact, tag] = self;
     visit("generation", generation);
     visit("kind", kind);
     visit("isAwake", isAwake);
+    visit("isBullet", isBullet);
     visit("mass", mass);
     visit("inertia", inertia);
     visit("inverseInertia", inverseInertia);
@@ -147,10 +148,18 @@ void visitFields(Self& self, Visit& visit) {
 
 template <FieldsOf<SeparatedContact> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
-    auto& [contact, bodies, collideAtTravel] = self;
+    auto& [contact, bodies, apart, gapNormal] = self;
     visit("contact", contact);
     visit("bodies", bodies);
-    visit("collideAtTravel", collideAtTravel);
+    visit("apart", apart);
+    visit("gapNormal", gapNormal);
+}
+
+template <FieldsOf<Prediction> Self, class Visit>
+void visitFields(Self& self, Visit& visit) {
+    auto& [centre, arc] = self;
+    visit("centre", centre);
+    visit("arc", arc);
 }
 
 template <FieldsOf<SleepingIsland> Self, class Visit>
@@ -257,16 +266,19 @@ void visitFields(Self& self, Visit& visit) {
 
 template <FieldsOf<WorldState> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
-    [[maybe_unused]] auto& [gravity, sleeping, bodies, motions, poses, predictedTravel, bouncyBodies, compoundBodies,
-                            freeBodies, awake, woken, hasRemovedAwake, proxies, freeProxies, tree, rebox, contacts,
-                            freeContacts, pairs, colours, separated, sleepingIslands, freeSleepingIslands, stored,
-                            freeStored, grabbed, grabPoint, grabTarget, grabForce, grabWork, events] = self;
+    [[maybe_unused]] auto& [gravity, sleeping, bodies, motions, poses, predictedTravel, predictions, obstacleSizes,
+                            bouncyBodies, compoundBodies, freeBodies, awake, woken, hasRemovedAwake, proxies,
+                            freeProxies, tree, rebox, contacts, freeContacts, pairs, colours, separated,
+                            sleepingIslands, freeSleepingIslands, stored, freeStored, grabbed, grabPoint, grabTarget,
+                            grabForce, grabWork, events] = self;
     visit("gravity", gravity);
     visit("sleeping", sleeping);
     visit("bodies", bodies);
     visit("motions", motions);
     visit("poses", poses);
     visit("predictedTravel", predictedTravel);
+    visit("predictions", predictions);
+    visit("obstacleSizes", obstacleSizes);
     visit("bouncyBodies", bouncyBodies);
     visit("compoundBodies", compoundBodies);
     visit("freeBodies", freeBodies);

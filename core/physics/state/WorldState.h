@@ -16,7 +16,8 @@
 
 namespace rubble {
 
-inline constexpr float kNeverCollided = -1e30f;  // SeparatedContact::collideAtTravel of a new contact
+inline constexpr float kNeverCollided = 1e30f;  // SeparatedContact::apart of a new contact
+inline constexpr float kStands = 1e30f;         // WorldState::obstacleSizes of what is not debris
 
 /// The data of a body other than its motion and pose. Body 0 is the placeholder in empty lanes.
 struct Body {
@@ -24,6 +25,7 @@ struct Body {
     std::uint32_t generation = 0;
     BodyKind kind = BodyKind::Static;
     bool isAwake = false;                     // always false for static bodies
+    bool isBullet = false;                    // it is swept against everything, however fast that moves
     float mass = 0.0f;                        // kg; 0 unless dynamic
     SymMat3f inertia;                         // kg·m², in the body's axes
     SymMat3f inverseInertia;                  // 0 unless dynamic
@@ -76,7 +78,15 @@ struct Contact {
 struct SeparatedContact {
     std::uint32_t contact = kNone;
     std::array<std::uint32_t, 2> bodies{};
-    float collideAtTravel = kNeverCollided;  // m: the sum of both bodies' travel before which they cannot touch
+    // m: how far apart the centres must be along the normal for the bodies not to touch, less both arcs.
+    float apart = kNeverCollided;
+    Vec3f gapNormal{0.0f, 1.0f, 0.0f};  // from the first body to the second, in world axes
+};
+
+/// Where a body is expected at the end of the coming step, if it accelerates no more than by gravity.
+struct Prediction {
+    Vec3f centre{0.0f, 0.0f, 0.0f};  // m: without gravity
+    float arc = 0.0f;                // m: an upper bound of BodyPose::arc
 };
 
 /// Bodies that fell asleep together.
@@ -100,7 +110,10 @@ struct WorldState {
     std::vector<BodyMotion> motions = std::vector<BodyMotion>(1);
     std::vector<BodyPose> poses = std::vector<BodyPose>(1);
     std::vector<float> predictedTravel =
-        std::vector<float>(1);       // m: an upper bound of BodyPose::travel at the end of the coming step
+        std::vector<float>(1);  // m: an upper bound of BodyPose::travel at the end of the coming step
+    std::vector<Prediction> predictions = std::vector<Prediction>(1);  // as of the last findPairs()
+    // m: the bounding radius of debris, which is what moves far for its size; kStands for all else.
+    std::vector<float> obstacleSizes = std::vector<float>(1, kStands);
     std::size_t bouncyBodies = 0;    // bodies with restitution
     std::size_t compoundBodies = 0;  // bodies of several hulls
     std::vector<std::uint32_t> freeBodies;
@@ -135,6 +148,12 @@ struct WorldState {
 
     bool isAwake(const Contact& contact) const {
         return bodies[contact.bodies[0]].isAwake || bodies[contact.bodies[1]].isAwake;
+    }
+    /// Whether the hulls of two bodies are swept: one stands, or is so much larger that the other could cross it.
+    bool isSwept(std::uint32_t first, std::uint32_t second) const {
+        constexpr float kMuchLarger = 4.0f;
+        const float a = obstacleSizes[first], b = obstacleSizes[second];
+        return a >= kStands || b >= kStands || a >= kMuchLarger * b || b >= kMuchLarger * a;
     }
     BodyId idOf(std::uint32_t body) const { return {body, bodies[body].generation}; }
 };

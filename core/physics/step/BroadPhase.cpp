@@ -13,33 +13,63 @@ namespace {
 
 constexpr std::size_t kMinBodiesPerChunk = 64;
 
-/// An upper bound of how far any point of a body moves in dt seconds, if it accelerates no more than by gravity.
-float predictedDistance(const WorldState& state, std::uint32_t body, float dt) {
-    const BodyMotion& motion = state.motions[body];
-    const float speed = length(motion.velocity) + length(motion.angularVelocity) * state.poses[body].boundingRadius;
-    return (speed + length(state.gravity) * dt) * dt;
+constexpr float kDebrisFraction = 0.5f;    // of its width: what moves farther in a step may be debris
+constexpr float kStandingFraction = 0.1f;  // of its bounding radius: but what moves no farther stands
+
+/// Predicts the movement of a body in the coming step of dt seconds.
+void predict(WorldState& state, std::uint32_t number, float dt) {
+    const Body& body = state.bodies[number];
+    const BodyMotion& motion = state.motions[number];
+    const BodyPose& pose = state.poses[number];
+    const float distance = length(motion.velocity) * dt;
+    const float arc = std::min(length(motion.angularVelocity) * dt, 2.0f) * pose.boundingRadius;
+    state.predictedTravel[number] = pose.travel + distance + arc + length(state.gravity) * dt * dt;
+    state.predictions[number] = {pose.centre + motion.velocity * dt, pose.arc + arc};
+    const bool isDebris =
+        body.isDynamic() && !body.isBullet &&
+        distance > std::max(kDebrisFraction * body.shape->minWidth, kStandingFraction * pose.boundingRadius);
+    state.obstacleSizes[number] = isDebris ? pose.boundingRadius : kStands;
 }
 
-void updateFatBoxes(WorldState& state, std::uint32_t number, float dt) {
+/// The box of a hull that rotates by up to `arc`, m: no point leaves the sphere around the body.
+Box rotating(const Box& tight, const BodyPose& pose, float arc) {
+    const Vec3f radius(pose.boundingRadius);
+    return {componentMax(tight.low - Vec3f(arc), componentMin(tight.low, pose.centre - radius)),
+            componentMin(tight.high + Vec3f(arc), componentMax(tight.high, pose.centre + radius))};
+}
+
+/// Updates the fat boxes of a moved body. Debris is swept by a fraction of its size, but by all of its movement for
+/// what others are swept against.
+void updateFatBoxes(WorldState& state, PairScratch& scratch, std::uint32_t number, float dt) {
     Body& body = state.bodies[number];
     const BodyPose& pose = state.poses[number];
-    const float margin = boxMargin(pose.boundingRadius);
+    const float margin = boxMargin(pose.boundingRadius), fall = length(state.gravity) * dt * dt;
     const Vec3f displacement = state.motions[number].velocity * dt;
-    // The movement by rotation is added to the margin.
-    const float extra = std::max(0.0f, state.predictedTravel[number] - pose.travel - length(displacement));
+    const float distance = length(displacement), arc = state.predictions[number].arc - pose.arc;
+    const bool isDebris = state.obstacleSizes[number] < kStands;
+    const float most = kDebrisFraction * body.shape->minWidth;
     for (std::uint32_t proxy = body.firstProxy; proxy != kNone; proxy = state.proxies[proxy].next) {
         const Box tight = tightBox(state, state.proxies[proxy]);
-        state.tree.move(state.proxies[proxy].leaf, widened(swept(tight, displacement), margin + extra));
+        const Box whole = widened(swept(rotating(tight, pose, arc), displacement), margin + fall);
+        if (isDebris) {
+            const Vec3f part = displacement * std::min(1.0f, most / distance);
+            const Box limited = widened(swept(rotating(tight, pose, std::min(arc, most)), part), margin + fall);
+            state.tree.move(state.proxies[proxy].leaf, limited);
+            scratch.wholeBoxes[proxy] = whole;
+        } else {
+            state.tree.move(state.proxies[proxy].leaf, whole);
+        }
     }
-    body.boxValidUntil = pose.travel + margin + extra;
-    if (length(displacement) > margin)
-        body.boxValidUntil = pose.travel;  // moves out of the margin: update again in the next step
+    // What moves out of the margin is updated again in the next step.
+    body.boxValidUntil = pose.travel + (isDebris || distance > margin ? 0.0f : margin + arc + fall);
 }
 
-void markMoved(PairScratch& scratch, std::uint32_t body) {
+void markMoved(WorldState& state, PairScratch& scratch, std::uint32_t body, float dt) {
     if (scratch.isMoved[body] != 0) return;
+    updateFatBoxes(state, scratch, body, dt);
     scratch.isMoved[body] = 1;
     scratch.moved.push_back(body);
+    if (state.obstacleSizes[body] < kStands) scratch.debris.push_back(body);
 }
 
 /// Predicts how far awake bodies can move, and lists those that may leave their boxes.
@@ -48,7 +78,7 @@ void findLeaving(WorldState& state, ThreadPool& threads, const Regions& regions,
     regions.forEach(threads, [&](std::size_t region) {
         std::vector<std::uint32_t>& leaving = scratch.leaving[region];
         for (std::uint32_t body : regions.bodies(region)) {
-            state.predictedTravel[body] = state.poses[body].travel + predictedDistance(state, body, dt);
+            predict(state, body, dt);
             if (state.predictedTravel[body] > state.bodies[body].boxValidUntil) leaving.push_back(body);
         }
     });
@@ -57,21 +87,25 @@ void findLeaving(WorldState& state, ThreadPool& threads, const Regions& regions,
 void updateBoxes(WorldState& state, ThreadPool& threads, const Regions& regions, PairScratch& scratch, float dt,
                  PairBodies bodies) {
     scratch.moved.clear();
+    scratch.debris.clear();
     scratch.isMoved.assign(state.bodies.size(), 0);
+    scratch.wholeBoxes.resize(state.proxies.size());
     for (std::uint32_t body : state.rebox) {
         if (state.bodies[body].shape == nullptr || scratch.isMoved[body] != 0) continue;
-        state.predictedTravel[body] = state.poses[body].travel + predictedDistance(state, body, dt);
-        updateFatBoxes(state, body, dt);
-        markMoved(scratch, body);
+        predict(state, body, dt);
+        markMoved(state, scratch, body, dt);
     }
     state.rebox.clear();
     if (bodies == PairBodies::Changed) return;
     findLeaving(state, threads, regions, scratch, dt);
-    for (std::uint32_t body : mergeSorted(scratch.leaving)) {
-        if (scratch.isMoved[body] != 0) continue;
-        updateFatBoxes(state, body, dt);
-        markMoved(scratch, body);
-    }
+    for (std::uint32_t body : mergeSorted(scratch.leaving)) markMoved(state, scratch, body, dt);
+}
+
+/// The box of a proxy's whole movement in the step.
+const Box& wholeBox(const WorldState& state, const PairScratch& scratch, std::uint32_t proxy) {
+    const Proxy& record = state.proxies[proxy];
+    const bool isDebris = scratch.isMoved[record.body] != 0 && state.obstacleSizes[record.body] < kStands;
+    return isDebris ? scratch.wholeBoxes[proxy] : state.tree.box(record.leaf);
 }
 
 /// Lists the pairs of a proxy with others, except those that can never touch. `isWanted` accepts the other body.
@@ -140,14 +174,36 @@ bool isSweepFaster(const WorldState& state, const PairScratch& scratch) {
     return state.tree.size() >= kMin && state.tree.size() <= kMax && 2 * scratch.moved.size() >= state.tree.size();
 }
 
+/// Whether some debris is swept against a body.
+bool isObstacle(const WorldState& state, const PairScratch& scratch, std::uint32_t body) {
+    return !scratch.debris.empty() && state.isSwept(body, scratch.smallestDebris);
+}
+
+/// The pairs of a range of debris with what its whole movement may lead through, of which `near` returns the proxies
+/// in a box.
+template <class Near>
+void pairWithObstacles(const WorldState& state, const PairScratch& scratch, IndexRange range, const Near& near,
+                       std::vector<std::uint32_t>& found) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+        const std::uint32_t body = scratch.debris[i];
+        const auto isWanted = [&](std::uint32_t other) { return state.isSwept(body, other); };
+        for (std::uint32_t proxy = state.bodies[body].firstProxy; proxy != kNone; proxy = state.proxies[proxy].next)
+            listPairs(state, proxy, near(scratch.wholeBoxes[proxy]), isWanted, found);
+    }
+}
+
 /// The pairs of all moved bodies, by a sweep over all boxes.
 void findPairsBySweep(const WorldState& state, ThreadPool& threads, PairScratch& scratch, std::size_t chunks) {
     scratch.sweep.clear();
+    scratch.obstacles.clear();
     for (std::uint32_t proxy = 0; proxy < state.proxies.size(); ++proxy) {
-        const std::uint32_t leaf = state.proxies[proxy].leaf;
-        if (leaf != kNone) scratch.sweep.add(proxy, state.tree.box(leaf));
+        const auto& [body, hull, leaf, next] = state.proxies[proxy];
+        if (leaf == kNone) continue;
+        scratch.sweep.add(proxy, state.tree.box(leaf));
+        if (isObstacle(state, scratch, body)) scratch.obstacles.add(proxy, state.tree.box(leaf));
     }
     scratch.sweep.sort();
+    scratch.obstacles.sort();
     scratch.sweepScratch.resize(scratch.found.size());
     threads.forEachChunk(scratch.sweep.size(), chunks, [&](IndexRange range, std::size_t chunk) {
         for (std::size_t rank = range.begin; rank < range.end; ++rank) {
@@ -158,6 +214,12 @@ void findPairsBySweep(const WorldState& state, ThreadPool& threads, PairScratch&
                       scratch.found[chunk]);
         }
     });
+    threads.forEachChunk(scratch.debris.size(), chunks, [&](IndexRange range, std::size_t chunk) {
+        const auto near = [&](const Box& box) {
+            return scratch.obstacles.overlapping(box, scratch.sweepScratch[chunk]);
+        };
+        pairWithObstacles(state, scratch, range, near, scratch.found[chunk]);
+    });
 }
 
 /// The pairs of all moved bodies, by the tree.
@@ -166,11 +228,22 @@ void findPairsByTree(const WorldState& state, ThreadPool& threads, PairScratch& 
     threads.forEachChunk(scratch.moved.size(), chunks, [&](IndexRange range, std::size_t chunk) {
         searchAround(state, scratch, range, scratch.near[chunk], scratch.found[chunk]);
     });
+    threads.forEachChunk(scratch.debris.size(), chunks, [&](IndexRange range, std::size_t chunk) {
+        std::vector<std::uint32_t> proxies;
+        const auto near = [&](const Box& box) {
+            proxies.clear();
+            state.tree.visitOverlapping(box, [&](std::uint32_t proxy, const Box&) { proxies.push_back(proxy); });
+            return std::span<const std::uint32_t>(proxies);
+        };
+        pairWithObstacles(state, scratch, range, near, scratch.found[chunk]);
+    });
 }
 
-bool boxesOverlap(const WorldState& state, const Contact& contact) {
-    return state.tree.box(state.proxies[contact.proxies[0]].leaf)
-        .overlaps(state.tree.box(state.proxies[contact.proxies[1]].leaf));
+bool boxesOverlap(const WorldState& state, const PairScratch& scratch, const Contact& contact) {
+    const auto [first, second] = contact.proxies;
+    if (state.tree.box(state.proxies[first].leaf).overlaps(state.tree.box(state.proxies[second].leaf))) return true;
+    return state.isSwept(contact.bodies[0], contact.bodies[1]) &&
+           wholeBox(state, scratch, first).overlaps(wholeBox(state, scratch, second));
 }
 
 void removeSeparatedContacts(WorldState& state, PairScratch& scratch) {
@@ -178,7 +251,7 @@ void removeSeparatedContacts(WorldState& state, PairScratch& scratch) {
     for (std::uint32_t body : scratch.moved) {
         visitContacts(state, body, [&](std::uint32_t contact, std::uint32_t other) {
             if (scratch.isMoved[other] != 0 && other < body) return;
-            if (!boxesOverlap(state, state.contacts[contact])) scratch.separatedContacts.push_back(contact);
+            if (!boxesOverlap(state, scratch, state.contacts[contact])) scratch.separatedContacts.push_back(contact);
         });
     }
     for (std::uint32_t contact : scratch.separatedContacts) {
@@ -247,6 +320,8 @@ void findPairs(WorldState& state, ThreadPool& threads, const Regions& regions, P
                PairBodies bodies) {
     updateBoxes(state, threads, regions, scratch, dt, bodies);
     if (scratch.moved.empty()) return;
+    const auto size = [&](std::uint32_t body) { return state.obstacleSizes[body]; };
+    if (!scratch.debris.empty()) scratch.smallestDebris = *std::ranges::min_element(scratch.debris, {}, size);
     removeSeparatedContacts(state, scratch);
     const std::size_t chunks = regions.count() == 1 ? 1 : threads.chunkCount(scratch.moved.size(), kMinBodiesPerChunk);
     scratch.found.resize(std::max(chunks, scratch.found.size()));
@@ -266,10 +341,8 @@ void findUnforeseenPairs(WorldState& state, ThreadPool& threads, const Regions& 
     clearLists(scratch.leaving, regions.count());
     regions.forEach(threads, [&](std::size_t region) {
         for (const std::uint32_t body : regions.bodies(region)) {
-            const float travel = state.poses[body].travel;
-            const float foreseen = std::max(state.bodies[body].boxValidUntil, state.predictedTravel[body]);
-            if (travel + maxReachOf(state, body) > foreseen && travel + reachOf(state, body) > foreseen)
-                scratch.leaving[region].push_back(body);
+            const float left = state.bodies[body].boxValidUntil - state.poses[body].travel;
+            if (maxReachOf(state, body) > left && reachOf(state, body) > left) scratch.leaving[region].push_back(body);
         }
     });
     for (const std::uint32_t body : mergeSorted(scratch.leaving)) {
@@ -278,6 +351,7 @@ void findUnforeseenPairs(WorldState& state, ThreadPool& threads, const Regions& 
         for (std::uint32_t proxy = state.bodies[body].firstProxy; proxy != kNone; proxy = state.proxies[proxy].next) {
             const PlacedHull& hull = placedHullOf(state, state.proxies[proxy]);
             const Box path = joined(tightBox(hull, state.poses[body]), tightBox(hull, after));
+            if (wholeBox(state, scratch, proxy).contains(path)) continue;
             state.tree.visitOverlapping(path, [&](std::uint32_t other, const Box&) {
                 if (!state.bodies[state.proxies[other].body].isDynamic()) addContact(state, proxy, other);
             });

@@ -65,58 +65,61 @@ void stopApproach(WorldState& state, std::uint32_t body, std::uint32_t other, Ve
     others.velocity -= impulse * others.inverseMass;
 }
 
-/// Clamps the displacement of a body at others that are dynamic, or at those that are not.
-void clampDisplacement(WorldState& state, std::uint32_t body, bool isDynamic, std::vector<BodyPair>& clamped) {
-    visitContacts(state, body, [&](std::uint32_t number, std::uint32_t other) {
-        if (state.bodies[other].isDynamic() != isDynamic) return;
-        const Contact& contact = state.contacts[number];
-        const std::size_t side = contact.bodies[0] == other ? 0 : 1;
-        const PlacedHull& placed = placedHullOf(state, state.proxies[contact.proxies[side]]);
-        const PlacedHull& own = placedHullOf(state, state.proxies[contact.proxies[1 - side]]);
-        const PointPath path = pathOf(state, body, own);
-        if (!comesNear(state, path, other)) return;
-        const PointPath past = pathPast(state, path, other);
-        const Vec3f displacement = past.after - past.before;
-        const HullRayHit hit = castRay(*placed.hull, past.before - placed.offset, displacement);
-        if (hit.fraction > 1.0f) return;
-        clamped.push_back({body, other});
-        const float distance = kDistanceFraction * own.hull->minWidth;
-        const float fraction = std::max(0.0f, hit.fraction + distance / dot(hit.normal, displacement));
-        // The stopping point, as it has moved with the other body by the end of the step: unless that spins, and would
-        // carry the body farther than it moves.
-        const Vec3f kept = state.poses[other].centre + state.motions[other].deltaPosition +
-                           endRotation(state, other) * (past.before + displacement * fraction);
-        const Vec3f moved = state.motions[body].deltaPosition;
-        Vec3f stopped = moved + kept - path.after;
-        if (isLighter(state, other, body) || lengthSquared(stopped) > lengthSquared(moved))
-            stopped = moved * std::clamp(fraction, 0.0f, 1.0f);
-        if (contact.slot.isSet() && !isApart(state, contact))
-            stopApproach(state, body, other, state.poses[other].rotation.matrix() * hit.normal);
-        if (isDynamic) {
-            state.motions[body].deltaPosition = stopped;
-        } else {
-            correctDisplacement(state, body, stopped);
-        }
-    });
+/// Clamps the displacement of a body at the other body of a contact.
+void clampDisplacement(WorldState& state, const BodyContact& one, std::vector<BodyPair>& clamped) {
+    const auto [body, number, other] = one;
+    const Contact& contact = state.contacts[number];
+    const std::size_t side = contact.bodies[0] == other ? 0 : 1;
+    const PlacedHull& placed = placedHullOf(state, state.proxies[contact.proxies[side]]);
+    const PlacedHull& own = placedHullOf(state, state.proxies[contact.proxies[1 - side]]);
+    const PointPath path = pathOf(state, body, own);
+    if (!comesNear(state, path, other)) return;
+    const PointPath past = pathPast(state, path, other);
+    const Vec3f displacement = past.after - past.before;
+    const HullRayHit hit = castRay(*placed.hull, past.before - placed.offset, displacement);
+    if (hit.fraction > 1.0f) return;
+    clamped.push_back({body, other});
+    const float distance = kDistanceFraction * own.hull->minWidth;
+    const float fraction = std::max(0.0f, hit.fraction + distance / dot(hit.normal, displacement));
+    // The stopping point, as it has moved with the other body by the end of the step: unless that spins, and would
+    // carry the body farther than it moves.
+    const Vec3f kept = state.poses[other].centre + state.motions[other].deltaPosition +
+                       endRotation(state, other) * (past.before + displacement * fraction);
+    const Vec3f moved = state.motions[body].deltaPosition;
+    Vec3f stopped = moved + kept - path.after;
+    if (isLighter(state, other, body) || lengthSquared(stopped) > lengthSquared(moved))
+        stopped = moved * std::clamp(fraction, 0.0f, 1.0f);
+    if (contact.slot.isSet() && !isApart(state, contact))
+        stopApproach(state, body, other, state.poses[other].rotation.matrix() * hit.normal);
+    if (state.bodies[other].isDynamic()) {
+        state.motions[body].deltaPosition = stopped;
+    } else {
+        correctDisplacement(state, body, stopped);
+    }
 }
 
 }  // namespace
 
 std::vector<BodyPair> clampFastBodies(WorldState& state, ThreadPool& threads, const Regions& regions,
-                                      std::vector<std::vector<std::uint32_t>>& byRegion) {
-    clearLists(byRegion, regions.count());
+                                      ContinuousScratch& scratch) {
+    clearLists(scratch.fast, regions.count());
     regions.forEach(threads, [&](std::size_t region) {
         for (std::uint32_t number : regions.bodies(region)) {
             const Body& body = state.bodies[number];
             const float limit = kFastFraction * body.shape->minWidth;
             const bool isFast = lengthSquared(state.motions[number].deltaPosition) > limit * limit;
-            if (isFast && body.isDynamic()) byRegion[region].push_back(number);
+            if (isFast && body.isDynamic()) scratch.fast[region].push_back(number);
         }
     });
-    std::vector<std::uint32_t>& fast = mergeSorted(byRegion);
     std::vector<BodyPair> clamped;
+    const auto isInTheWay = [&](std::uint32_t body, std::uint32_t other, const SeparatedContact* separated) {
+        return state.isSwept(body, other) && (separated == nullptr || mayHaveTouched(state, *separated));
+    };
+    const std::span<const BodyContact> contacts = scratch.contacts.of(state, mergeSorted(scratch.fast), isInTheWay);
     for (const bool isDynamic : {true, false}) {  // what is fixed last: others may carry bodies into it
-        for (const std::uint32_t body : fast) clampDisplacement(state, body, isDynamic, clamped);
+        for (const BodyContact& one : contacts) {
+            if (state.bodies[one.other].isDynamic() == isDynamic) clampDisplacement(state, one, clamped);
+        }
     }
     return clamped;
 }

@@ -23,16 +23,26 @@ BodyPose poseAfter(const WorldState& state, std::uint32_t number) {
     return pose;
 }
 
+float arcOf(const WorldState& state, std::uint32_t number) {
+    return 2.0f * length(state.motions[number].deltaRotation.vector()) * state.poses[number].boundingRadius;
+}
+
 float reachOf(const WorldState& state, std::uint32_t number) {
-    const BodyMotion& motion = state.motions[number];
-    return length(motion.deltaPosition) +
-           2.0f * length(motion.deltaRotation.vector()) * state.poses[number].boundingRadius;
+    return length(state.motions[number].deltaPosition) + arcOf(state, number);
 }
 
 float maxReachOf(const WorldState& state, std::uint32_t number) {
     const BodyMotion& motion = state.motions[number];
     const auto sum = [](Vec3f v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
     return sum(motion.deltaPosition) + 2.0f * sum(motion.deltaRotation.vector()) * state.poses[number].boundingRadius;
+}
+
+bool mayHaveTouched(const WorldState& state, const SeparatedContact& contact) {
+    const auto [first, second] = contact.bodies;
+    const BodyPose &a = state.poses[first], &b = state.poses[second];
+    const Vec3f way = state.motions[second].deltaPosition - state.motions[first].deltaPosition;
+    const float apart = dot(contact.gapNormal, b.centre - a.centre) + std::min(0.0f, dot(contact.gapNormal, way));
+    return apart - a.arc - arcOf(state, first) - b.arc - arcOf(state, second) <= contact.apart;
 }
 
 void correctDisplacement(WorldState& state, std::uint32_t number, Vec3f displacement) {

@@ -192,19 +192,25 @@ void collideStale(WorldState& state, ThreadPool& threads, const Regions& regions
     });
 }
 
+/// Whether the bodies of a contact without a manifold may touch at the end of the coming step, where one may fall by
+/// `fall`, m, more than the other.
+bool mayTouch(const WorldState& state, const SeparatedContact& contact, float fall) {
+    const Prediction &first = state.predictions[contact.bodies[0]], &second = state.predictions[contact.bodies[1]];
+    return dot(contact.gapNormal, second.centre - first.centre) - first.arc - second.arc - fall <= contact.apart;
+}
+
 /// Collides contacts without manifold whose bodies may touch now.
 void collideSeparated(WorldState& state, ThreadPool& threads, const Regions& regions, NarrowPhaseScratch& scratch,
                       float dt, bool newOnly) {
     const std::size_t chunks =
         regions.count() == 1 ? 1 : threads.chunkCount(state.separated.size(), kMinContactsPerChunk);
     clearLists(scratch.separated, chunks);
+    const float fall = length(state.gravity) * dt * dt;
     threads.forEachChunk(state.separated.size(), chunks, [&](IndexRange range, std::size_t chunk) {
         for (std::size_t i = range.begin; i < range.end; ++i) {
             const SeparatedContact& contact = state.separated[i];
-            const float travel = state.predictedTravel[contact.bodies[0]] + state.predictedTravel[contact.bodies[1]];
-            const bool mayTouch =
-                newOnly ? contact.collideAtTravel == kNeverCollided : travel >= contact.collideAtTravel;
-            if (mayTouch) collideAndStore(state, contact.contact, scratch.separated[chunk], dt);
+            const bool isWanted = newOnly ? contact.apart == kNeverCollided : mayTouch(state, contact, fall);
+            if (isWanted) collideAndStore(state, contact.contact, scratch.separated[chunk], dt);
         }
     });
 }
@@ -259,10 +265,15 @@ void storeManifold(WorldState& state, std::uint32_t number, const HullCollision&
 
 void storeGap(WorldState& state, std::uint32_t number, const HullCollision& collision) {
     Contact& contact = state.contacts[number];
-    const float travelled = state.poses[contact.bodies[0]].travel + state.poses[contact.bodies[1]].travel;
-    state.separated[contact.separatedIndex].collideAtTravel =
-        travelled + std::max(0.0f, kGapFraction * collision.axis.separation);
+    SeparatedContact& separated = state.separated[contact.separatedIndex];
     contact.axis = collision.axis;
+    separated.apart = kNeverCollided;
+    if (collision.axis.separation <= 0.0f) return;
+    const BodyPose &first = state.poses[contact.bodies[0]], &second = state.poses[contact.bodies[1]];
+    separated.gapNormal = first.rotation.matrix() * collision.axis.normal;
+    const float closing =
+        std::max(kGapFraction * collision.axis.separation, collision.axis.separation - kSpeculativeDistance);
+    separated.apart = dot(separated.gapNormal, second.centre - first.centre) - first.arc - second.arc - closing;
 }
 
 bool isApart(const WorldState& state, const Contact& contact) {
@@ -298,6 +309,7 @@ HullCollision collideContact(const WorldState& state, const Contact& contact, fl
     const Vec3f displacement = velocity * dt;
     const float far = length(displacement), minWidth = std::min(first.minWidth, second.minWidth);
     const bool isFast = far > kSweptFraction * minWidth;
+    const bool isSwept = isFast && state.isSwept(contact.bodies[0], contact.bodies[1]);
     const float swing =
         length(b.angularVelocity - a.angularVelocity) * dt * std::min(first.boundingRadius, second.boundingRadius);
     const float margin = kSpeculativeDistance + (isFast ? 0.0f : far) + swing;
@@ -305,7 +317,8 @@ HullCollision collideContact(const WorldState& state, const Contact& contact, fl
     const Vec3f inFirst = firstPose.rotation.matrix().transposedTimes(displacement);
     // The manifold may be recycled until its bodies have moved that far.
     const Vec3f recycled = far > kMinSliding ? inFirst * ((far + kMaxSlack) / far) : Vec3f(0.0f);
-    if (const std::optional<SeparatingAxis> axis = slidingAxis(collision.axis, first, second, pose, recycled)) {
+    if (isFast && !isSwept) {  // debris
+    } else if (const std::optional<SeparatingAxis> axis = slidingAxis(collision.axis, first, second, pose, recycled)) {
         slideAlong(collision, *axis, first, second, pose, margin);
     } else if (collision.axis.separation > margin && isFast && mayMeet(collision.axis, inFirst)) {
         sweep(collision, first, second, pose, inFirst);

@@ -78,7 +78,9 @@ void finishBody(WorldState& state, std::uint32_t number, int subSteps, float h) 
     BodyPose& pose = state.poses[number];
     BodyMotion& motion = state.motions[number];
     motion.deltaPosition += parabolaCorrection(state, motion, subSteps, h);
-    pose.travel += reachOf(state, number);
+    const float arc = arcOf(state, number);
+    pose.travel += length(motion.deltaPosition) + arc;
+    pose.arc += arc;
     // Compensated summation: free flight stays on its parabola for minutes.
     const Vec3f moved = motion.deltaPosition + body.centreRemainder, centre = pose.centre + moved;
     body.centreRemainder = moved - (centre - pose.centre);

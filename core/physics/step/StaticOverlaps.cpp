@@ -18,12 +18,10 @@ constexpr float kMinReach = 0.00025f;  // m: what moves less comes no deeper
 constexpr float kRounding = 5e-7f;     // of positions, relative, with that of their sums
 constexpr int kRounds = 4;             // of displacements, where several bodies displace one
 
-/// Whether the bodies of a contact may come to overlap, or overlap deeper, while they move by `reach`, m. A manifold
-/// that is recycled says nothing of other corners.
-bool mayOverlap(const WorldState& state, const Contact& contact, float reach) {
-    if (contact.slot.isSet()) return true;
-    const float travel = state.poses[contact.bodies[0]].travel + state.poses[contact.bodies[1]].travel;
-    return travel + reach >= state.separated[contact.separatedIndex].collideAtTravel;
+/// Whether the bodies of a contact may come to overlap, or overlap deeper. A manifold that is recycled says nothing of
+/// other corners.
+bool mayOverlap(const WorldState& state, const Contact& contact) {
+    return contact.slot.isSet() || mayHaveTouched(state, state.separated[contact.separatedIndex]);
 }
 
 /// A contact of a body with one that is not dynamic.
@@ -78,28 +76,28 @@ WayOut wayOut(const WorldState& state, std::uint32_t number, const StaticContact
 
 /// Calls visit(way) for what moves a body out of what is not dynamic, one after the other.
 template <class Visit>
-void visitWaysOut(WorldState& state, std::uint32_t number, const SolverStep& step, const Visit& visit) {
-    const float reach = reachOf(state, number);
-    visitContacts(state, number, [&](std::uint32_t index, std::uint32_t other) {
+void visitWaysOut(WorldState& state, std::span<const BodyContact> contacts, const SolverStep& step,
+                  const Visit& visit) {
+    for (const auto [number, index, other] : contacts) {
         const Contact& contact = state.contacts[index];
-        if (state.bodies[other].isDynamic()) return;
-        if (!mayOverlap(state, contact, reach + reachOf(state, other))) return;
+        if (!mayOverlap(state, contact)) continue;
         const std::size_t side = contact.bodies[0] == number ? 0 : 1;
         const StaticContact one{placedHullOf(state, state.proxies[contact.proxies[side]]), other,
                                 placedHullOf(state, state.proxies[contact.proxies[1 - side]])};
         const WayOut way = wayOut(state, number, one, step);
-        if (way.way == Vec3f(0.0f)) return;
+        if (way.way == Vec3f(0.0f)) continue;
         if (contact.slot.isSet()) outdateManifold(state, contact);
         visit(way);
-    });
+    }
 }
 
 /// Returns whether nothing displaces the body any more.
-bool displace(WorldState& state, std::uint32_t number, const SolverStep& step) {
+bool displace(WorldState& state, std::span<const BodyContact> contacts, const SolverStep& step) {
+    const std::uint32_t number = contacts.front().body;
     for (int round = 0; round < kRounds; ++round) {
         bool isOut = true;
         bool isThrough = false;
-        visitWaysOut(state, number, step, [&](const WayOut& way) {
+        visitWaysOut(state, contacts, step, [&](const WayOut& way) {
             correctDisplacement(state, number, state.motions[number].deltaPosition + way.way);
             isOut = false;
             isThrough |= way.isThrough;
@@ -110,7 +108,9 @@ bool displace(WorldState& state, std::uint32_t number, const SolverStep& step) {
 }
 
 /// Lets a body move by the largest of some fractions of what it moved that leaves it out of what is not dynamic.
-void shorten(WorldState& state, std::uint32_t number, const SolverStep& step, const BodyMotion& moved) {
+void shorten(WorldState& state, std::span<const BodyContact> contacts, const SolverStep& step,
+             const BodyMotion& moved) {
+    const std::uint32_t number = contacts.front().body;
     const Quatf turned = moved.deltaRotation.normalized();
     for (const float fraction : {0.5f, 0.25f, 0.0f}) {
         state.motions[number].deltaRotation =
@@ -118,47 +118,38 @@ void shorten(WorldState& state, std::uint32_t number, const SolverStep& step, co
                 .normalized();
         correctDisplacement(state, number, moved.deltaPosition * fraction);
         bool isOut = true;
-        visitWaysOut(state, number, step, [&](const WayOut&) { isOut = false; });
+        visitWaysOut(state, contacts, step, [&](const WayOut&) { isOut = false; });
         if (isOut) return;
-    }
-}
-
-/// A walk over the contacts of a body takes as long as markNearStatic() for so many.
-constexpr std::size_t kContactsPerWalk = 64;
-
-/// Marks the bodies that have contacts with what is not dynamic: most have none.
-void markNearStatic(const WorldState& state, std::vector<std::uint8_t>& isNear) {
-    isNear.assign(state.bodies.size(), 0);
-    for (const ContactColours::List& list : state.colours.lists()) {
-        for (const ContactBlock& block : list.blocks) {
-            for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
-                if (block.againstFixed[lane] != 0.0f) isNear[block.first[lane]] = isNear[block.second[lane]] = 1;
-            }
-        }
-    }
-    for (const SeparatedContact& contact : state.separated) {
-        const auto [first, second] = contact.bodies;
-        const bool isDynamic = state.motions[first].inverseMass > 0.0f && state.motions[second].inverseMass > 0.0f;
-        if (!isDynamic) isNear[first] = isNear[second] = 1;
     }
 }
 
 }  // namespace
 
 void displaceOutOfStatic(WorldState& state, ThreadPool& threads, const Regions& regions, const SolverStep& step,
-                         std::vector<std::uint8_t>& isNear) {
-    const auto moves = [&](std::uint32_t number) {
-        return maxReachOf(state, number) > kMinReach && state.bodies[number].isDynamic();
-    };
-    const auto moving = static_cast<std::size_t>(std::ranges::count_if(state.awake, moves));
-    if (moving == 0) return;
-    const bool isMarked = moving * kContactsPerWalk > state.colours.contactCount() + state.separated.size();
-    if (isMarked) markNearStatic(state, isNear);
+                         StaticOverlapScratch& scratch) {
+    clearLists(scratch.moving, regions.count());
     regions.forEach(threads, [&](std::size_t region) {
         for (const std::uint32_t number : regions.bodies(region)) {
-            if ((isMarked && isNear[number] == 0) || !moves(number)) continue;
-            const BodyMotion moved = state.motions[number];
-            if (!displace(state, number, step)) shorten(state, number, step, moved);
+            if (maxReachOf(state, number) > kMinReach && state.bodies[number].isDynamic())
+                scratch.moving[region].push_back(number);
+        }
+    });
+    const auto isStatic = [&](std::uint32_t, std::uint32_t other, const SeparatedContact*) {
+        return state.motions[other].inverseMass == 0.0f;
+    };
+    const std::span<const BodyContact> contacts = scratch.contacts.of(state, mergeSorted(scratch.moving), isStatic);
+    scratch.begins.clear();  // of the contacts of a body
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        if (i == 0 || contacts[i].body != contacts[i - 1].body) scratch.begins.push_back(i);
+    }
+    constexpr std::size_t kMinPerChunk = 64;
+    const std::size_t chunks = regions.count() == 1 ? 1 : threads.chunkCount(scratch.begins.size(), kMinPerChunk);
+    threads.forEachChunk(scratch.begins.size(), chunks, [&](IndexRange range, std::size_t) {
+        for (std::size_t i = range.begin; i < range.end; ++i) {
+            const std::size_t end = i + 1 < scratch.begins.size() ? scratch.begins[i + 1] : contacts.size();
+            const auto own = contacts.subspan(scratch.begins[i], end - scratch.begins[i]);
+            const BodyMotion moved = state.motions[own.front().body];
+            if (!displace(state, own, step)) shorten(state, own, step, moved);
         }
     });
 }

@@ -17,6 +17,8 @@ std::uint32_t newBody(WorldState& state) {
         state.motions.emplace_back();
         state.poses.emplace_back();
         state.predictedTravel.emplace_back();
+        state.predictions.emplace_back();
+        state.obstacleSizes.emplace_back();
         state.colours.resizeBodies(state.bodies.size());
         return static_cast<std::uint32_t>(state.bodies.size() - 1);
     }
@@ -56,10 +58,13 @@ std::uint32_t addUnplacedBody(WorldState& state, const BodyDefinition& definitio
     Body& body = state.bodies[number];
     body = {.shape = definition.shape, .generation = body.generation + 1, .kind = definition.kind};
     body.tag = definition.tag;
+    body.isBullet = definition.isBullet;
     if (body.shape->hulls.size() > 1) ++state.compoundBodies;
     BodyMotion& motion = state.motions[number] = {};
     state.poses[number] = {};
     state.predictedTravel[number] = 0.0f;
+    state.predictions[number] = {};
+    state.obstacleSizes[number] = kStands;
     state.poses[number].boundingRadius = definition.shape->boundingRadius;
     assignMaterial(state, number, definition.material());
     if (definition.kind != BodyKind::Static) {

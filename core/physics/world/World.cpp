@@ -68,9 +68,9 @@ struct World::StepContext {
     NarrowPhaseScratch collisions;
     SolveScratch solve;
     ContactEnergyScratch energy;
-    std::vector<std::vector<HitEvent>> hits;             // by region
-    std::vector<std::vector<std::uint32_t>> fastBodies;  // by region
-    std::vector<std::uint8_t> isNearStatic;              // by body
+    std::vector<std::vector<HitEvent>> hits;  // by region
+    ContinuousScratch continuous;
+    StaticOverlapScratch overlaps;
     StepCounts counts;
     StepTimes times;
     Regions regions;
@@ -298,9 +298,9 @@ void World::solve(double dt) {
     displaceDeepContacts(*m_state, context.solve.deepBlocks, step.dt);
     findUnforeseenPairs(*m_state, context.threads, context.regions, context.pairs);
     const std::vector<BodyPair> clamped =
-        clampFastBodies(*m_state, context.threads, context.regions, context.fastBodies);
+        clampFastBodies(*m_state, context.threads, context.regions, context.continuous);
     if (hasContacts) findContactEvents(step, clamped);
-    displaceOutOfStatic(*m_state, context.threads, context.regions, step, context.isNearStatic);
+    displaceOutOfStatic(*m_state, context.threads, context.regions, step, context.overlaps);
     finishBodies(*m_state, context.threads, context.regions, context.dt);
     context.counts.awake = static_cast<int>(m_state->awake.size());
     context.counts.islands = sleepRestingIslands(*m_state);

@@ -73,7 +73,8 @@ Result<BodyDefinition> projectileBody(const Throw& thrown, const std::shared_ptr
                                       const Material* material) {
     const Vec3 path = thrown.to - thrown.from;
     const Vec3 direction = path / std::sqrt(glm::dot(path, path));
-    BodyDefinition body{.shape = asset, .velocity = thrown.speed * direction, .friction = kProjectileFriction};
+    BodyDefinition body{
+        .shape = asset, .velocity = thrown.speed * direction, .friction = kProjectileFriction, .isBullet = true};
     body.pose.orientation = lookingAlong(direction);
     if (asset != nullptr) {
         RUBBLE_ASSERT(material != nullptr);

@@ -105,6 +105,7 @@ Result<BodyDefinition> restingBody(const SessionParts& parts, const PlayBody& bo
     const Quat rotation = glm::normalize(toDouble(at.rotation));
     definition.pose = {toDouble(at.centre) - rotation * definition.shape->mass.centre, rotation};
     definition.tag = body.number;
+    definition.isBullet = body.role == PlayRole::Projectile;
     return definition;
 }
 

@@ -1,6 +1,7 @@
 #include "core/physics/step/NarrowPhase.h"
 
 #include "core/physics/state/Contacts.h"
+#include "core/physics/step/Displacement.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/geometry/Hulls.h"
 
@@ -22,7 +23,9 @@ struct PlateOnCube {
             const auto body = static_cast<std::uint32_t>(state.bodies.size());
             state.bodies.push_back({.shape = boxShape(sides), .kind = BodyKind::Dynamic, .isAwake = true});
             state.motions.emplace_back();
-            state.poses.emplace_back();
+            state.poses.emplace_back().boundingRadius = state.bodies[body].shape->boundingRadius;
+            state.predictions.emplace_back();
+            state.obstacleSizes.push_back(kStands);
             state.proxies.push_back({.body = body});
         }
         state.poses[kPlate].centre = Vec3f(0.0f, 0.55f, 0.0f);
@@ -55,8 +58,6 @@ private slots:
     void whatSpinsHasContactsWithinItsReachOnly() {
         for (const auto& [gap, isReached] : {std::pair(0.6f, true), std::pair(0.7f, false)}) {
             PlateOnCube scene;
-            for (const std::uint32_t body : {PlateOnCube::kCube, PlateOnCube::kPlate})
-                scene.state.poses[body].boundingRadius = scene.state.bodies[body].shape->boundingRadius;
             scene.state.poses[PlateOnCube::kPlate].centre.y += gap;
             scene.state.motions[PlateOnCube::kPlate].angularVelocity = {60.5f, 0.0f, 0.0f};
             QCOMPARE(scene.collide().manifold.count > 0, isReached);
@@ -123,15 +124,30 @@ private slots:
         const Vec3f after = t2 * pair.block().frictionX[0] + cross(n2, t2) * pair.block().frictionY[0];
         QVERIFY(length(after - before) < 0.06f);  // 5 N·s by 0.01 rad
     }
-    /// Apart by 0.4 m, they are collided again when the bodies have travelled three quarters of that.
+    /// Apart by 0.4 m, they are collided again once they may have come 0.38 m closer along the axis that separates
+    /// them: by moving, or by rotation.
     void gapsAreWatched() {
         PlateOnCube pair;
-        pair.state.poses[PlateOnCube::kPlate].centre.y = 0.95f;
-        pair.state.poses[PlateOnCube::kPlate].travel = 5.0f;
+        WorldState& state = pair.state;
+        state.poses[PlateOnCube::kPlate].centre.y = 0.95f;
+        state.poses[PlateOnCube::kPlate].arc = 5.0f;
         const HullCollision collision = pair.collide();
         QCOMPARE(collision.manifold.count, 0);
-        storeGap(pair.state, pair.contact, collision);
-        QVERIFY(std::abs(pair.state.separated[0].collideAtTravel - 5.3f) < 1e-5f);
+        storeGap(state, pair.contact, collision);
+        const SeparatedContact& gap = state.separated[0];
+        QVERIFY(std::abs(std::abs(gap.gapNormal.y) - 1.0f) < 1e-6f);
+        const auto isCollided = [&](Vec3f moved, float arc) {
+            BodyMotion& motion = state.motions[PlateOnCube::kPlate];
+            motion.deltaPosition = moved;
+            const float radius = state.poses[PlateOnCube::kPlate].boundingRadius;
+            motion.deltaRotation = Quatf{0.5f * arc / radius, 0.0f, 0.0f, 1.0f};
+            return mayHaveTouched(state, gap);
+        };
+        QVERIFY(!isCollided({0.0f, -0.375f, 0.0f}, 0.0f));
+        QVERIFY(isCollided({0.0f, -0.385f, 0.0f}, 0.0f));
+        QVERIFY(!isCollided({0.0f, -0.175f, 0.0f}, 0.2f));
+        QVERIFY(isCollided({0.0f, -0.185f, 0.0f}, 0.2f));
+        QVERIFY(!isCollided({9.0f, 0.5f, 0.0f}, 0.2f));  // past it, and away
     }
     /// The plate falls 0.5 m in the step, five times its width: the manifold is that of the impact, 0.4 m below.
     void fastBodiesGetTheManifoldOfTheirImpact() {
