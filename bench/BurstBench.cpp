@@ -3,32 +3,13 @@
 //
 //   BurstBench [ROUNDS [SCENE]...]    for example: BurstBench 3 burst-4700-12 heap-2000
 #include "bench/BulletBodies.h"
+#include "bench/OurBodies.h"
 #include "bench/Phases.h"
 #include "tests/support/scenes/Scenes.h"
 
 #include <cstdlib>
 
 using namespace rubble;
-
-namespace {
-
-/// A scene simulated by our World.
-class OurBodies {
-public:
-    explicit OurBodies(const BodyScene& scene) : m_moved(std::move(*makeWorld(scene, {.sleeping = false}))) {}
-
-    void step(double dt) { m_moved.world.step(dt); }
-    std::vector<Pose> poses() const {
-        std::vector<Pose> poses;
-        for (const BodyId body : m_moved.bodies) poses.push_back(m_moved.world.state(body).pose);
-        return poses;
-    }
-
-private:
-    SceneWorld m_moved;
-};
-
-}  // namespace
 
 int main(int argc, char** argv) {
     const int rounds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 1;
@@ -42,7 +23,7 @@ int main(int argc, char** argv) {
         if (scene.bodies.empty()) return std::fprintf(stderr, "There is no scene \"%s\".\n", name.c_str()), 2;
         std::vector<std::pair<std::string, bench::PhaseResult>> all{{"ours", {}}, {"Bullet", {}}};
         for (int round = 0; round < rounds; ++round) {
-            bench::playPhases<OurBodies>(scene, all[0].second);
+            bench::playPhases<bench::OurBodies>(scene, all[0].second);
             bench::playPhases<bench::BulletBodies>(scene, all[1].second);
         }
         bench::printPhases(name, test::freeBodies(scene), all);

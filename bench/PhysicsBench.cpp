@@ -3,6 +3,7 @@
 //
 //   PhysicsBench [scene]...    for example: PhysicsBench heap-2000 wall
 #include "bench/BulletBodies.h"
+#include "bench/OurBodies.h"
 #include "bench/Timing.h"
 #include "core/base/Percentile.h"
 #include "core/physics/queries/Penetration.h"
@@ -21,24 +22,6 @@ constexpr int kSettling = 120;        // steps before the measurement
 constexpr int kTimed = 300;
 constexpr int kBatch = 20;  // steps of one before the next
 
-/// A scene simulated by our World.
-class OurBodies {
-public:
-    OurBodies(const BodyScene& scene, int threads)
-        : m_moved(std::move(*makeWorld(scene, {.sleeping = false, .threads = threads}))) {}
-
-    void step(double dt) { m_moved.world.step(dt); }
-    std::vector<Pose> poses() const {
-        std::vector<Pose> poses;
-        for (const BodyId body : m_moved.bodies) poses.push_back(m_moved.world.state(body).pose);
-        return poses;
-    }
-    std::size_t contactPoints() const { return static_cast<std::size_t>(m_moved.world.counts().contactPoints); }
-
-private:
-    SceneWorld m_moved;
-};
-
 /// A simulation and the milliseconds of each step.
 template <class Bodies>
 struct Runner {
@@ -52,8 +35,8 @@ struct Runner {
 };
 
 void measure(const std::string& name, const BodyScene& scene) {
-    Runner<OurBodies> one{{scene, 1}, {}};
-    Runner<OurBodies> two{{scene, 2}, {}};
+    Runner<bench::OurBodies> one{bench::OurBodies(scene, 1), {}};
+    Runner<bench::OurBodies> two{bench::OurBodies(scene, 2), {}};
     Runner<bench::BulletBodies> bullet{bench::BulletBodies(scene), {}};
     for (int step = 0; step < kSettling + kTimed; step += kBatch) {
         one.run(kBatch);

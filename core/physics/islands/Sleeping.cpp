@@ -88,6 +88,7 @@ std::uint32_t newSleepingIsland(WorldState& state) {
 void putToSleep(WorldState& state, std::uint32_t number, std::uint32_t island) {
     Body& body = state.bodies[number];
     body.isAwake = false;
+    state.obstacleSizes[number] = kStands;
     body.sleepingIsland = island;
     state.motions[number].velocity = state.motions[number].angularVelocity = Vec3f(0.0f);
     body.angularMomentum = body.referenceAngularVelocity = Vec3f(0.0f);

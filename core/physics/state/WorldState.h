@@ -9,6 +9,7 @@
 #include "core/physics/state/Body.h"
 #include "core/physics/state/StepResults.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -17,7 +18,7 @@
 namespace rubble {
 
 inline constexpr float kNeverCollided = 1e30f;  // SeparatedContact::apart of a new contact
-inline constexpr float kStands = 1e30f;         // WorldState::obstacleSizes of what is not debris
+inline constexpr float kStands = 1e30f;         // WorldState::obstacleSizes of what does not fly
 
 /// The data of a body other than its motion and pose. Body 0 is the placeholder in empty lanes.
 struct Body {
@@ -112,7 +113,7 @@ struct WorldState {
     std::vector<float> predictedTravel =
         std::vector<float>(1);  // m: an upper bound of BodyPose::travel at the end of the coming step
     std::vector<Prediction> predictions = std::vector<Prediction>(1);  // as of the last findPairs()
-    // m: the bounding radius of debris, which is what moves far for its size; kStands for all else.
+    // m: the bounding radius of what flies: it moves far for its size in the coming step; kStands for all else.
     std::vector<float> obstacleSizes = std::vector<float>(1, kStands);
     std::size_t bouncyBodies = 0;    // bodies with restitution
     std::size_t compoundBodies = 0;  // bodies of several hulls
@@ -149,11 +150,14 @@ struct WorldState {
     bool isAwake(const Contact& contact) const {
         return bodies[contact.bodies[0]].isAwake || bodies[contact.bodies[1]].isAwake;
     }
+    bool isFlying(std::uint32_t body) const { return obstacleSizes[body] < kStands; }
     /// Whether the hulls of two bodies are swept: one stands, or is so much larger that the other could cross it.
     bool isSwept(std::uint32_t first, std::uint32_t second) const {
+        return areSwept(obstacleSizes[first], obstacleSizes[second]);
+    }
+    static bool areSwept(float first, float second) {
         constexpr float kMuchLarger = 4.0f;
-        const float a = obstacleSizes[first], b = obstacleSizes[second];
-        return a >= kStands || b >= kStands || a >= kMuchLarger * b || b >= kMuchLarger * a;
+        return std::max(first, second) >= std::min(kStands, kMuchLarger * std::min(first, second));
     }
     BodyId idOf(std::uint32_t body) const { return {body, bodies[body].generation}; }
 };

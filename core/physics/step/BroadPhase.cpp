@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMinBodiesPerChunk = 64;
 
-constexpr float kDebrisFraction = 0.5f;    // of its width: what moves farther in a step may be debris
+constexpr float kFlyingFraction = 0.5f;    // of its width: what moves farther in a step may fly
 constexpr float kStandingFraction = 0.1f;  // of its bounding radius: but what moves no farther stands
 
 /// Predicts the movement of a body in the coming step of dt seconds.
@@ -25,10 +25,10 @@ void predict(WorldState& state, std::uint32_t number, float dt) {
     const float arc = std::min(length(motion.angularVelocity) * dt, 2.0f) * pose.boundingRadius;
     state.predictedTravel[number] = pose.travel + distance + arc + length(state.gravity) * dt * dt;
     state.predictions[number] = {pose.centre + motion.velocity * dt, pose.arc + arc};
-    const bool isDebris =
+    const bool isFlying =
         body.isDynamic() && !body.isBullet &&
-        distance > std::max(kDebrisFraction * body.shape->minWidth, kStandingFraction * pose.boundingRadius);
-    state.obstacleSizes[number] = isDebris ? pose.boundingRadius : kStands;
+        distance > std::max(kFlyingFraction * body.shape->minWidth, kStandingFraction * pose.boundingRadius);
+    state.obstacleSizes[number] = isFlying ? pose.boundingRadius : kStands;
 }
 
 /// The box of a hull that rotates by up to `arc`, m: no point leaves the sphere around the body.
@@ -38,20 +38,20 @@ Box rotating(const Box& tight, const BodyPose& pose, float arc) {
             componentMin(tight.high + Vec3f(arc), componentMax(tight.high, pose.centre + radius))};
 }
 
-/// Updates the fat boxes of a moved body. Debris is swept by a fraction of its size, but by all of its movement for
-/// what others are swept against.
+/// Updates the fat boxes of a moved body. What flies is swept by a fraction of its size, but by all of its movement for
+/// what it is swept against.
 void updateFatBoxes(WorldState& state, PairScratch& scratch, std::uint32_t number, float dt) {
     Body& body = state.bodies[number];
     const BodyPose& pose = state.poses[number];
     const float margin = boxMargin(pose.boundingRadius), fall = length(state.gravity) * dt * dt;
     const Vec3f displacement = state.motions[number].velocity * dt;
     const float distance = length(displacement), arc = state.predictions[number].arc - pose.arc;
-    const bool isDebris = state.obstacleSizes[number] < kStands;
-    const float most = kDebrisFraction * body.shape->minWidth;
+    const bool isFlying = state.isFlying(number);
+    const float most = kFlyingFraction * body.shape->minWidth;
     for (std::uint32_t proxy = body.firstProxy; proxy != kNone; proxy = state.proxies[proxy].next) {
         const Box tight = tightBox(state, state.proxies[proxy]);
         const Box whole = widened(swept(rotating(tight, pose, arc), displacement), margin + fall);
-        if (isDebris) {
+        if (isFlying) {
             const Vec3f part = displacement * std::min(1.0f, most / distance);
             const Box limited = widened(swept(rotating(tight, pose, std::min(arc, most)), part), margin + fall);
             state.tree.move(state.proxies[proxy].leaf, limited);
@@ -61,7 +61,7 @@ void updateFatBoxes(WorldState& state, PairScratch& scratch, std::uint32_t numbe
         }
     }
     // What moves out of the margin is updated again in the next step.
-    body.boxValidUntil = pose.travel + (isDebris || distance > margin ? 0.0f : margin + arc + fall);
+    body.boxValidUntil = pose.travel + (isFlying || distance > margin ? 0.0f : margin + arc + fall);
 }
 
 void markMoved(WorldState& state, PairScratch& scratch, std::uint32_t body, float dt) {
@@ -69,7 +69,7 @@ void markMoved(WorldState& state, PairScratch& scratch, std::uint32_t body, floa
     updateFatBoxes(state, scratch, body, dt);
     scratch.isMoved[body] = 1;
     scratch.moved.push_back(body);
-    if (state.obstacleSizes[body] < kStands) scratch.debris.push_back(body);
+    if (state.isFlying(body)) scratch.flying.push_back(body);
 }
 
 /// Predicts how far awake bodies can move, and lists those that may leave their boxes.
@@ -79,7 +79,8 @@ void findLeaving(WorldState& state, ThreadPool& threads, const Regions& regions,
         std::vector<std::uint32_t>& leaving = scratch.leaving[region];
         for (std::uint32_t body : regions.bodies(region)) {
             predict(state, body, dt);
-            if (state.predictedTravel[body] > state.bodies[body].boxValidUntil) leaving.push_back(body);
+            const bool isLeaving = state.predictedTravel[body] > state.bodies[body].boxValidUntil;
+            if (isLeaving || state.isFlying(body)) leaving.push_back(body);
         }
     });
 }
@@ -87,7 +88,8 @@ void findLeaving(WorldState& state, ThreadPool& threads, const Regions& regions,
 void updateBoxes(WorldState& state, ThreadPool& threads, const Regions& regions, PairScratch& scratch, float dt,
                  PairBodies bodies) {
     scratch.moved.clear();
-    scratch.debris.clear();
+    if (bodies == PairBodies::All) scratch.flying.clear();
+    scratch.firstFlying = scratch.flying.size();
     scratch.isMoved.assign(state.bodies.size(), 0);
     scratch.wholeBoxes.resize(state.proxies.size());
     for (std::uint32_t body : state.rebox) {
@@ -103,9 +105,8 @@ void updateBoxes(WorldState& state, ThreadPool& threads, const Regions& regions,
 
 /// The box of a proxy's whole movement in the step.
 const Box& wholeBox(const WorldState& state, const PairScratch& scratch, std::uint32_t proxy) {
-    const Proxy& record = state.proxies[proxy];
-    const bool isDebris = scratch.isMoved[record.body] != 0 && state.obstacleSizes[record.body] < kStands;
-    return isDebris ? scratch.wholeBoxes[proxy] : state.tree.box(record.leaf);
+    const auto& [body, hull, leaf, next] = state.proxies[proxy];
+    return state.isFlying(body) ? scratch.wholeBoxes[proxy] : state.tree.box(leaf);
 }
 
 /// Lists the pairs of a proxy with others, except those that can never touch. `isWanted` accepts the other body.
@@ -174,22 +175,19 @@ bool isSweepFaster(const WorldState& state, const PairScratch& scratch) {
     return state.tree.size() >= kMin && state.tree.size() <= kMax && 2 * scratch.moved.size() >= state.tree.size();
 }
 
-/// Whether some debris is swept against a body.
+/// Whether something that flies is swept against a body.
 bool isObstacle(const WorldState& state, const PairScratch& scratch, std::uint32_t body) {
-    return !scratch.debris.empty() && state.isSwept(body, scratch.smallestDebris);
+    return !scratch.flying.empty() && WorldState::areSwept(state.obstacleSizes[body], scratch.smallestFlying);
 }
 
-/// The pairs of a range of debris with what its whole movement may lead through, of which `near` returns the proxies
+/// The pairs of a body that flies with what its whole movement may lead through, of which near(box) returns the proxies
 /// in a box.
 template <class Near>
-void pairWithObstacles(const WorldState& state, const PairScratch& scratch, IndexRange range, const Near& near,
+void pairWithObstacles(const WorldState& state, const PairScratch& scratch, std::uint32_t body, const Near& near,
                        std::vector<std::uint32_t>& found) {
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-        const std::uint32_t body = scratch.debris[i];
-        const auto isWanted = [&](std::uint32_t other) { return state.isSwept(body, other); };
-        for (std::uint32_t proxy = state.bodies[body].firstProxy; proxy != kNone; proxy = state.proxies[proxy].next)
-            listPairs(state, proxy, near(scratch.wholeBoxes[proxy]), isWanted, found);
-    }
+    const auto isWanted = [&](std::uint32_t other) { return state.isSwept(body, other); };
+    for (std::uint32_t proxy = state.bodies[body].firstProxy; proxy != kNone; proxy = state.proxies[proxy].next)
+        listPairs(state, proxy, near(scratch.wholeBoxes[proxy]), isWanted, found);
 }
 
 /// The pairs of all moved bodies, by a sweep over all boxes.
@@ -214,12 +212,30 @@ void findPairsBySweep(const WorldState& state, ThreadPool& threads, PairScratch&
                       scratch.found[chunk]);
         }
     });
-    threads.forEachChunk(scratch.debris.size(), chunks, [&](IndexRange range, std::size_t chunk) {
+    threads.forEachChunk(scratch.flying.size(), chunks, [&](IndexRange range, std::size_t chunk) {
         const auto near = [&](const Box& box) {
             return scratch.obstacles.overlapping(box, scratch.sweepScratch[chunk]);
         };
-        pairWithObstacles(state, scratch, range, near, scratch.found[chunk]);
+        for (std::size_t i = range.begin; i < range.end; ++i)
+            pairWithObstacles(state, scratch, scratch.flying[i], near, scratch.found[chunk]);
     });
+}
+
+/// The pairs of what flew already before a change within the step with the obstacles that moved by it.
+void findMovedObstacles(const WorldState& state, PairScratch& scratch) {
+    if (scratch.firstFlying == 0) return;
+    scratch.obstacles.clear();
+    for (const std::uint32_t body : scratch.moved) {
+        if (!isObstacle(state, scratch, body)) continue;
+        for (std::uint32_t proxy = state.bodies[body].firstProxy; proxy != kNone; proxy = state.proxies[proxy].next)
+            scratch.obstacles.add(proxy, state.tree.box(state.proxies[proxy].leaf));
+    }
+    scratch.obstacles.sort();
+    scratch.sweepScratch.resize(std::max<std::size_t>(1, scratch.sweepScratch.size()));
+    const auto near = [&](const Box& box) { return scratch.obstacles.overlapping(box, scratch.sweepScratch[0]); };
+    for (const std::uint32_t body : std::span(scratch.flying).first(scratch.firstFlying)) {
+        if (state.isFlying(body)) pairWithObstacles(state, scratch, body, near, scratch.found[0]);
+    }
 }
 
 /// The pairs of all moved bodies, by the tree.
@@ -228,15 +244,18 @@ void findPairsByTree(const WorldState& state, ThreadPool& threads, PairScratch& 
     threads.forEachChunk(scratch.moved.size(), chunks, [&](IndexRange range, std::size_t chunk) {
         searchAround(state, scratch, range, scratch.near[chunk], scratch.found[chunk]);
     });
-    threads.forEachChunk(scratch.debris.size(), chunks, [&](IndexRange range, std::size_t chunk) {
+    const std::span newFlying = std::span(scratch.flying).subspan(scratch.firstFlying);
+    threads.forEachChunk(newFlying.size(), chunks, [&](IndexRange range, std::size_t chunk) {
         std::vector<std::uint32_t> proxies;
         const auto near = [&](const Box& box) {
             proxies.clear();
             state.tree.visitOverlapping(box, [&](std::uint32_t proxy, const Box&) { proxies.push_back(proxy); });
             return std::span<const std::uint32_t>(proxies);
         };
-        pairWithObstacles(state, scratch, range, near, scratch.found[chunk]);
+        for (std::size_t i = range.begin; i < range.end; ++i)
+            pairWithObstacles(state, scratch, newFlying[i], near, scratch.found[chunk]);
     });
+    findMovedObstacles(state, scratch);
 }
 
 bool boxesOverlap(const WorldState& state, const PairScratch& scratch, const Contact& contact) {
@@ -320,8 +339,9 @@ void findPairs(WorldState& state, ThreadPool& threads, const Regions& regions, P
                PairBodies bodies) {
     updateBoxes(state, threads, regions, scratch, dt, bodies);
     if (scratch.moved.empty()) return;
-    const auto size = [&](std::uint32_t body) { return state.obstacleSizes[body]; };
-    if (!scratch.debris.empty()) scratch.smallestDebris = *std::ranges::min_element(scratch.debris, {}, size);
+    scratch.smallestFlying = kStands;
+    for (const std::uint32_t body : scratch.flying)
+        scratch.smallestFlying = std::min(scratch.smallestFlying, state.obstacleSizes[body]);
     removeSeparatedContacts(state, scratch);
     const std::size_t chunks = regions.count() == 1 ? 1 : threads.chunkCount(scratch.moved.size(), kMinBodiesPerChunk);
     scratch.found.resize(std::max(chunks, scratch.found.size()));

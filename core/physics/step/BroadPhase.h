@@ -9,15 +9,16 @@ namespace rubble {
 /// Memory of findPairs(), reused from step to step.
 struct PairScratch {
     std::vector<std::uint32_t> moved;                 // bodies with new fat boxes
-    std::vector<std::uint32_t> debris;                // those among them
-    std::uint32_t smallestDebris = 0;                 // of these, if there is any
-    std::vector<Box> wholeBoxes;                      // by proxy, of debris: around all of its movement in the step
+    std::vector<std::uint32_t> flying;                // bodies, of the whole step
+    std::size_t firstFlying = 0;                      // of those that were found last
+    float smallestFlying = kStands;                   // m: their least size
+    std::vector<Box> wholeBoxes;                      // by proxy, of what flies: around all of its movement in the step
     std::vector<char> isMoved;                        // by body
     std::vector<std::vector<std::uint32_t>> leaving;  // by region: bodies that may leave their boxes
     std::vector<std::vector<std::uint32_t>> found;    // by chunk: two proxies per pair
     std::vector<NearbyBoxes> near;                    // by chunk
     SortAndSweep sweep;
-    SortAndSweep obstacles;                           // what some debris is swept against
+    SortAndSweep obstacles;                           // what something that flies is swept against
     std::vector<SortAndSweep::Scratch> sweepScratch;  // by chunk
     std::vector<std::uint32_t> separatedContacts;     // those whose boxes no longer overlap
 };

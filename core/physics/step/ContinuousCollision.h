@@ -16,7 +16,7 @@ struct ContinuousScratch {
 
 /// Clamps the displacement of bodies that moved far relative to their width, where the middle of one of their hulls
 /// would enter another body. The rest of their displacement is lost, and the contact of the next step finds them on the
-/// side that they came from. Debris passes other debris. Returns the bodies and what stopped them.
+/// side that they came from. What flies passes what else flies. Returns the bodies and what stopped them.
 std::vector<BodyPair> clampFastBodies(WorldState& state, ThreadPool& threads, const Regions& regions,
                                       ContinuousScratch& scratch);
 

@@ -309,7 +309,7 @@ HullCollision collideContact(const WorldState& state, const Contact& contact, fl
     const Vec3f displacement = velocity * dt;
     const float far = length(displacement), minWidth = std::min(first.minWidth, second.minWidth);
     const bool isFast = far > kSweptFraction * minWidth;
-    const bool isSwept = isFast && state.isSwept(contact.bodies[0], contact.bodies[1]);
+    const bool isSwept = state.isSwept(contact.bodies[0], contact.bodies[1]);
     const float swing =
         length(b.angularVelocity - a.angularVelocity) * dt * std::min(first.boundingRadius, second.boundingRadius);
     const float margin = kSpeculativeDistance + (isFast ? 0.0f : far) + swing;
@@ -317,10 +317,11 @@ HullCollision collideContact(const WorldState& state, const Contact& contact, fl
     const Vec3f inFirst = firstPose.rotation.matrix().transposedTimes(displacement);
     // The manifold may be recycled until its bodies have moved that far.
     const Vec3f recycled = far > kMinSliding ? inFirst * ((far + kMaxSlack) / far) : Vec3f(0.0f);
-    if (isFast && !isSwept) {  // debris
-    } else if (const std::optional<SeparatingAxis> axis = slidingAxis(collision.axis, first, second, pose, recycled)) {
-        slideAlong(collision, *axis, first, second, pose, margin);
-    } else if (collision.axis.separation > margin && isFast && mayMeet(collision.axis, inFirst)) {
+    std::optional<SeparatingAxis> sliding;
+    if (isSwept || !isFast) sliding = slidingAxis(collision.axis, first, second, pose, recycled);
+    if (sliding) {
+        slideAlong(collision, *sliding, first, second, pose, margin);
+    } else if (isSwept && isFast && collision.axis.separation > margin && mayMeet(collision.axis, inFirst)) {
         sweep(collision, first, second, pose, inFirst);
     }
     const bool isSpinning = swing > kSpinFraction * std::min(first.boundingRadius, second.boundingRadius);

@@ -57,6 +57,26 @@ private slots:
         made.world.collide(kStep);
         QCOMPARE(made.world.counts().candidatePairs, 1);
     }
+    /// Its box leads 0.5 m ahead of it for what flies, too, but 5 m for what stands.
+    void whatFliesMeetsWhatMovesIntoItsWayWithinTheStep() {
+        SceneWorld made = cubesAt({{0.0, 0.0, 0.0}, {0.0, 50.0, 0.0}});
+        QVERIFY(made.world.setVelocity(made.bodies[0], {300.0, 0.0, 0.0}, Vec3(0.0)));
+        made.world.collide(kStep);
+        QCOMPARE(made.world.counts().candidatePairs, 0);
+        QVERIFY(made.world.setPose(made.bodies[1], {.position = {3.5, 0.0, 0.0}}));
+        made.world.collide(kStep);
+        QCOMPARE(made.world.counts().candidatePairs, 1);
+        QVERIFY(made.world.setPose(made.bodies[1], {.position = {3.6, 0.0, 0.0}}));
+        made.world.collide(kStep);  // no longer found by a move, the pair stays
+        QCOMPARE(made.world.counts().candidatePairs, 1);
+    }
+    /// One behind the other at 60 m/s, 0.7 m apart: each moves 1 m in the step, through where the other was.
+    void whatFliesTogetherMakesNoPairs() {
+        SceneWorld made = cubesAt({{0.0, 0.0, 0.0}, {1.7, 0.0, 0.0}});
+        for (const BodyId body : made.bodies) QVERIFY(made.world.setVelocity(body, {60.0, 0.0, 0.0}, Vec3(0.0)));
+        made.world.collide(kStep);
+        QCOMPARE(made.world.counts().candidatePairs, 0);
+    }
     void pairsEndWhereBoxesPart() {
         SceneWorld made = cubesAt({{0.0, 0.0, 0.0}, {1.03, 0.0, 0.0}});
         QVERIFY(made.world.setVelocity(made.bodies[1], {10.0, 0.0, 0.0}, Vec3(0.0)));
