@@ -120,7 +120,7 @@ void listPairs(const WorldState& state, std::uint32_t proxy, std::span<const std
     found.resize(before + 2 * others.size());
     for (const std::uint32_t otherProxy : others) {
         const std::uint32_t other = state.proxies[otherProxy].body;
-        const bool canTouch = (other != body) & (isDynamic | state.bodies[other].isDynamic());
+        const bool canTouch = (other != body) & (isDynamic | (state.motions[other].inverseMass > 0.0f));
         // Branchless: written unconditionally, kept by counting, since the outcome is unpredictable.
         found[end] = proxy;
         found[end + 1] = otherProxy;
@@ -171,7 +171,7 @@ void searchAround(const WorldState& state, const PairScratch& scratch, IndexRang
 
 /// If at least half of all boxes moved, the tree would be rebuilt for one query.
 bool isSweepFaster(const WorldState& state, const PairScratch& scratch) {
-    constexpr std::size_t kMin = 64, kMax = 8192;  // a sweep takes O(n^(5/3)) in a uniform volume
+    constexpr std::size_t kMin = 64, kMax = 32768;  // a sweep takes O(n^(5/3)) in a uniform volume
     return state.tree.size() >= kMin && state.tree.size() <= kMax && 2 * scratch.moved.size() >= state.tree.size();
 }
 
@@ -265,14 +265,30 @@ bool boxesOverlap(const WorldState& state, const PairScratch& scratch, const Con
            wholeBox(state, scratch, first).overlaps(wholeBox(state, scratch, second));
 }
 
-void removeSeparatedContacts(WorldState& state, PairScratch& scratch) {
+void listSeparatedContacts(const WorldState& state, PairScratch& scratch) {
     scratch.separatedContacts.clear();
+    const auto add = [&](std::uint32_t contact) {
+        if (!boxesOverlap(state, scratch, state.contacts[contact])) scratch.separatedContacts.push_back(contact);
+    };
+    // A walk along the contacts of a body waits for memory at each one.
+    constexpr std::size_t kContactsPerWalk = 64;
+    if (scratch.moved.size() * kContactsPerWalk > state.contacts.size()) {
+        for (std::uint32_t number = 0; number < state.contacts.size(); ++number) {
+            const Contact& contact = state.contacts[number];
+            if (contact.proxies[0] == kNone) continue;
+            if ((scratch.isMoved[contact.bodies[0]] | scratch.isMoved[contact.bodies[1]]) != 0) add(number);
+        }
+        return;
+    }
     for (std::uint32_t body : scratch.moved) {
         visitContacts(state, body, [&](std::uint32_t contact, std::uint32_t other) {
-            if (scratch.isMoved[other] != 0 && other < body) return;
-            if (!boxesOverlap(state, scratch, state.contacts[contact])) scratch.separatedContacts.push_back(contact);
+            if (scratch.isMoved[other] == 0 || body < other) add(contact);
         });
     }
+}
+
+void removeSeparatedContacts(WorldState& state, PairScratch& scratch) {
+    listSeparatedContacts(state, scratch);
     for (std::uint32_t contact : scratch.separatedContacts) {
         for (std::uint32_t body : state.contacts[contact].bodies) {
             if (state.contacts[contact].stored != kNone) wakeBody(state, body);
