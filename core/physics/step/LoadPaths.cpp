@@ -1,6 +1,6 @@
 #include "core/physics/step/LoadPaths.h"
 
-#include "core/physics/state/Contacts.h"
+#include "core/physics/step/BodyManifolds.h"
 
 #include <algorithm>
 #include <queue>
@@ -92,14 +92,12 @@ private:
 
     void findBelow(std::uint32_t body) {
         m_below.clear();
-        visitContacts(m_state, body, [&](std::uint32_t contact, std::uint32_t other) {
-            const ContactSlot slot = m_state.contacts[contact].slot;
-            if (!slot.isSet() || !restsOn(body, m_state.colours.block(slot), ContactColours::laneOf(slot))) return;
+        m_manifolds.visit(m_state, body, [&](const ContactBlock& block, std::size_t lane, std::uint32_t other) {
+            if (!restsOn(body, block, lane)) return;
             if (std::ranges::find(m_below, other) == m_below.end()) m_below.push_back(other);
         });
     }
-    bool restsOn(std::uint32_t body, const ContactBlock& block, int lane) const {
-        const auto at = static_cast<std::size_t>(lane);
+    bool restsOn(std::uint32_t body, const ContactBlock& block, std::size_t at) const {
         const float upward = dot(block.normal.at(at), m_up) * (block.second[at] == body ? 1.0f : -1.0f);
         const std::span points(block.points.data(), block.pointCount[at]);
         return upward >= kMinUpward &&
@@ -141,6 +139,7 @@ private:
     std::vector<Load> m_carried;  // by body; its own mass if it is a source without load, or 0
     std::priority_queue<Load> m_queue;
     std::vector<std::uint32_t> m_below;
+    BodyManifolds m_manifolds;
     std::vector<Support> m_supports;
 };
 

@@ -1,6 +1,6 @@
 #include "core/physics/step/WarmStart.h"
 
-#include "core/physics/state/Contacts.h"
+#include "core/physics/step/BodyManifolds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,16 +62,6 @@ Change changeOf(const WorldState& state, const ContactBlock& block, std::size_t 
             state.poses[body].inverseInertia * (moment * sign)};
 }
 
-/// Calls visit(block, lane, other body) for each manifold of a body.
-template <class Visit>
-void visitManifolds(WorldState& state, std::uint32_t body, const Visit& visit) {
-    visitContacts(state, body, [&](std::uint32_t contact, std::uint32_t other) {
-        const ContactSlot slot = state.contacts[contact].slot;
-        if (slot.isSet())
-            visit(state.colours.block(slot), static_cast<std::size_t>(ContactColours::laneOf(slot)), other);
-    });
-}
-
 /// Takes back the warm starting of a contact.
 void takeBack(WorldState& state, ContactBlock& block, std::size_t lane) {
     const Push push = pushOf(block, lane);
@@ -97,18 +87,19 @@ bool isThrown(const WorldState& state, std::uint32_t body, const StartMotion& st
 
 void dropUnbalancedImpulses(WorldState& state, std::vector<std::uint32_t>& thrown, std::span<const StartMotion> starts,
                             const SolverStep& step) {
+    BodyManifolds manifolds;
     for (std::size_t k = 0; k < thrown.size(); ++k) {  // grows: a body without its support throws the next one
         const std::uint32_t body = thrown[k];
         Change sum;
         float all = 0.0f;
-        visitManifolds(state, body, [&](const ContactBlock& block, std::size_t lane, std::uint32_t) {
+        manifolds.visit(state, body, [&](const ContactBlock& block, std::size_t lane, std::uint32_t) {
             const Change change = changeOf(state, block, lane, pushOf(block, lane), body);
             sum.velocity += change.velocity;
             sum.angularVelocity += change.angularVelocity;
             all += speedOf(state, body, change);
         });
         if (speedOf(state, body, sum) <= std::max(kThrownSpeed, kMaxFraction * all)) continue;
-        visitManifolds(state, body, [&](ContactBlock& block, std::size_t lane, std::uint32_t other) {
+        manifolds.visit(state, body, [&](ContactBlock& block, std::size_t lane, std::uint32_t other) {
             takeBack(state, block, lane);
             if (isThrown(state, other, starts[other], step)) thrown.push_back(other);
         });
