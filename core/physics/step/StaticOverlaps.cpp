@@ -11,12 +11,12 @@ namespace rubble {
 namespace {
 
 // How deep bodies may be: thin ones less, so that their centres stay outside.
-constexpr float kMinDepth = 0.0005f, kMaxDepth = 0.004f;  // m
+constexpr float kMinDepth = 0.00002f, kMaxDepth = 0.004f;  // m
 constexpr float kWidthFraction = 0.4f;
-constexpr float kOutSpeed = 0.1f;      // m/s: of what is deeper already
-constexpr float kMinReach = 0.00025f;  // m: what moves less comes no deeper
-constexpr float kRounding = 5e-7f;     // of positions, relative, with that of their sums
-constexpr int kRounds = 4;             // of displacements, where several bodies displace one
+constexpr float kOutSpeed = 0.1f;                             // m/s: of what is deeper already
+constexpr float kMaxReach = 0.00025f, kReachFraction = 0.1f;  // m, of the width: what moves less comes no deeper
+constexpr float kRounding = 5e-7f;                            // of positions, relative, with that of their sums
+constexpr int kRounds = 4;                                    // of displacements, where several bodies displace one
 
 /// Whether the bodies of a contact may come to overlap, or overlap deeper. A manifold that is recycled says nothing of
 /// other corners.
@@ -130,8 +130,9 @@ void displaceOutOfStatic(WorldState& state, ThreadPool& threads, const Regions& 
     clearLists(scratch.moving, regions.count());
     regions.forEach(threads, [&](std::size_t region) {
         for (const std::uint32_t number : regions.bodies(region)) {
-            if (maxReachOf(state, number) > kMinReach && state.bodies[number].isDynamic())
-                scratch.moving[region].push_back(number);
+            const Body& body = state.bodies[number];
+            const float least = std::min(kMaxReach, kReachFraction * body.shape->minWidth);
+            if (maxReachOf(state, number) > least && body.isDynamic()) scratch.moving[region].push_back(number);
         }
     });
     const auto isStatic = [&](std::uint32_t, std::uint32_t other, const SeparatedContact*) {
