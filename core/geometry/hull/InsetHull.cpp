@@ -109,12 +109,18 @@ double thinnestWidth(const Polytope& prism) {
     RUBBLE_ASSERT(prism.planes.size() >= 5);
     // The width of a product of a convex ring and an interval is the smaller of theirs, and that of a ring is across
     // one of its sides.
+    const std::span<const Plane> sides = sidesOf(prism);
     double thinnest = prism.planes[0].offset + prism.planes[1].offset;
-    for (const Plane& side : sidesOf(prism)) {
-        double width = 0.0;
-        for (std::size_t k = 0; 2 * k < prism.vertices.size(); ++k)
-            width = std::max(width, side.offset - glm::dot(Vec2(side.normal), cornerOf(prism, k)));
-        thinnest = std::min(thinnest, width);
+    std::size_t opposite = 1;  // the first side that does not lead away: the farthest corner is where it starts
+    for (std::size_t side = 0; side < sides.size(); ++side) {
+        const auto leadsAway = [&](std::size_t other) {
+            return other != side && cross(Vec2(sides[side].normal), Vec2(sides[other].normal)) > 0.0;
+        };
+        if (opposite == side) opposite = (side + 1) % sides.size();
+        for (std::size_t k = 0; k < sides.size() && leadsAway(opposite); ++k) opposite = (opposite + 1) % sides.size();
+        const double width =
+            sides[side].offset - glm::dot(Vec2(sides[side].normal), cornerOf(prism, opposite));
+        thinnest = std::min(thinnest, std::max(width, 0.0));
     }
     return thinnest;
 }

@@ -24,7 +24,8 @@ inline constexpr double kMostInset = 0.01;
 /// Whether a polytope has the vertices and faces of extruded(), in its order; each face may start at any vertex.
 bool isPrism(const Polytope& polytope);
 
-/// The smallest width of a prism, m. O(n²) in its corners.
+/// The smallest width of a prism, m. O(n) in its corners.
+/// Source: the rotating calipers of Shamos 1978, "Computational Geometry".
 double thinnestWidth(const Polytope& prism);
 
 /// A prism with its faces moved inwards by `distance` m >= 0, at most kMostInset of its thinnestWidth(). Faces between

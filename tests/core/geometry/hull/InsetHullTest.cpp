@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -55,6 +56,18 @@ double distanceInside(const Polytope& polytope, Vec3 point) {
     return least;
 }
 
+/// The same as thinnestWidth(), by the distances of all corners from all sides.
+double thinnestOfAll(const Polytope& prism) {
+    double thinnest = std::numeric_limits<double>::infinity();
+    for (const Plane& plane : prism.planes) {
+        double width = 0.0;
+        for (const Vec3& corner : prism.vertices)
+            width = std::max(width, plane.offset - glm::dot(plane.normal, corner));
+        thinnest = std::min(thinnest, width);
+    }
+    return thinnest;
+}
+
 }  // namespace
 
 class InsetHullTest : public QObject {
@@ -73,6 +86,17 @@ private slots:
         const Polytope pane = extruded(Ring{{0, 0}, {2, 0}, {2, 1}, {0, 1}}, -0.0025, 0.0025);
         QVERIFY(std::abs(insetHull(pane, 1e-3).inset - 5e-5) < 1e-18);
         QVERIFY(std::abs(thinnestWidth(extruded(Ring{{0, 0}, {3, 0}, {0, 4}}, 0.0, 9.0)) - 2.4) < 1e-15);
+    }
+    void thinnestWidthIsThatOfAllSidesAndCorners() {
+        for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+            Random random(seed);
+            Ring ring;
+            const Polytope flat = randomPrism(random);
+            for (std::size_t k = 0; 2 * k < flat.vertices.size(); ++k) ring.push_back(Vec2(flat.vertices[k]));
+            const Polytope prism = extruded(ring, -2.0, 2.0);
+            const double expected = thinnestOfAll(prism);
+            QVERIFY2(std::abs(thinnestWidth(prism) - expected) <= 1e-14, std::to_string(seed).c_str());
+        }
     }
     void shortSidesVanish() {
         // The corner at (2, 1) is cut off by a side of 0.14 mm.
