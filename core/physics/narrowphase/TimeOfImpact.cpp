@@ -101,9 +101,19 @@ private:
     float m_end = 1.0f;
 };
 
+/// Whether the spheres around two hulls do not meet.
+bool passesBy(const Hull& first, const Hull& second, Vec3f offset, Vec3f displacement) {
+    constexpr float kMargin = 1.001f;  // for rounding
+    const float square = lengthSquared(displacement);
+    const float fraction = square > 0.0f ? std::clamp(-dot(offset, displacement) / square, 0.0f, 1.0f) : 0.0f;
+    const float reach = (first.boundingRadius + second.boundingRadius) * kMargin;
+    return lengthSquared(offset + displacement * fraction) > reach * reach;
+}
+
 }  // namespace
 
 TimeOfImpact timeOfImpact(const Hull& first, const Hull& second, const RelativePose& pose, Vec3f displacement) {
+    if (passesBy(first, second, pose.offset, displacement)) return {};
     OverlapTime overlap(first, second, pose, displacement);
     for (std::size_t face = 0; face < first.planes.size(); ++face) {
         const auto number = static_cast<std::uint16_t>(face);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <utility>
 
 namespace rubble {
@@ -238,9 +239,54 @@ void findMovedObstacles(const WorldState& state, PairScratch& scratch) {
     }
 }
 
+/// The bounding box of the fat boxes of a body.
+Box boundsOf(const WorldState& state, std::uint32_t body) {
+    const std::span<const Proxy> proxies = state.proxies;
+    Box bounds = state.tree.box(proxies[state.bodies[body].firstProxy].leaf);
+    for (std::uint32_t proxy = state.bodies[body].firstProxy; proxy != kNone; proxy = proxies[proxy].next)
+        bounds = joined(bounds, state.tree.box(proxies[proxy].leaf));
+    return bounds;
+}
+
+/// Whether what is near a body searches for its pairs: it has many hulls, most of them far from anything.
+bool isSearchedFor(const WorldState& state, std::uint32_t body) {
+    constexpr std::size_t kManyHulls = 32;
+    return !state.bodies[body].isDynamic() && state.bodies[body].shape->hulls.size() >= kManyHulls;
+}
+
+/// Has what is near moved bodies of many hulls search in their place: counts as moved, or as begun to fly.
+void listSearching(WorldState& state, PairScratch& scratch) {
+    const auto isSearched = [&](std::uint32_t body) { return isSearchedFor(state, body); };
+    const auto large = std::ranges::stable_partition(scratch.moved, std::not_fn(isSearched));
+    std::vector<Box> bounds;
+    for (const std::uint32_t body : large) {
+        bounds.push_back(boundsOf(state, body));
+        scratch.isMoved[body] = 0;
+    }
+    scratch.moved.erase(large.begin(), large.end());
+    if (bounds.empty()) return;
+    for (std::uint32_t body = 1; body < state.bodies.size(); ++body) {
+        if (state.bodies[body].shape == nullptr || !state.bodies[body].isDynamic()) continue;
+        const auto isNear = [&](std::uint32_t proxy) {
+            const Box& whole = wholeBox(state, scratch, proxy);
+            return std::ranges::any_of(bounds, [&](const Box& box) { return box.overlaps(whole); });
+        };
+        std::uint32_t proxy = state.bodies[body].firstProxy;
+        while (proxy != kNone && !isNear(proxy)) proxy = state.proxies[proxy].next;
+        if (proxy == kNone) continue;
+        if (scratch.isMoved[body] == 0) scratch.moved.push_back(body);
+        scratch.isMoved[body] = 1;
+    }
+    // Those that flew already search along all of their movement again.
+    const auto begin = scratch.flying.begin(), first = begin + static_cast<std::ptrdiff_t>(scratch.firstFlying);
+    const auto again = std::partition(begin, first, [&](std::uint32_t body) { return scratch.isMoved[body] == 0; });
+    scratch.firstFlying = static_cast<std::size_t>(again - begin);
+}
+
 /// The pairs of all moved bodies, by the tree.
-void findPairsByTree(const WorldState& state, ThreadPool& threads, PairScratch& scratch, std::size_t chunks) {
+void findPairsByTree(WorldState& state, ThreadPool& threads, PairScratch& scratch, std::size_t chunks) {
     scratch.near.resize(scratch.found.size());
+    listSearching(state, scratch);
     threads.forEachChunk(scratch.moved.size(), chunks, [&](IndexRange range, std::size_t chunk) {
         searchAround(state, scratch, range, scratch.near[chunk], scratch.found[chunk]);
     });
@@ -271,7 +317,7 @@ void listSeparatedContacts(const WorldState& state, PairScratch& scratch) {
         if (!boxesOverlap(state, scratch, state.contacts[contact])) scratch.separatedContacts.push_back(contact);
     };
     // A walk along the contacts of a body waits for memory at each one.
-    constexpr std::size_t kContactsPerWalk = 64;
+    constexpr std::size_t kContactsPerWalk = 200;
     if (scratch.moved.size() * kContactsPerWalk > state.contacts.size()) {
         for (std::uint32_t number = 0; number < state.contacts.size(); ++number) {
             const Contact& contact = state.contacts[number];

@@ -184,7 +184,8 @@ double World::restitution(BodyId body) const {
 
 void World::collide(double dt) {
     RUBBLE_ASSERT(!m_context->isCollided || m_context->dt == static_cast<float>(dt));
-    collide(dt, m_context->isCollided ? CollideBodies::Changed : CollideBodies::All);
+    const CollideBodies bodies = m_context->isCollided ? CollideBodies::Changed : CollideBodies::All;
+    collide(dt, bodies, bodies);
 }
 
 void World::recollide(double dt, std::span<const BodyId> bodies) {
@@ -195,10 +196,11 @@ void World::recollide(double dt, std::span<const BodyId> bodies) {
             if (contact.slot.isSet() && isApart(state, contact)) outdateManifold(state, contact);
         });
     }
-    collide(dt, CollideBodies::All);
+    const bool isSame = m_context->isCollided && m_context->dt == static_cast<float>(dt);
+    collide(dt, isSame ? CollideBodies::Changed : CollideBodies::All, CollideBodies::All);
 }
 
-void World::collide(double dt, CollideBodies bodies) {
+void World::collide(double dt, CollideBodies paired, CollideBodies collided) {
     StepContext& context = *m_context;
     Stopwatch watch;
     if (!context.isCollided) {
@@ -210,14 +212,14 @@ void World::collide(double dt, CollideBodies bodies) {
         context.times = {};
         context.counts.separatingAxisTests = 0;
     }
-    const bool newOnly = bodies == CollideBodies::Changed;
+    const bool newOnly = collided == CollideBodies::Changed;
     if (!newOnly) context.threadCount = context.threadCountFor(*m_state);
     context.dt = static_cast<float>(dt);
     context.isCollided = true;
     updateAwakeBodies(*m_state);
     context.regions.assignBodies(*m_state, context.threadCount);
     findPairs(*m_state, context.threads, context.regions, context.pairs, context.dt,
-              newOnly ? PairBodies::Changed : PairBodies::All);
+              paired == CollideBodies::Changed ? PairBodies::Changed : PairBodies::All);
     context.times.pairs += watch.lap();
     context.counts.separatingAxisTests += findManifolds(*m_state, context.threads, context.regions, context.collisions,
                                                         context.kernels, solverStep(*m_state, context.dt), newOnly);

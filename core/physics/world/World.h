@@ -197,7 +197,7 @@ public:
 private:
     struct StepContext;  // threads and memory reused from step to step; not part of the state
     enum class CollideBodies : std::uint8_t { All, Changed };
-    void collide(double dt, CollideBodies bodies);
+    void collide(double dt, CollideBodies paired, CollideBodies collided);
     /// Sets the hits and the energy that contacts took, after the sub-steps.
     void findContactEvents(const SolverStep& step, std::span<const std::array<std::uint32_t, 2>> clamped);
 
