@@ -8,6 +8,7 @@
 #include "core/play/state/SessionBodies.h"
 
 #include <algorithm>
+#include <set>
 
 namespace rubble {
 namespace {
@@ -182,7 +183,9 @@ Status applyDamage(const SessionParts& parts, const SessionDamage& damage) {
     for (const auto& [origin, target] : *targets) {
         if (target.asset == nullptr) applyToBonds(parts, origin, target.damage);
     }
-    planMortarCollapse(parts);
+    std::set<Id> changed;
+    for (const auto& [origin, target] : *targets) changed.insert(state.origins[origin].instance);
+    planMortarCollapse(parts, changed);
     for (PlayBody& body : state.bodies) body.heldUntil = 0.0;  // as if it had broken long ago
     for (Diagnostic& one : state.events.diagnostics) before.diagnostics.push_back(std::move(one));
     state.events = std::move(before);

@@ -88,10 +88,10 @@ void addIslands(const SessionState& session, MortarUnits& units, MortarUnits::Me
     units.count += islands.count();
 }
 
-MortarUnits mortarUnits(const SessionParts& parts) {
+MortarUnits mortarUnits(const SessionParts& parts, const std::set<Id>& instances) {
     MortarUnits units;
-    for (const auto& [instance, structure] : parts.scene.structures) {
-        if (structure->mortar.empty()) continue;
+    for (const Id instance : instances) {
+        const std::shared_ptr<const PlayStructure>& structure = parts.scene.structures.at(instance);
         MortarUnits::Member& member = units.members[instance];
         member.first = units.count;
         const std::uint32_t begun = structureOfInstance(parts.state, instance);
@@ -159,9 +159,10 @@ void shareMortarDamage(const SessionParts& parts, std::uint32_t structure) {
     }
 }
 
-std::vector<BrokenBonds> brokenMortar(const SessionParts& parts) {
+std::vector<BrokenBonds> brokenMortar(const SessionParts& parts, const std::set<Id>& changed) {
+    const std::set<Id> instances = joinedInstances(parts.scene.structures, changed);
     std::map<std::uint32_t, BrokenBonds> broken;  // by body
-    for (const MortarHalf& half : looseHalves(mortarUnits(parts))) {
+    for (const MortarHalf& half : looseHalves(mortarUnits(parts, instances))) {
         const std::uint32_t index = begunStructure(parts, half.instance);
         if (index == kNone) continue;
         StructureState& state = parts.state.structures[index];

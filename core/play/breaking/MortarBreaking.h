@@ -2,6 +2,7 @@
 
 #include "core/play/breaking/Splitting.h"
 
+#include <set>
 #include <vector>
 
 namespace rubble {
@@ -12,7 +13,8 @@ void shareMortarDamage(const SessionParts& parts, std::uint32_t structure);
 
 /// Breaks the mortar that holds no longer: whose other half is broken, and that between instances of which none is
 /// connected to an anchor any more, directly or through mortar. Returns the bodies of which it was, to be split.
-/// O(bonds of the structures that have mortar); nothing where there is none.
-std::vector<BrokenBonds> brokenMortar(const SessionParts& parts);
+/// `changed`: the instances at which something broke or was removed. O(bonds of what mortar joins with them); nothing
+/// where it joins nothing.
+std::vector<BrokenBonds> brokenMortar(const SessionParts& parts, const std::set<Id>& changed);
 
 }  // namespace rubble

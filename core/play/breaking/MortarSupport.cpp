@@ -7,11 +7,11 @@
 namespace rubble {
 namespace {
 
-/// The structures that mortar joins, by instance, as they are at the start.
-std::map<Id, JoinedStructure> structuresAtStart(const SessionParts& parts) {
+/// The structures of instances as they are at the start.
+std::map<Id, JoinedStructure> structuresAtStart(const SessionParts& parts, const std::set<Id>& instances) {
     std::map<Id, JoinedStructure> joined;
-    for (const auto& [instance, structure] : parts.scene.structures) {
-        if (structure->mortar.empty()) continue;
+    for (const Id instance : instances) {
+        const std::shared_ptr<const PlayStructure>& structure = parts.scene.structures.at(instance);
         const Pose pose = poseOf(*findInstance(parts.scene.project, instance));
         joined[instance] = joinedAtStart(*structure, upIn(pose, parts.world.gravity()));
     }
@@ -64,10 +64,11 @@ void setMoment(const SessionParts& parts, const std::map<Id, std::vector<const P
 
 }  // namespace
 
-UnsupportedNodes unsupportedByMortar(const SessionParts& parts) {
-    const auto hasSpan = [](const auto& entry) { return !entry.second->mortar.empty() && entry.second->span > 0.0; };
-    if (parts.world.gravity() == Vec3(0.0) || std::ranges::none_of(parts.scene.structures, hasSpan)) return {};
-    std::map<Id, JoinedStructure> joined = structuresAtStart(parts);
+UnsupportedNodes unsupportedByMortar(const SessionParts& parts, const std::set<Id>& instances) {
+    const std::set<Id> connected = joinedInstances(parts.scene.structures, instances);
+    const auto hasSpan = [&](Id instance) { return parts.scene.structures.at(instance)->span > 0.0; };
+    if (parts.world.gravity() == Vec3(0.0) || std::ranges::none_of(connected, hasSpan)) return {};
+    std::map<Id, JoinedStructure> joined = structuresAtStart(parts, connected);
     const NodeFractions limits = limitsOf(joined);
     const std::map<Id, std::vector<const PlayBody*>> held = heldBodies(parts, joined);
     setMoment(parts, held, joined);

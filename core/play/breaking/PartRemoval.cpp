@@ -39,7 +39,7 @@ void removeInstance(const SessionParts& parts, Id instance) {
         removeFromWorld(parts, number);
     }
     eraseRemovedBodies(parts.state);
-    splitBodies(parts, brokenMortar(parts));
+    splitBodies(parts, brokenMortar(parts, {instance}));
 }
 
 void removeFragments(const SessionParts& parts, Id instance, std::vector<std::uint32_t> fragments) {
@@ -56,7 +56,7 @@ void removeFragments(const SessionParts& parts, Id instance, std::vector<std::ui
             eraseRemovedBodies(parts.state);
         }
     }
-    splitBodies(parts, brokenMortar(parts));
+    splitBodies(parts, brokenMortar(parts, {instance}));
 }
 
 }  // namespace rubble

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace rubble {
@@ -81,13 +82,24 @@ void breakUnsupported(StructureState& state, const Unsupported& unsupported, std
 
 double volumeOf(const PlayStructure& structure, std::span<const std::uint32_t> nodes) {
     double volume = 0.0;
-    for (const std::uint32_t node : nodes) volume += structure.solidOf(node).shape->mass.volume;
+    for (const std::uint32_t node : nodes) volume += structure.volumes[node];
     return volume;
 }
 
-/// The islands of nodes of a body, the heaviest first, then by lowest node. Only what was held can be held.
-std::vector<PartOfBody> islandsOfBody(const StructureState& state, std::span<const std::uint32_t> nodes, bool wasHeld) {
-    const Islands islands = islandsOf(state.structure->graph, state.damage, nodes);
+/// The bonds of a body that broke.
+struct Breakage {
+    std::vector<std::uint32_t> bonds;
+    bool isAll = true;  // its nodes were one island before these broke
+};
+
+Islands islandsOfNodes(const StructureState& state, std::span<const std::uint32_t> nodes, const Breakage& broken) {
+    const BondGraph& graph = state.structure->graph;
+    return broken.isAll ? islandsAfter(graph, state.damage, nodes, broken.bonds)
+                        : islandsOf(graph, state.damage, nodes);
+}
+
+/// The same, the heaviest first, then by lowest node. Only what was held can be held.
+std::vector<PartOfBody> partsOfBody(const StructureState& state, const Islands& islands, bool wasHeld) {
     std::vector<PartOfBody> made;
     for (std::uint32_t k = 0; k < islands.count(); ++k) {
         const Island island = islands[k];
@@ -101,15 +113,13 @@ std::vector<PartOfBody> islandsOfBody(const StructureState& state, std::span<con
     return made;
 }
 
-/// Lets islands that are too small fall apart.
-void crumble(StructureState& state, std::span<const std::uint32_t> nodes, std::vector<std::uint32_t>& broken) {
+/// Lets islands of a body that are too small fall apart.
+void crumble(StructureState& state, const Islands& islands, std::vector<std::uint32_t>& broken) {
     const std::uint32_t least = state.structure->minimumIsland;
-    if (least <= 1) return;
-    const Islands islands = islandsOf(state.structure->graph, state.damage, nodes);
+    if (islands.count() == 1) return;
     for (std::uint32_t k = 0; k < islands.count(); ++k) {
         const Island island = islands[k];
-        if (island.isAnchored || island.nodes.size() == nodes.size()) continue;
-        if (island.nodes.size() < 2 || island.nodes.size() >= least) continue;
+        if (island.isAnchored || island.nodes.size() < 2 || island.nodes.size() >= least) continue;
         const auto canBreak = [&](const BondLink& link) {
             return std::isfinite(state.structure->capacities[link.bond]);
         };
@@ -117,10 +127,21 @@ void crumble(StructureState& state, std::span<const std::uint32_t> nodes, std::v
     }
 }
 
-/// The body that a part of another one is. A fragment alone is no longer one of a structure.
-PlayBody bodyOfPart(const SessionParts& parts, const PlayBody& body, const PartOfBody& part) {
-    const StructureState& state = parts.state.structures[body.structure];
-    PlayBody made = body;
+/// What a body falls apart into: its islands, after those that are too small fell apart, if anything broke.
+std::vector<PartOfBody> crumbledParts(StructureState& state, std::span<const std::uint32_t> nodes, bool wasHeld,
+                                      Breakage& broken) {
+    Islands islands = islandsOfNodes(state, nodes, broken);
+    const std::size_t count = broken.bonds.size();
+    if (count > 0) crumble(state, islands, broken.bonds);
+    if (broken.bonds.size() > count) islands = islandsOfNodes(state, nodes, broken);
+    return partsOfBody(state, islands, wasHeld);
+}
+
+/// The body that a part of another one is, given that one without its nodes, which may be many. A fragment alone is no
+/// longer one of a structure.
+PlayBody bodyOfPart(const SessionParts& parts, const PlayBody& withoutNodes, const PartOfBody& part) {
+    const StructureState& state = parts.state.structures[withoutNodes.structure];
+    PlayBody made = withoutNodes;
     made.isHeld = part.isHeld;
     made.collapseStep = PlayBody::kNever;
     made.nodes = part.nodes;
@@ -136,10 +157,11 @@ PlayBody bodyOfPart(const SessionParts& parts, const PlayBody& body, const PartO
 std::vector<std::uint32_t> firstHullsOf(const PlayStructure& structure, const PlayBody& body) {
     std::vector<std::uint32_t> first(structure.nodeCount(), kNone);
     if (!isPartial(body)) return first;
+    const PlayFracture& fracture = structure.fracture();
     std::uint32_t next = 0;
     for (const std::uint32_t node : body.nodes) {
         first[node] = next;
-        next += hullCount(*structure.asset, structure.fragmentOf(node));
+        next += fracture.hullCount(node);
     }
     return first;
 }
@@ -150,9 +172,10 @@ std::vector<std::uint32_t> hullsBefore(const PlayStructure& structure, const Par
     std::vector<std::uint32_t> before(count);
     std::iota(before.begin(), before.end(), 0u);
     if (part.nodes.size() == structure.nodeCount()) return before;  // the hulls of the whole, which it keeps
+    const PlayFracture& fracture = structure.fracture();
     std::size_t hull = 0;
     for (const std::uint32_t node : part.nodes) {
-        for (std::uint32_t k = 0; k < hullCount(*structure.asset, structure.fragmentOf(node)); ++k) {
+        for (std::uint32_t k = 0; k < fracture.hullCount(node); ++k) {
             before[hull++] = firstHulls[node] == kNone ? kNone : firstHulls[node] + k;
         }
     }
@@ -224,8 +247,10 @@ void replaceBody(const SessionParts& parts, const PlayBody& before, std::span<co
     std::vector<PlayBody> after;
     std::vector<SplitPart> made;
     const std::vector<std::uint32_t> firstHulls = firstHullsOf(*structure.structure, before);
+    PlayBody withoutNodes = before;
+    withoutNodes.nodes = {};
     for (const PartOfBody& island : islands) {
-        after.push_back(bodyOfPart(parts, before, island));
+        after.push_back(bodyOfPart(parts, withoutNodes, island));
         PlayBody& body = after.back();
         if (after.size() > 1) {
             body.role = PlayRole::Debris;
@@ -323,13 +348,14 @@ bool splitBody(const SessionParts& parts, BrokenBonds broken) {
                     .point = broken.point,
                     .normal = broken.normal,
                     .level = broken.level};
+    Breakage breakage{.bonds = std::move(broken.bonds)};
+    breakage.isAll = !breakage.bonds.empty();
     if (state.structure->collapseDelay == 0.0) {
         HeldClusters held = heldClusters(parts, body);
         held.breaking = std::min(held.breaking, broken.level);
-        breakUnsupported(state, unsupportedOf(parts, body, state, body.nodes, held), broken.bonds);
+        breakUnsupported(state, unsupportedOf(parts, body, state, body.nodes, held), breakage.bonds);
     }
-    if (!broken.bonds.empty()) crumble(state, body.nodes, broken.bonds);  // what nothing broke is intact
-    std::vector<PartOfBody> islands = islandsOfBody(state, body.nodes, body.isHeld);
+    const std::vector<PartOfBody> islands = crumbledParts(state, body.nodes, body.isHeld, breakage);
     const bool isChanged = islands.size() > 1 || islands.front().isHeld != body.isHeld;
     if (isChanged) {
         replaceBody(parts, split.body, islands, split.freed);
@@ -337,8 +363,8 @@ bool splitBody(const SessionParts& parts, BrokenBonds broken) {
     } else {
         planCollapse(parts, body);
     }
-    split.bonds = static_cast<std::uint32_t>(broken.bonds.size());
-    for (const std::uint32_t bond : broken.bonds) {
+    split.bonds = static_cast<std::uint32_t>(breakage.bonds.size());
+    for (const std::uint32_t bond : breakage.bonds) {
         const Bond& one = parts.state.structures[split.body.structure].structure->graph.bonds[bond];
         split.area += (one.second == kNone ? 1.0 : 2.0) * one.area;
     }
@@ -372,9 +398,9 @@ HeldClusters heldClusters(const SessionParts& parts, const PlayBody& body) {
 void removeNodes(const SessionParts& parts, std::uint32_t number, std::span<const std::uint32_t> nodes) {
     PlayBody& body = *findBody(parts.state, number);
     StructureState& state = structureOf(parts, body);
-    std::vector<std::uint32_t> broken;
+    Breakage broken;
     breakBonds(
-        state, nodes, [](const BondLink&) { return true; }, broken);
+        state, nodes, [](const BondLink&) { return true; }, broken.bonds);
     for (const std::uint32_t node : nodes) state.bodyOfNode[node] = kNone;
     std::vector<std::uint32_t> kept;
     std::ranges::set_difference(body.nodes, nodes, std::back_inserter(kept));
@@ -383,10 +409,9 @@ void removeNodes(const SessionParts& parts, std::uint32_t number, std::span<cons
         eraseRemovedBodies(parts.state);
         return;
     }
-    breakUnsupported(state, unsupportedOf(parts, body, state, kept, heldClusters(parts, body)), broken);
-    crumble(state, kept, broken);
+    breakUnsupported(state, unsupportedOf(parts, body, state, kept, heldClusters(parts, body)), broken.bonds);
     std::vector<std::uint32_t> freed;
-    replaceBody(parts, PlayBody(body), islandsOfBody(state, kept, body.isHeld), freed);
+    replaceBody(parts, PlayBody(body), crumbledParts(state, kept, body.isHeld, broken), freed);
 }
 
 StructureState& structureOf(const SessionParts& parts, PlayBody& body) {
@@ -407,8 +432,11 @@ StructureState& structureOf(const SessionParts& parts, PlayBody& body) {
 bool splitBodies(const SessionParts& parts, std::vector<BrokenBonds> broken) {
     bool isAnyFree = false;
     while (!broken.empty()) {
+        std::set<Id> instances;
+        for (const BrokenBonds& one : broken)
+            instances.insert(parts.state.origins[findBody(parts.state, one.body)->origin].instance);
         for (BrokenBonds& one : broken) isAnyFree |= splitBody(parts, std::move(one));
-        broken = brokenMortar(parts);
+        broken = brokenMortar(parts, instances);
         std::ranges::move(unjoinedBodies(parts), std::back_inserter(broken));
     }
     return isAnyFree;
@@ -416,10 +444,11 @@ bool splitBodies(const SessionParts& parts, std::vector<BrokenBonds> broken) {
 
 void splitUnjoined(const SessionParts& parts) { splitBodies(parts, unjoinedBodies(parts)); }
 
-void planMortarCollapse(const SessionParts& parts) {
-    const UnsupportedNodes unsupported = unsupportedByMortar(parts);
+void planMortarCollapse(const SessionParts& parts, const std::set<Id>& changed) {
+    const std::set<Id> instances = joinedInstances(parts.scene.structures, changed);
+    const UnsupportedNodes unsupported = unsupportedByMortar(parts, instances);
     for (PlayBody& body : parts.state.bodies) {
-        if (!body.isHeld) continue;
+        if (!body.isHeld || !instances.contains(parts.state.origins[body.origin].instance)) continue;
         bool doLose = false;
         if (const auto found = unsupported.find(body.number); found != unsupported.end()) {
             const StructureState& state = structureOf(parts, body);
@@ -435,10 +464,15 @@ void planMortarCollapse(const SessionParts& parts) {
 }
 
 bool collapseUnsupported(const SessionParts& parts) {
+    const auto isDue = [&](const PlayBody& body) { return body.collapseStep <= parts.state.step + 1; };
+    std::set<Id> instances;
+    for (const PlayBody& body : parts.state.bodies)
+        if (isDue(body)) instances.insert(parts.state.origins[body.origin].instance);
+    if (instances.empty()) return false;
     std::vector<BrokenBonds> broken;
     std::optional<UnsupportedNodes> byMortar;
     for (PlayBody& body : parts.state.bodies) {
-        if (body.collapseStep > parts.state.step + 1) continue;
+        if (!isDue(body)) continue;
         body.collapseStep = PlayBody::kNever;
         StructureState& state = parts.state.structures[body.structure];
         const HeldClusters held = heldClusters(parts, body);
@@ -446,7 +480,7 @@ bool collapseUnsupported(const SessionParts& parts) {
         if (state.structure->mortar.empty()) {
             breakUnsupported(state, unsupportedOf(parts, body, state, body.nodes, held), one.bonds);
         } else {
-            if (!byMortar) byMortar = unsupportedByMortar(parts);
+            if (!byMortar) byMortar = unsupportedByMortar(parts, instances);
             breakUnsupported(state, losingNodes(state, body.nodes, held, (*byMortar)[body.number]), one.bonds);
         }
         if (!one.bonds.empty()) broken.push_back(std::move(one));

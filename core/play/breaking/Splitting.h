@@ -2,6 +2,7 @@
 
 #include "core/play/state/SessionState.h"
 
+#include <set>
 #include <span>
 
 namespace rubble {
@@ -16,7 +17,7 @@ struct BrokenBonds {
     Vec3 point{0.0, 0.0, 0.0};         // m, in the world
     Vec3 normal{0.0, 0.0, 0.0};        // from the impactor into the body
     ClusterLevel level = kEveryLevel;  // at which it broke, see heldClusters()
-    std::vector<std::uint32_t> bonds;  // that broke, ascending
+    std::vector<std::uint32_t> bonds;  // all that broke in what was joined, ascending; none: any
 };
 
 /// Splits bodies whose bonds have broken into their islands, in the given order: the heaviest island keeps the body's
@@ -40,8 +41,9 @@ HeldClusters heldClusters(const SessionParts& parts, const PlayBody& body);
 /// Breaks the bonds of what lost its support and has to come off in this step. True if any did.
 bool collapseUnsupported(const SessionParts& parts);
 
-/// Plans when the held bodies that mortar joins lose what has no support, after splits in a step.
-void planMortarCollapse(const SessionParts& parts);
+/// Plans when the held bodies that mortar joins with some instances, at which something broke in a step or was removed,
+/// lose what has no support.
+void planMortarCollapse(const SessionParts& parts, const std::set<Id>& changed);
 
 /// Takes nodes, ascending, out of a body with bonds, and splits what is left of it as splitBodies() does, but lets what
 /// has lost its support come off at once. Without any node left, the body is gone.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace rubble {
 namespace {
@@ -36,11 +37,12 @@ private:
     std::map<std::uint32_t, std::uint32_t> m_sources;
 };
 
-/// Breaks the mortar that holds no longer, and lets come off at once what has lost its support by that.
-void settle(const SessionParts& parts, const Session& session, Sources& sources) {
+/// Breaks the mortar that holds no longer, and lets come off at once what has lost its support by that. `changed`: the
+/// instances of which parts are removed.
+void settle(const SessionParts& parts, const std::set<Id>& changed, const Session& session, Sources& sources) {
     parts.state.events = {};
-    splitBodies(parts, brokenMortar(parts));
-    planMortarCollapse(parts);
+    splitBodies(parts, brokenMortar(parts, changed));
+    planMortarCollapse(parts, changed);
     for (PlayBody& body : parts.state.bodies) {
         const PlayBody* before = session.body(body.number);
         const bool wasPlanned = before != nullptr && before->collapseStep != PlayBody::kNever;
@@ -66,14 +68,22 @@ PartsRemoved withoutParts(const Session& session, std::span<const BodyPart> part
     const SessionSettings settings{.dt = session.stepLength(), .sleeping = session.isSleeping()};
     const SessionParts copy{session.scene(), settings, state, removed.world};
     Sources sources(session);
+    std::set<Id> changed;
+    const auto change = [&](std::uint32_t number) {
+        changed.insert(session.origins()[session.body(number)->origin].instance);
+    };
     for (const BodyPart& part : parts) {
+        change(part.body);
         const std::uint32_t next = state.nextNumber;
         removeNodes(copy, part.body, nodesOf(*session.body(part.body), part.fragments));
         for (std::uint32_t made = next; made < state.nextNumber; ++made) sources.add(made, part.body);
         removed.reduced.push_back(part.body);
     }
-    for (const std::uint32_t number : gone) breakMortarOf(copy, number);
-    settle(copy, session, sources);
+    for (const std::uint32_t number : gone) {
+        change(number);
+        breakMortarOf(copy, number);
+    }
+    settle(copy, changed, session, sources);
     removed.world.collide(settings.dt);
     removed.bodies = std::move(state.bodies);
     const std::size_t present = session.bodies().size();

@@ -68,8 +68,11 @@ void addBondedShape(PlayAsset& ready, std::uint32_t parent) {
     if (whole.fracture == kNone) return;
     PlayFracture& fracture = ready.fractures[whole.fracture];
     std::vector<CompoundPart> parts;
+    fracture.firstHull = {0};
     for (std::uint32_t k = fracture.first; k < fracture.first + fracture.count; ++k) {
-        parts.push_back({ready.fragments[k].shape.get(), centreInAsset(ready.fragments[k])});
+        const Shape& shape = *ready.fragments[k].shape;
+        parts.push_back({&shape, centreInAsset(ready.fragments[k])});
+        fracture.firstHull.push_back(fracture.firstHull.back() + static_cast<std::uint32_t>(shape.hulls.size()));
     }
     MassProperties mass = whole.shape->mass;
     mass.centre += whole.offset;

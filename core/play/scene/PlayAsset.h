@@ -35,8 +35,12 @@ struct PlayFracture {
     std::uint32_t count = 0;              // at least 2
     double area = 0.0;                    // m²: of the faces that their cracks open, of both sides
     std::vector<PlayContact> neighbours;  // each pair once
-    std::shared_ptr<const Shape>
-        bonded;  // of a bonded asset: all fragments together, with the mass of what they replace
+    // Of a bonded asset: all fragments together, with the mass of what they replace, and the first hull of each of them
+    // in it, with one beyond the last.
+    std::shared_ptr<const Shape> bonded;
+    std::vector<std::uint32_t> firstHull;
+
+    std::uint32_t hullCount(std::uint32_t node) const { return firstHull[node + 1] - firstHull[node]; }
 };
 
 /// An asset prepared for play: the shapes of everything it can become, shared by all of its bodies.

@@ -9,20 +9,15 @@ namespace {
 std::shared_ptr<const Shape> heldShape(const PlayBody& body) {
     const PlayFracture& fracture = *body.asset->fractureOf(body.fragment);
     std::vector<std::uint32_t> hulls;
-    std::uint32_t next = 0, node = 0;
-    for (const std::uint32_t kept : body.nodes) {
-        for (; node < kept; ++node) next += hullCount(*body.asset, fracture.first + node);
-        const std::uint32_t count = hullCount(*body.asset, fracture.first + kept);
-        for (std::uint32_t k = 0; k < count; ++k) hulls.push_back(next + k);
+    hulls.reserve(body.nodes.size());
+    for (const std::uint32_t node : body.nodes) {
+        for (std::uint32_t hull = fracture.firstHull[node]; hull < fracture.firstHull[node + 1]; ++hull)
+            hulls.push_back(hull);
     }
     return remainingShape(*fracture.bonded, hulls);
 }
 
 }  // namespace
-
-std::uint32_t hullCount(const PlayAsset& asset, std::uint32_t fragment) {
-    return static_cast<std::uint32_t>(asset.fragments[fragment].shape->hulls.size());
-}
 
 std::shared_ptr<const Shape> shapeOf(const PlayBody& body) {
     if (!isPartial(body)) return body.asset->solid(body.fragment).shape;

@@ -9,7 +9,4 @@ namespace rubble {
 /// it, so that nothing moves when it loses fragments.
 std::shared_ptr<const Shape> shapeOf(const PlayBody& body);
 
-/// The number of hulls of a fragment.
-std::uint32_t hullCount(const PlayAsset& asset, std::uint32_t fragment);
-
 }  // namespace rubble

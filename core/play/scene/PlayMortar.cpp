@@ -131,6 +131,27 @@ std::set<Id> anchoredThroughMortar(const std::map<Id, MortarMember>& members, co
     return anchored;
 }
 
+/// Tells structures which instances mortar joins with theirs.
+void addJoined(const std::map<Id, std::shared_ptr<PlayStructure>>& structures) {
+    for (const auto& [id, structure] : structures) {
+        if (structure->joined != nullptr) continue;
+        const auto joined = std::make_shared<std::vector<Id>>();
+        std::vector<Id> open{id};
+        structure->joined = joined;
+        while (!open.empty()) {
+            joined->push_back(open.back());
+            const PlayStructure& one = *structures.at(open.back());
+            open.pop_back();
+            for (const MortarLink& link : one.mortar) {
+                if (link.instance == 0 || structures.at(link.instance)->joined != nullptr) continue;
+                structures.at(link.instance)->joined = joined;
+                open.push_back(link.instance);
+            }
+        }
+        std::ranges::sort(*joined);
+    }
+}
+
 /// Prepares how support spreads in a structure that mortar joins.
 void addSteps(PlayStructure& structure, const Instance& instance, Vec3 gravity) {
     if (structure.span <= 0.0 || gravity == Vec3(0.0)) return;
@@ -176,6 +197,17 @@ std::shared_ptr<PlayStructure> withMortar(const PlayStructure& structure, const 
 
 }  // namespace
 
+std::set<Id> joinedInstances(const std::map<Id, std::shared_ptr<const PlayStructure>>& structures,
+                             const std::set<Id>& instances) {
+    std::set<Id> all;
+    for (const Id instance : instances) {
+        const auto structure = structures.find(instance);
+        if (structure == structures.end() || structure->second->joined == nullptr || all.contains(instance)) continue;
+        all.insert(structure->second->joined->begin(), structure->second->joined->end());
+    }
+    return all;
+}
+
 std::vector<JoinedMortar> addMortar(const Project& project, std::span<const FixedSolid> surroundings,
                                     std::map<Id, MortarMember>& members) {
     MortarJoints joints(members);
@@ -192,6 +224,7 @@ std::vector<JoinedMortar> addMortar(const Project& project, std::span<const Fixe
         addSteps(*made[id], *member.instance, project.gravity);
         member.structure = made[id];
     }
+    addJoined(made);
     addJoinedLimits(made, members, project.gravity);
     const auto isOfAnchored = [&](const MortarJoint& joint) { return anchored.contains(joint.first); };
     for (JoinedMortar& one : joined) one.isHeld = std::ranges::any_of(one.joints, isOfAnchored);

@@ -133,13 +133,17 @@ std::shared_ptr<const PlayStructure> playStructure(const Asset& asset, const Mat
     std::vector<double> capacities = bondCapacities(asset, material, bake, fracture, bonds);
     std::vector<ClusterLevel> levels = clusterLevels(asset, bake, fracture, bonds);
     std::vector<Vec3> centres;
+    std::vector<double> volumes;
     for (std::uint32_t node = 0; node < baked.fragments.count(); ++node) {
-        centres.push_back(centreInAsset(ready->fragments[baked.first + node]));
+        const PlaySolid& solid = ready->fragments[baked.first + node];
+        centres.push_back(centreInAsset(solid));
+        volumes.push_back(solid.shape->mass.volume);
     }
     const SimpleRule rule = simpleRuleOf(asset.bonding);
     auto made = std::make_shared<PlayStructure>(PlayStructure{.asset = std::move(ready),
                                                               .parent = parent,
                                                               .graph = bondGraph(std::move(centres), std::move(bonds)),
+                                                              .volumes = std::move(volumes),
                                                               .clusterLevels = std::move(levels),
                                                               .rule = rule,
                                                               .span = asset.bonding.span,

@@ -27,7 +27,11 @@ struct PlayStructure {
     std::shared_ptr<const PlayAsset> asset;
     std::uint32_t parent = kNone;             // the fragment that is fractured; kNone: the whole
     BondGraph graph;                          // with the bonds to anchors, of which the last are mortar
+    std::vector<double> volumes;              // m³, of each node
     std::vector<MortarLink> mortar;           // of these
+    /// The instances that mortar joins with this one, directly or through others, ascending, itself among them; null:
+    /// none.
+    std::shared_ptr<const std::vector<Id>> joined;
     std::vector<double> capacities;           // N·s, of each bond; infinite: it never breaks
     std::vector<BondDamage> initialDamage;    // of each bond: those without capacity are broken from the start
     std::vector<ClusterLevel> clusterLevels;  // of the bonds between nodes; empty: there are no clusters

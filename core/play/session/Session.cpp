@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 #include <utility>
 
 namespace rubble {
@@ -52,8 +53,15 @@ void breakBodies(const SessionParts& parts, std::span<const Impact> impacts, dou
         hasFreed = breakHitBonds(parts, sharedImpacts(parts.world, parts.world.impacts(breakableBodies(parts.state))));
     }
     if (parts.world.hasUncollided()) parts.world.collide(dt);
-    const auto wasHeld = [](const PlaySplit& split) { return split.body.isHeld; };
-    if (std::ranges::any_of(parts.state.events.splits, wasHeld)) planMortarCollapse(parts);
+    std::set<Id> changed;
+    for (const PlaySplit& split : parts.state.events.splits)
+        if (split.body.isHeld) changed.insert(parts.state.origins[split.body.origin].instance);
+    planMortarCollapse(parts, changed);
+}
+
+/// Whether bonds broke in this step, or anything shortly before it.
+bool hasBroken(const SessionState& state, double dt) {
+    return !state.events.splits.empty() || timeOf(state, dt) < state.dividedUntil;
 }
 
 }  // namespace
@@ -112,10 +120,12 @@ void Session::step() {
     m_state->events = {};
     m_swapMilliseconds = 0.0;
     applyInputs(parts);
-    m_world.collide(m_settings.dt);
-    std::vector<Impact> impacts = m_world.impacts(breakableBodies(*m_state));
-    const bool isDivided = mayBreak(parts, impacts) || timeOf(*m_state, m_settings.dt) < m_state->dividedUntil;
-    const int intervals = isDivided ? hitIntervals(m_settings.dt) : 1;
+    int intervals = hasBroken(*m_state, m_settings.dt) ? hitIntervals(m_settings.dt) : 1;
+    std::vector<Impact> impacts;
+    if (intervals == 1) {
+        impacts = impactsWithin(m_settings.dt);
+        if (mayBreak(parts, impacts)) intervals = hitIntervals(m_settings.dt);
+    }
     const double dt = m_settings.dt / intervals;
     std::vector<EventRecord> happened;
     PlayEvents events;

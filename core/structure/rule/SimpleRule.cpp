@@ -55,22 +55,39 @@ struct StruckBody {
         }
         return nodes;
     }
+    /// The node that is nearest to each point; none if the body has no nodes.
+    std::vector<std::uint32_t> nearestNodes() const {
+        constexpr double kMargin = 1.0 + 1e-9;  // for rounding
+        struct Nearest {
+            double square = kInfinite;  // m²
+            std::uint32_t node = kNone;
+        };
+        Vec3 middle(0.0);
+        for (const Vec3& point : hit.points) middle += point / static_cast<double>(hit.points.size());
+        double radius = 0.0;
+        for (const Vec3& point : hit.points) radius = std::max(radius, glm::distance(point, middle));
+        std::vector<Nearest> nearest(hit.points.size());
+        double farthest = kInfinite;  // m², from the middle: nodes beyond it are nearest to no point
+        for (std::uint32_t node = 0; node < ownerOfNode.size(); ++node) {
+            const Vec3 fromMiddle = graph.centres[node] - middle;
+            if (ownerOfNode[node] != owner || glm::dot(fromMiddle, fromMiddle) > farthest) continue;
+            double most = 0.0;  // m²
+            for (std::size_t k = 0; k < nearest.size(); ++k) {
+                const Vec3 arm = graph.centres[node] - hit.points[k];
+                if (const double square = glm::dot(arm, arm); square < nearest[k].square) nearest[k] = {square, node};
+                most = std::max(most, nearest[k].square);
+            }
+            const double reach = (std::sqrt(most) + radius) * kMargin;
+            farthest = reach * reach;
+        }
+        std::vector<std::uint32_t> nodes;
+        for (const Nearest& one : nearest)
+            if (one.node != kNone) nodes.push_back(one.node);
+        return nodes;
+    }
     /// The nodes that are hit, with their clusters, ascending.
     std::vector<std::uint32_t> struckNodes() const {
-        std::vector<std::uint32_t> nodes;
-        for (const Vec3& point : hit.points) {
-            std::uint32_t nearest = kNone;
-            double least = kInfinite;
-            for (std::uint32_t node = 0; node < ownerOfNode.size(); ++node) {
-                if (ownerOfNode[node] != owner) continue;
-                const Vec3 arm = graph.centres[node] - point;
-                if (const double square = glm::dot(arm, arm); square < least) {
-                    least = square;
-                    nearest = node;
-                }
-            }
-            if (nearest != kNone) nodes.push_back(nearest);
-        }
+        std::vector<std::uint32_t> nodes = nearestNodes();
         std::ranges::sort(nodes);
         nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
         if (!hit.held.levels.empty()) addClustersOf(nodes, graph, hit.held, damage, allNodes());

@@ -30,7 +30,9 @@ UnsupportedNodes unsupportedIn(const Session& session) {
     World world({.gravity = session.world().gravity()});
     world.restore(*snapshot->world);
     const SessionSettings settings;
-    return unsupportedByMortar({session.scene(), settings, state, world});
+    std::set<Id> instances;
+    for (const Instance& instance : session.scene().project.instances) instances.insert(instance.id);
+    return unsupportedByMortar({session.scene(), settings, state, world}, instances);
 }
 
 /// The nodes of a body that are beyond the span at the start.

@@ -68,6 +68,34 @@ private slots:
         QVERIFY(islands[0].isAnchored);
         QVERIFY(std::ranges::equal(islands[0].nodes, test::allNodes(wall)));
     }
+    void islandsAfterBreaksAreThoseOfAll() {
+        for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+            Random random(seed);
+            const auto side = [&] { return static_cast<std::uint32_t>(2 + random.below(20)); };
+            const BondGraph wall = test::wallOfCubes(side(), side());
+            std::vector<BondDamage> damage(wall.bondCount(), kIntact);
+            std::vector<std::uint32_t> nodes = test::allNodes(wall);
+            for (int hit = 0; hit < 6; ++hit) {
+                std::vector<std::uint32_t> broken;
+                const auto breakBond = [&](std::uint32_t bond) {
+                    if (damage[bond] != kBroken) broken.push_back(bond);
+                    damage[bond] = kBroken;
+                };
+                for (std::uint64_t k = random.below(6); k > 0; --k)
+                    breakBond(static_cast<std::uint32_t>(random.below(wall.bondCount())));
+                for (std::uint64_t k = random.below(4); k > 0; --k) {
+                    for (const BondLink& link : wall.linksOf(nodes[random.below(nodes.size())])) breakBond(link.bond);
+                }
+                const Islands islands = islandsAfter(wall, damage, nodes, broken);
+                const bool isSame = listed(islands) == listed(islandsOf(wall, damage, nodes));
+                QVERIFY2(isSame, qPrintable(faultOfSeed(seed, "the islands differ from those of all nodes")));
+                std::uint32_t largest = 0;
+                for (std::uint32_t k = 1; k < islands.count(); ++k)
+                    if (islands[k].nodes.size() > islands[largest].nodes.size()) largest = k;
+                nodes.assign(islands[largest].nodes.begin(), islands[largest].nodes.end());
+            }
+        }
+    }
     void brokenBondsSeparate() {
         const BondGraph wall = test::wallOfCubes(2, 3);  // 4 5 over 2 3 over 0 1
         std::vector<BondDamage> damage(wall.bondCount(), kIntact);
