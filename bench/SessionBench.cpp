@@ -54,12 +54,18 @@ Throw ball(Vec3 from, Vec3 to, double mass, double speed) {
     return {.kind = ProjectileKind::Ball, .size = Vec3(0.3), .mass = mass, .from = from, .to = to, .speed = speed};
 }
 
+void shoot(BenchScene& scene, std::uint64_t step, const ShotAction& action) {
+    TimedInput shot;
+    shot.step = step;
+    shot.input = ShotInput{"shot", action};
+    scene.inputs.push_back(std::move(shot));
+}
+
 /// A wall of 12 by 4 m, and a blast of 30,000 N·s before its middle.
 BenchScene blownWall(std::uint32_t fragments) {
     BenchScene scene{.steps = 150};
     addStanding(scene.project, addBonded(scene.project, {12.0, 4.0}, 0.5, fragments, 100.0), 4.0, {});
-    scene.inputs.push_back(
-        {kHitStep, ShotInput{"blast", Explosion{.at = {0.0, 2.0, 1.0}, .impulse = 30000.0, .radius = 3.5}}});
+    shoot(scene, kHitStep, Explosion{.at = {0.0, 2.0, 1.0}, .impulse = 30000.0, .radius = 3.5});
     return scene;
 }
 
@@ -67,7 +73,7 @@ BenchScene blownWall(std::uint32_t fragments) {
 BenchScene hitWall(std::uint32_t fragments) {
     BenchScene scene{.steps = 60};
     addStanding(scene.project, addBonded(scene.project, {12.0, 4.0}, 0.5, fragments, 100.0), 4.0, {});
-    scene.inputs.push_back({kHitStep, ShotInput{"ball", ball({0.0, 2.0, 3.0}, {0.0, 2.0, 0.0}, 60.0, 25.0)}});
+    shoot(scene, kHitStep, ball({0.0, 2.0, 3.0}, {0.0, 2.0, 0.0}, 60.0, 25.0));
     return scene;
 }
 
@@ -77,7 +83,7 @@ BenchScene city(int towers) {
     const Id asset = addBonded(scene.project, {2.0, 8.0}, 2.0, 256, 100.0);
     const int side = static_cast<int>(std::ceil(std::sqrt(towers)));
     for (int k = 0; k < towers; ++k) addStanding(scene.project, asset, 8.0, {4.0 * (k % side), 0.0, -4.0 * (k / side)});
-    scene.inputs.push_back({kHitStep, ShotInput{"ball", ball({0.0, 4.0, 5.0}, {0.0, 4.0, 0.0}, 60.0, 25.0)}});
+    shoot(scene, kHitStep, ball({0.0, 4.0, 5.0}, {0.0, 4.0, 0.0}, 60.0, 25.0));
     return scene;
 }
 
@@ -91,7 +97,7 @@ BenchScene street(int towers) {
         const Vec3 to{random.between(-1.0, 3.0 * towers - 2.0), random.between(0.5, 7.5), 0.0};
         const Vec3 from = to + Vec3(random.between(-3.0, 3.0), 1.0, 8.0);
         const double mass = random.between(20.0, 120.0), speed = random.between(15.0, 30.0);
-        scene.inputs.push_back({step, ShotInput{"ball", ball(from, to, mass, speed)}});
+        shoot(scene, step, ball(from, to, mass, speed));
     }
     return scene;
 }
@@ -112,8 +118,7 @@ BenchScene houses(int count) {
             scene.project.instances.push_back(std::move(instance));
         }
     }
-    scene.inputs.push_back(
-        {kHitStep, ShotInput{"blast", Explosion{.at = {1.0, 1.2, 1.5}, .impulse = 8000.0, .radius = 4.0}}});
+    shoot(scene, kHitStep, Explosion{.at = {1.0, 1.2, 1.5}, .impulse = 8000.0, .radius = 4.0});
     return scene;
 }
 

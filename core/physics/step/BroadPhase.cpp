@@ -218,7 +218,7 @@ void findPairsBySweep(const WorldState& state, ThreadPool& threads, PairScratch&
             return scratch.obstacles.overlapping(box, scratch.sweepScratch[chunk]);
         };
         for (std::size_t i = range.begin; i < range.end; ++i)
-            pairWithObstacles(state, scratch, scratch.flying[i], near, scratch.found[chunk]);
+            pairWithObstacles(state, scratch, scratch.flying[i], near, scratch.ahead[chunk]);
     });
 }
 
@@ -235,7 +235,7 @@ void findMovedObstacles(const WorldState& state, PairScratch& scratch) {
     scratch.sweepScratch.resize(std::max<std::size_t>(1, scratch.sweepScratch.size()));
     const auto near = [&](const Box& box) { return scratch.obstacles.overlapping(box, scratch.sweepScratch[0]); };
     for (const std::uint32_t body : std::span(scratch.flying).first(scratch.firstFlying)) {
-        if (state.isFlying(body)) pairWithObstacles(state, scratch, body, near, scratch.found[0]);
+        if (state.isFlying(body)) pairWithObstacles(state, scratch, body, near, scratch.ahead.back());
     }
 }
 
@@ -299,7 +299,7 @@ void findPairsByTree(WorldState& state, ThreadPool& threads, PairScratch& scratc
             return std::span<const std::uint32_t>(proxies);
         };
         for (std::size_t i = range.begin; i < range.end; ++i)
-            pairWithObstacles(state, scratch, newFlying[i], near, scratch.found[chunk]);
+            pairWithObstacles(state, scratch, newFlying[i], near, scratch.ahead[chunk]);
     });
     findMovedObstacles(state, scratch);
 }
@@ -341,6 +341,14 @@ void removeSeparatedContacts(WorldState& state, PairScratch& scratch) {
         }
         removeContact(state, contact);
     }
+}
+
+/// Whether the step being solved moves a body as it was predicted, up to the margin of its boxes.
+bool movesAsPredicted(const WorldState& state, std::uint32_t body) {
+    const BodyPose& pose = state.poses[body];
+    const Prediction& predicted = state.predictions[body];
+    const Vec3f unforeseen = pose.centre + state.motions[body].deltaPosition - predicted.centre;
+    return length(unforeseen) <= boxMargin(pose.boundingRadius) && arcOf(state, body) <= predicted.arc - pose.arc;
 }
 
 }  // namespace
@@ -406,16 +414,18 @@ void findPairs(WorldState& state, ThreadPool& threads, const Regions& regions, P
         scratch.smallestFlying = std::min(scratch.smallestFlying, state.obstacleSizes[body]);
     removeSeparatedContacts(state, scratch);
     const std::size_t chunks = regions.count() == 1 ? 1 : threads.chunkCount(scratch.moved.size(), kMinBodiesPerChunk);
-    scratch.found.resize(std::max(chunks, scratch.found.size()));
-    for (std::vector<std::uint32_t>& found : scratch.found) found.clear();
+    clearLists(scratch.found, chunks);
+    clearLists(scratch.ahead, chunks);
     if (isSweepFaster(state, scratch)) {
         findPairsBySweep(state, threads, scratch, chunks);
     } else {
         state.tree.update();
         findPairsByTree(state, threads, scratch, chunks);
     }
-    for (const std::vector<std::uint32_t>& found : scratch.found) {
-        for (std::size_t i = 0; i < found.size(); i += 2) addContact(state, found[i], found[i + 1]);
+    // All of one kind, then all of the other: contacts have the same numbers on any number of chunks.
+    for (const auto* lists : {&scratch.found, &scratch.ahead}) {
+        for (const std::vector<std::uint32_t>& found : *lists)
+            for (std::size_t i = 0; i < found.size(); i += 2) addContact(state, found[i], found[i + 1]);
     }
 }
 
@@ -424,7 +434,9 @@ void findUnforeseenPairs(WorldState& state, ThreadPool& threads, const Regions& 
     regions.forEach(threads, [&](std::size_t region) {
         for (const std::uint32_t body : regions.bodies(region)) {
             const float left = state.bodies[body].boxValidUntil - state.poses[body].travel;
-            if (maxReachOf(state, body) > left && reachOf(state, body) > left) scratch.leaving[region].push_back(body);
+            if (maxReachOf(state, body) <= left || reachOf(state, body) <= left) continue;
+            // With nothing left, its boxes are of this step: around the predicted movement and a margin.
+            if (left != 0.0f || !movesAsPredicted(state, body)) scratch.leaving[region].push_back(body);
         }
     });
     for (const std::uint32_t body : mergeSorted(scratch.leaving)) {

@@ -57,6 +57,13 @@ private slots:
         const double few = test::isLongRun() ? kSeconds : 0.5;
         QCOMPARE(hashAfter(few, scene, 16), hashAfter(few, scene));
     }
+    /// Pieces that fly are swept against what stands; those of a burst are enough for several threads from the start.
+    void burstsAreIndependentOfThreads() {
+        constexpr double kFlight = 0.25;  // s
+        const BodyScene scene = test::sceneNamed("burst-4700-4");
+        const std::string expected = hashAfter(kFlight, scene);
+        for (const int threads : {2, 3}) QCOMPARE(hashAfter(kFlight, scene, threads), expected);
+    }
 };
 
 RUBBLE_TEST(DeterminismTest)
