@@ -25,10 +25,10 @@ struct MortarLink {
 /// fragments of the fracture, in order; its frame is the asset's.
 struct PlayStructure {
     std::shared_ptr<const PlayAsset> asset;
-    std::uint32_t parent = kNone;             // the fragment that is fractured; kNone: the whole
-    BondGraph graph;                          // with the bonds to anchors, of which the last are mortar
-    std::vector<double> volumes;              // m³, of each node
-    std::vector<MortarLink> mortar;           // of these
+    std::uint32_t parent = kNone;    // the fragment that is fractured; kNone: the whole
+    BondGraph graph;                 // with the bonds to anchors, of which the last are mortar
+    std::vector<double> volumes;     // m³, of each node
+    std::vector<MortarLink> mortar;  // of these
     /// The instances that mortar joins with this one, directly or through others, ascending, itself among them; null:
     /// none.
     std::shared_ptr<const std::vector<Id>> joined;
