@@ -118,8 +118,7 @@ double thinnestWidth(const Polytope& prism) {
         };
         if (opposite == side) opposite = (side + 1) % sides.size();
         for (std::size_t k = 0; k < sides.size() && leadsAway(opposite); ++k) opposite = (opposite + 1) % sides.size();
-        const double width =
-            sides[side].offset - glm::dot(Vec2(sides[side].normal), cornerOf(prism, opposite));
+        const double width = sides[side].offset - glm::dot(Vec2(sides[side].normal), cornerOf(prism, opposite));
         thinnest = std::min(thinnest, std::max(width, 0.0));
     }
     return thinnest;

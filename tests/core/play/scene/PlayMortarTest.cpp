@@ -130,6 +130,23 @@ private slots:
         QCOMPARE(scene->diagnostics[0].code, DiagnosticCode::IdleMortar);
         QVERIFY(scene->diagnostics[0].message.find("joints") != std::string::npos);
     }
+    void onlyWhatMortarConnectsIsJoined() {
+        Project project = test::mortarPortal();
+        for (int k = 0; k < 3; ++k) {
+            Instance other = project.instances[k];
+            other.id = project.nextId++;
+            other.name += " again";
+            other.pose.position.x += 10.0;
+            project.instances.push_back(other);
+        }
+        const auto scene = test::playSceneOf(project);
+        const auto joined = [&](std::set<Id> instances) { return joinedInstances(scene->structures, instances); };
+        const auto id = [&](std::size_t k) { return project.instances[k].id; };
+        QVERIFY((joined({id(0)}) == std::set{id(0), id(1), id(2)}));
+        QVERIFY((joined({id(5)}) == std::set{id(3), id(4), id(5)}));
+        QCOMPARE(joined({id(1), id(4)}).size(), std::size_t{6});
+        QVERIFY(joined({}).empty() && joined({0}).empty());
+    }
 };
 
 RUBBLE_TEST(PlayMortarTest)
