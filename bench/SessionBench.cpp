@@ -144,9 +144,8 @@ Played played(const BenchScene& bench, const std::shared_ptr<const PlayScene>& s
     Played one;
     for (int step = 0; step < bench.steps; ++step)
         one.times.push_back(bench::processorMillisecondsOf([&] { session.step(); }));
-    one.dynamic = static_cast<std::size_t>(std::ranges::count_if(session.bodies(), [&](const PlayBody& body) {
-        return session.world().kind(body.body) == BodyKind::Dynamic;
-    }));
+    one.dynamic = static_cast<std::size_t>(std::ranges::count_if(
+        session.bodies(), [&](const PlayBody& body) { return session.world().kind(body.body) == BodyKind::Dynamic; }));
     return one;
 }
 
@@ -171,8 +170,8 @@ void measure(const std::string& name) {
 int main(int argc, char** argv) {
     std::vector<std::string> names(argv + 1, argv + argc);
     if (names.empty())
-        names = {"wall-2500", "wall-10000", "wall-30000", "hit-30000", "city-36", "street-30",
-                 "houses-1",  "houses-40",  "houses-160"};
+        names = {"wall-2500", "wall-10000", "wall-30000", "hit-30000", "city-36",
+                 "street-30", "houses-1",   "houses-40",  "houses-160"};
     std::printf(
         "| scene | free bodies | start, ms | median, ms | p99 | at the hit | max | at step |\n"
         "| --- | --- | --- | --- | --- | --- | --- | --- |\n");
