@@ -373,6 +373,21 @@ struct SceneInstance {
     bool isUnbreakable = false;
     bool isAnchored = false;    // bonded: held by what is fixed and touches it
     double bondStrength = 1.0;  // a factor of the capacities of its bonds
+    // Of an instance that breaks bonded: its bonds to what is fixed, with their capacities, in place of those of
+    // Bonding::anchored; and whether its heaviest island stays though nothing holds it.
+    std::vector<Bond> anchors;
+    bool holdsHeaviest = false;
+};
+
+/// A face at which mortar joins fragments of two instances, or of one and something fixed.
+struct SceneJoint {
+    std::uint32_t mortar = 0;                              // id
+    std::array<std::uint32_t, 2> instances{kNone, kNone};  // in Scene::instances; the second kNone: it is fixed
+    std::array<std::uint32_t, 2> fragments{kNone, kNone};  // of their packs
+    double area = 0.0;                                     // m^2
+    Vec3 centroid;                                         // m, in the world
+    Vec3 normal;                                           // from the first to the second
+    double capacity = 0.0;                                 // N·s, that breaks it
 };
 
 enum class SceneShotKind { Throw, Hammer, Explosion };
@@ -404,6 +419,7 @@ struct Scene {
     double groundFriction = 0.0, groundRestitution = 0.0;
     std::vector<ScenePack> packs;
     std::vector<SceneInstance> instances;
+    std::vector<SceneJoint> joints;
     std::vector<SceneShot> shots;
 };
 
@@ -505,6 +521,49 @@ inline std::vector<std::uint32_t> unsupported(const Structure& structure, const 
 /// breakingLevel() of their body, hold. Returns the bonds that broke, ascending.
 inline std::vector<std::uint32_t> breakOff(const Structure& structure, const std::vector<std::uint32_t>& fragments,
                                            std::vector<Damage>& damage, std::uint32_t level = kNone);
+
+/// A bond of an instance of a scene.
+struct SceneBond {
+    std::uint32_t instance = 0;  // in Scene::instances
+    std::uint32_t bond = 0;      // of its structure
+};
+
+/// The bonded instances of a scene, with what mortar joins: each half of a joint is a bond to an anchor in the
+/// structure of its instance. A hit damages the structure of one instance; what it broke of a joint, breakMortar()
+/// breaks in the other.
+///
+///     rubble_pack::SceneStructures all = rubble_pack::structuresOf(scene, packs);
+///     std::vector<std::vector<rubble_pack::Damage>> damages = rubble_pack::intactDamages(all);
+///     rubble_pack::applyHit(all.structures[k], *packs[scene.instances[k].pack].bonding, hit, body, damages[k]);
+///     rubble_pack::breakMortar(all, damages);
+///     for (const rubble_pack::Island& island : rubble_pack::islandsOf(all.structures[k], damages[k], body)) ...
+struct SceneStructures {
+    std::vector<Structure> structures;                   // of each instance; without fragments if it has no bonds
+    std::vector<std::array<SceneBond, 2>> halves;        // of each joint of two instances
+    std::vector<std::vector<std::uint32_t>> jointBonds;  // of each instance, ascending: its bonds that are halves
+    std::vector<double> spans;                           // m, of each instance; 0: any
+    std::vector<Vec3> ups;                               // of each: against gravity, in its asset's frame
+    std::vector<std::vector<double>> masses;             // kg, by instance, of the fragments of its structure
+    std::vector<bool> holdHeaviest;                      // SceneInstance::holdsHeaviest
+};
+
+/// `packs`: those of Scene::packs, in that order.
+inline SceneStructures structuresOf(const Scene& scene, const std::vector<Pack>& packs);
+
+/// Damages of all structures in which nothing is broken.
+inline std::vector<std::vector<Damage>> intactDamages(const SceneStructures& all);
+
+/// Breaks the mortar that holds no longer: whose other half is broken, and that between islands of which none is
+/// anchored any more, by itself or over mortar. Returns the halves that broke. To be called after every change of
+/// damages, before islandsOf(): then what is anchored by the half of a joint is held.
+inline std::vector<SceneBond> breakMortar(const SceneStructures& all, std::vector<std::vector<Damage>>& damages);
+
+/// As unsupported() of one structure, over mortar, too: what stands on a fragment of another instance has all of its
+/// span from there, what adjoins it what is left of the span. `held`: of each instance the fragments that are held,
+/// ascending; of what mortar does not join, unsupported() of its structure gives the same.
+inline std::vector<std::vector<std::uint32_t>> unsupported(const SceneStructures& all,
+                                                           const std::vector<std::vector<Damage>>& damages,
+                                                           const std::vector<std::vector<std::uint32_t>>& held);
 
 /// The damages of all structures of an instance as bytes for networks and files, which Rubble reads, too: see state.md.
 /// `damages`: of each fracture, in the order of Bonding::fractures; `bake`: Bonding::bake.
@@ -1225,11 +1284,7 @@ public:
         read.area = positiveAt(value, "area");
         read.centroid = vectorAt(value, "centroid");
         read.normal = vectorAt(value, "normal");
-        read.capacity = at(value, "capacity", [&](const Value& v) {
-            if (v->kind == Kind::Null) return std::numeric_limits<double>::infinity();
-            if (fault.empty() && number(v) < 0.0) refuse(v, "expected a number of at least 0");
-            return number(v);
-        });
+        read.capacity = capacityAt(value);
         read.clusterLevel = at(
             value, "clusterLevel", [&](const Value& v) { return index(v, kNone); }, 0);
         return read;
@@ -1397,6 +1452,53 @@ public:
         read.isUnbreakable = booleanAt(value, "unbreakable");
         read.isAnchored = booleanAt(value, "anchored");
         read.bondStrength = numberAt(value, "bondStrength");
+        if (fault.empty() && find(value, "holdsHeaviest")) read.holdsHeaviest = booleanAt(value, "holdsHeaviest");
+        if (fault.empty() && find(value, "anchors"))
+            read.anchors = listAt(value, "anchors", [&](const Value& v) { return anchor(v); });
+        return read;
+    }
+    double capacityAt(const Value& value) {
+        return at(value, "capacity", [&](const Value& v) {
+            if (v->kind == Kind::Null) return std::numeric_limits<double>::infinity();
+            if (fault.empty() && number(v) < 0.0) refuse(v, "expected a number of at least 0");
+            return number(v);
+        });
+    }
+    Bond anchor(const Value& value) {
+        Bond read;
+        read.fragments[0] = countAt(value, "fragment");
+        read.area = positiveAt(value, "area");
+        read.centroid = vectorAt(value, "centroid");
+        read.normal = vectorAt(value, "normal");
+        read.capacity = capacityAt(value);
+        return read;
+    }
+    SceneJoint joint(const Value& value, const std::vector<SceneInstance>& instances) {
+        SceneJoint read;
+        read.mortar = countAt(value, "mortar");
+        std::size_t count = 0;
+        at(value, "instances", [&](const Value& v) {
+            if (is(v, Kind::Array, "an array") && (v->count < 1 || v->count > 2))
+                refuse(v, "expected 1 or 2 instances");
+            count = v->count;
+            forEach(v, [&](const Value& end) {
+                const double id = number(end);
+                const auto found = std::find_if(instances.begin(), instances.end(),
+                                                [&](const SceneInstance& one) { return one.id == id; });
+                if (found == instances.end()) return refuse(end, "there is no such instance");
+                read.instances[end.number] = static_cast<std::uint32_t>(found - instances.begin());
+            });
+            return 0;
+        });
+        at(value, "fragments", [&](const Value& v) {
+            if (is(v, Kind::Array, "an array") && v->count != count) refuse(v, "expected one for each instance");
+            forEach(v, [&](const Value& end) { read.fragments[end.number] = index(end, kNone); });
+            return 0;
+        });
+        read.area = positiveAt(value, "area");
+        read.centroid = vectorAt(value, "centroid");
+        read.normal = vectorAt(value, "normal");
+        read.capacity = capacityAt(value);
         return read;
     }
     SceneShot shot(const Value& value) {
@@ -1441,6 +1543,8 @@ public:
         }
         read.packs = listAt(root, "packs", [&](const Value& value) { return scenePack(value); });
         read.instances = listAt(root, "instances", [&](const Value& value) { return instance(value, read.packs); });
+        if (fault.empty() && find(root, "joints"))
+            read.joints = listAt(root, "joints", [&](const Value& value) { return joint(value, read.instances); });
         read.shots = listAt(root, "shots", [&](const Value& value) { return shot(value); });
         return read;
     }
@@ -1608,6 +1712,167 @@ inline std::vector<double> anchorDistances(const Structure& structure, const std
     }
     return distances;
 }
+
+/// A vector of the world in the axes of a frame with this rotation.
+inline Vec3 inAxes(const Quaternion& rotation, const Vec3& v) {
+    const Vec3 axis{-rotation.x, -rotation.y, -rotation.z}, across = cross(axis, v);
+    return plus(v, times(plus(times(across, rotation.w), cross(axis, across)), 2.0));
+}
+
+inline Quaternion normalized(const Quaternion& q) {
+    const double length = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+    return {q.x / length, q.y / length, q.z / length, q.w / length};
+}
+
+/// The half of a joint in the frame of one of its instances.
+inline Bond halfOf(const SceneJoint& joint, std::size_t side, const SceneInstance& instance) {
+    const Quaternion rotation = normalized(instance.rotation);
+    Bond half;
+    half.fragments = {joint.fragments[side], kNone};
+    half.area = joint.area;
+    half.centroid = inAxes(rotation, minus(joint.centroid, instance.position));
+    half.normal = inAxes(rotation, side == 0 ? joint.normal : times(joint.normal, -1.0));
+    half.capacity = joint.capacity;
+    return half;
+}
+
+/// The islands of all structures as units that mortar joins.
+class MortarUnits {
+public:
+    MortarUnits(const SceneStructures& all, const std::vector<std::vector<Damage>>& damages) {
+        for (std::size_t k = 0; k < all.structures.size(); ++k) add(all, k, damages[k]);
+    }
+    std::uint32_t rootOf(const SceneStructures& all, const SceneBond& half) {
+        return rootOf(m_units[half.instance][all.structures[half.instance].ends[half.bond][0]]);
+    }
+    void join(std::uint32_t a, std::uint32_t b) {
+        m_isAnchored[std::min(a, b)] = m_isAnchored[a] || m_isAnchored[b];
+        m_parents[std::max(a, b)] = std::min(a, b);
+    }
+    bool isAnchored(std::uint32_t root) const { return m_isAnchored[root]; }
+
+private:
+    std::uint32_t rootOf(std::uint32_t unit) {
+        while (m_parents[unit] != unit) unit = m_parents[unit] = m_parents[m_parents[unit]];
+        return unit;
+    }
+    /// Adds the islands of a structure, which its own anchors hold, and not the halves of joints.
+    void add(const SceneStructures& all, std::size_t k, std::vector<Damage> damage) {
+        const Structure& structure = all.structures[k];
+        for (const std::uint32_t half : all.jointBonds[k]) damage[half] = kBroken;
+        m_units.emplace_back(structure.fragments.size());
+        std::uint32_t heaviest = kNone;
+        double most = -1.0;
+        for (const Island& island : islandsOf(structure, damage, structure.fragments)) {
+            const auto unit = static_cast<std::uint32_t>(m_parents.size());
+            m_parents.push_back(unit);
+            m_isAnchored.push_back(island.isAnchored);
+            double mass = 0.0;
+            for (const std::uint32_t fragment : island.fragments) {
+                const std::uint32_t number = structure.numberOf(fragment);
+                m_units[k][number] = unit;
+                mass += all.masses[k][number];
+            }
+            if (mass > most) most = mass, heaviest = unit;
+        }
+        if (all.holdHeaviest[k] && heaviest != kNone) m_isAnchored[heaviest] = true;
+    }
+
+    std::vector<std::vector<std::uint32_t>> m_units;  // by instance and number
+    std::vector<std::uint32_t> m_parents;
+    std::vector<bool> m_isAnchored;  // of roots
+};
+
+/// How far fragments of all structures are from what supports them, as fractions of the span of their instance; of
+/// those that are not held, below 0.
+/// Source: Dijkstra 1959, by (fraction, instance, number).
+class SupportFractions {
+public:
+    SupportFractions(const SceneStructures& all, const std::vector<std::vector<Damage>>& damages,
+                     const std::vector<std::vector<std::uint32_t>>& held,
+                     const std::vector<std::vector<double>>& limits)
+        : m_all(all), m_damages(damages), m_limits(limits) {
+        m_other.resize(all.structures.size());
+        for (const auto& joint : all.halves) {
+            m_other[joint[0].instance][joint[0].bond] = joint[1];
+            m_other[joint[1].instance][joint[1].bond] = joint[0];
+        }
+        for (std::size_t k = 0; k < all.structures.size(); ++k) {
+            m_fractions.emplace_back(all.structures[k].fragments.size(), -1.0);
+            for (const std::uint32_t fragment : held[k])
+                m_fractions[k][all.structures[k].numberOf(fragment)] = std::numeric_limits<double>::infinity();
+        }
+        for (std::uint32_t k = 0; k < all.structures.size(); ++k) addSources(k);
+        while (!m_queue.empty()) {
+            const auto [fraction, instance, number] = m_queue.top();
+            m_queue.pop();
+            if (fraction > m_fractions[instance][number]) continue;
+            for (const std::uint32_t bond : all.structures[instance].fragmentBonds[number])
+                follow(instance, number, bond, fraction);
+        }
+    }
+    std::vector<std::vector<double>> fractions() && { return std::move(m_fractions); }
+
+private:
+    bool isBroken(std::uint32_t instance, std::uint32_t bond) const {
+        return detail::isBroken(m_all.structures[instance], m_damages[instance], bond);
+    }
+    bool hasSpan(std::uint32_t instance) const { return m_all.spans[instance] > 0.0 && !m_all.holdHeaviest[instance]; }
+
+    void addSources(std::uint32_t k) {
+        const Structure& structure = m_all.structures[k];
+        for (std::uint32_t number = 0; number < structure.fragments.size() && !hasSpan(k); ++number)
+            reach(k, number, 0.0);
+        for (std::uint32_t bond = 0; bond < structure.bonds.size(); ++bond) {
+            const bool isAnchor = structure.ends[bond][1] == kNone && m_other[k].find(bond) == m_other[k].end();
+            if (isAnchor && !isBroken(k, bond)) reach(k, structure.ends[bond][0], 0.0);
+        }
+    }
+    void follow(std::uint32_t k, std::uint32_t number, std::uint32_t bond, double fraction) {
+        if (isBroken(k, bond)) return;
+        const std::uint32_t next = otherEnd(m_all.structures[k], bond, number);
+        if (next != kNone) {
+            const double step = hasSpan(k) ? sidewaysStep(m_all.structures[k], bond, number, m_all.ups[k]) : 0.0;
+            reach(k, next, fraction + perMetre(k) * step);
+        } else if (const auto other = m_other[k].find(bond); other != m_other[k].end()) {
+            if (!isBroken(other->second.instance, other->second.bond)) cross({k, bond}, other->second, fraction);
+        }
+    }
+    /// Goes on over mortar.
+    void cross(const SceneBond& half, const SceneBond& other, double fraction) {
+        constexpr double kStandsOn = 0.5;  // cosine of 60 degrees
+        const Structure &from = m_all.structures[half.instance], &to = m_all.structures[other.instance];
+        const double upwards = dot(from.bonds[half.bond].normal, m_all.ups[half.instance]);
+        const std::uint32_t number = to.ends[other.bond][0];
+        if (upwards <= -kStandsOn) return;  // it would hang
+        if (upwards >= kStandsOn) return reach(other.instance, number, 0.0);
+        const double step = sideways(half) + sideways(other);
+        reach(other.instance, number, fraction + perMetre(other.instance) * step);
+    }
+    /// How far a half is from the centre of mass of its fragment sideways, m.
+    double sideways(const SceneBond& half) const {
+        const Structure& structure = m_all.structures[half.instance];
+        const Vec3& up = m_all.ups[half.instance];
+        const Vec3 apart = minus(structure.bonds[half.bond].centroid, structure.centres[structure.ends[half.bond][0]]);
+        return length(minus(apart, times(up, dot(apart, up))));
+    }
+    double perMetre(std::uint32_t k) const { return hasSpan(k) ? 1.0 / m_all.spans[k] : 0.0; }
+    void reach(std::uint32_t k, std::uint32_t number, double fraction) {
+        double& known = m_fractions[k][number];
+        if (!(fraction < known) || (!m_limits.empty() && !(fraction <= m_limits[k][number]))) return;
+        known = fraction;
+        m_queue.push({fraction, k, number});
+    }
+
+    using Entry = std::tuple<double, std::uint32_t, std::uint32_t>;
+
+    const SceneStructures& m_all;
+    const std::vector<std::vector<Damage>>& m_damages;
+    const std::vector<std::vector<double>>& m_limits;
+    std::vector<std::map<std::uint32_t, SceneBond>> m_other;  // by instance and bond: the other half
+    std::vector<std::vector<double>> m_fractions;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;
+};
 
 inline double loadFraction(const Bonding& rule, double distance) {
     const double x = distance / rule.falloffRadius;
@@ -2106,7 +2371,10 @@ bool loadBy(bool (*parse)(std::string_view, T&, std::string&), const std::string
 
 }  // namespace detail
 
-inline Structure structureOf(const Pack& pack, std::size_t fracture, double strength) {
+namespace detail {
+
+/// The structure of a fracture without anchors.
+inline Structure fractureOf(const Pack& pack, std::size_t fracture, double strength) {
     const Fracture& source = pack.bonding->fractures[fracture];
     Structure structure;
     structure.fragments = pack.fragmentsOf(source.fragment);
@@ -2115,9 +2383,16 @@ inline Structure structureOf(const Pack& pack, std::size_t fracture, double stre
     structure.fragmentBonds.resize(structure.fragments.size());
     for (Bond bond : source.bonds) {
         if (std::isfinite(bond.capacity)) bond.capacity *= strength;
-        detail::link(structure, bond);
+        link(structure, bond);
     }
-    if (source.fragment != kNone) return structure;
+    return structure;
+}
+
+}  // namespace detail
+
+inline Structure structureOf(const Pack& pack, std::size_t fracture, double strength) {
+    Structure structure = detail::fractureOf(pack, fracture, strength);
+    if (pack.bonding->fractures[fracture].fragment != kNone) return structure;
     for (const std::uint32_t fragment : pack.bonding->anchored) {
         Bond anchor;
         anchor.fragments = {fragment, kNone};
@@ -2227,6 +2502,91 @@ inline std::vector<std::uint32_t> breakOff(const Structure& structure, const std
         broken.push_back(bond);
     }
     return broken;
+}
+
+inline SceneStructures structuresOf(const Scene& scene, const std::vector<Pack>& packs) {
+    SceneStructures all;
+    for (const SceneInstance& instance : scene.instances) {
+        const Pack& pack = packs[instance.pack];
+        const bool hasBonds = pack.bonding && !pack.bonding->fractures.empty() && !instance.isUnbreakable &&
+                              pack.bonding->fractures[0].fragment == kNone;
+        Structure structure;
+        if (hasBonds) structure = detail::fractureOf(pack, 0, instance.bondStrength);
+        for (const Bond& anchor : instance.anchors)
+            if (hasBonds) detail::link(structure, anchor);
+        std::vector<double>& masses = all.masses.emplace_back();
+        for (const std::uint32_t fragment : structure.fragments) masses.push_back(pack.fragments[fragment].mass);
+        all.structures.push_back(std::move(structure));
+        all.spans.push_back(hasBonds ? pack.bonding->span : 0.0);
+        const double gravity = detail::length(scene.gravity);
+        const Vec3 up = gravity > 0.0 ? detail::times(scene.gravity, -1.0 / gravity) : Vec3{0.0, 0.0, 0.0};
+        all.ups.push_back(detail::inAxes(detail::normalized(instance.rotation), up));
+        all.holdHeaviest.push_back(instance.holdsHeaviest);
+    }
+    all.jointBonds.resize(scene.instances.size());
+    for (const SceneJoint& joint : scene.joints) {
+        std::array<SceneBond, 2> halves;
+        for (std::size_t side = 0; side < 2 && joint.instances[side] != kNone; ++side) {
+            const std::uint32_t k = joint.instances[side];
+            halves[side] = {k, static_cast<std::uint32_t>(all.structures[k].bonds.size())};
+            detail::link(all.structures[k], detail::halfOf(joint, side, scene.instances[k]));
+        }
+        if (joint.instances[1] == kNone) continue;
+        for (const SceneBond& half : halves) all.jointBonds[half.instance].push_back(half.bond);
+        all.halves.push_back(halves);
+    }
+    return all;
+}
+
+inline std::vector<std::vector<Damage>> intactDamages(const SceneStructures& all) {
+    std::vector<std::vector<Damage>> damages;
+    for (const Structure& structure : all.structures) damages.emplace_back(structure.bonds.size());
+    return damages;
+}
+
+inline std::vector<SceneBond> breakMortar(const SceneStructures& all, std::vector<std::vector<Damage>>& damages) {
+    const auto isBroken = [&](const SceneBond& half) {
+        return detail::isBroken(all.structures[half.instance], damages[half.instance], half.bond);
+    };
+    detail::MortarUnits units(all, damages);
+    for (const std::array<SceneBond, 2>& joint : all.halves) {
+        if (!isBroken(joint[0]) && !isBroken(joint[1]))
+            units.join(units.rootOf(all, joint[0]), units.rootOf(all, joint[1]));
+    }
+    std::vector<SceneBond> broken;
+    for (const std::array<SceneBond, 2>& joint : all.halves) {
+        const bool isHalf = isBroken(joint[0]) || isBroken(joint[1]);
+        for (const SceneBond& half : joint) {
+            if (!isBroken(half) && (isHalf || !units.isAnchored(units.rootOf(all, half)))) broken.push_back(half);
+        }
+    }
+    for (const SceneBond& half : broken) damages[half.instance][half.bond] = kBroken;
+    return broken;
+}
+
+inline std::vector<std::vector<std::uint32_t>> unsupported(const SceneStructures& all,
+                                                           const std::vector<std::vector<Damage>>& damages,
+                                                           const std::vector<std::vector<std::uint32_t>>& held) {
+    std::vector<std::vector<std::uint32_t>> everything;
+    for (const Structure& structure : all.structures) everything.push_back(structure.fragments);
+    std::vector<std::vector<double>> limits =
+        detail::SupportFractions(all, intactDamages(all), everything, {}).fractions();
+    for (std::vector<double>& own : limits)
+        for (double& limit : own) limit = std::max(limit, 1.0);
+    const std::vector<std::vector<double>> fractions = detail::SupportFractions(all, damages, held, limits).fractions();
+    std::vector<std::vector<std::uint32_t>> found(all.structures.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        if (!(all.spans[k] > 0.0) || all.holdHeaviest[k]) continue;
+        const Structure& structure = all.structures[k];
+        std::vector<bool> isHeld(structure.fragments.size());
+        for (std::size_t number = 0; number < isHeld.size(); ++number)
+            isHeld[number] = fractions[k][number] >= 0.0 && fractions[k][number] <= limits[k][number];
+        detail::addClusters(structure, damages[k], detail::flagsOf(structure, held[k]),
+                            breakingLevel(structure, damages[k], held[k]), isHeld);
+        for (const std::uint32_t fragment : held[k])
+            if (!isHeld[structure.numberOf(fragment)]) found[k].push_back(fragment);
+    }
+    return found;
 }
 
 inline std::string damageBytes(const std::string& bake, const std::vector<std::vector<Damage>>& damages) {

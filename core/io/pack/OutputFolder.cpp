@@ -3,6 +3,7 @@
 #include "core/base/MessageText.h"
 #include "core/io/output/OutputFiles.h"
 #include "core/io/pack/SceneFile.h"
+#include "core/io/system/AtomicFile.h"
 #include "unreal_script.h"
 
 #include <algorithm>
@@ -35,8 +36,29 @@ std::vector<std::string> filesOfAllPacks(const OutputRequest& request, const Pro
     return names;
 }
 
-std::string bytesOf(const std::string& name, const OutputRequest& request, const Project& project) {
-    if (name == kSceneName) return sceneFileJson(project, request.options);
+/// The scene file that is in place, if it is of the same source and was not edited: its bonds take a bake.
+std::optional<std::string> presentScene(const OutputRequest& request, const Project& project,
+                                        const std::optional<ExportIndex>& earlier) {
+    const Result<std::string> bytes = readFile(request.folder / kSceneName);
+    if (!earlier || !bytes) return std::nullopt;
+    const bool isKept = std::ranges::find(earlier->files, manifestEntry(kSceneName, *bytes)) != earlier->files.end();
+    if (!isKept) return std::nullopt;
+    const std::string source = "\"source\":\"" + sceneSource(project, request.options).hex() + "\"";
+    return bytes->find(source) != std::string::npos ? std::optional(*bytes) : std::nullopt;
+}
+
+Result<std::string> sceneBytes(const OutputRequest& request, const Project& project,
+                               const std::optional<ExportIndex>& earlier, const TaskContext& task) {
+    if (!hasSceneBonds(project)) return sceneFileJson(project, request.options);
+    if (std::optional<std::string> present = presentScene(request, project, earlier)) return std::move(*present);
+    const Result<std::shared_ptr<const PlayScene>> played = playScene(project, task);
+    if (!played) return played.error();
+    return sceneFileJson(project, request.options, played->get());
+}
+
+Result<std::string> bytesOf(const std::string& name, const OutputRequest& request, const Project& project,
+                            const std::optional<ExportIndex>& earlier, const TaskContext& task) {
+    if (name == kSceneName) return sceneBytes(request, project, earlier, task);
     if (name == kUnrealScriptName) return std::string(unrealScript(name));
     const MeshOptions& meshes = request.options.meshes;
     const GlbKind glbKind = meshes.glb ? meshes.glbKind : GlbKind::Plain;  // nothing to be said of other kinds
@@ -44,10 +66,14 @@ std::string bytesOf(const std::string& name, const OutputRequest& request, const
 }
 
 /// The files in the output folder itself.
-std::vector<ExportFile> outputFiles(const OutputRequest& request, const Project& project) {
+Result<std::vector<ExportFile>> outputFiles(const OutputRequest& request, const Project& project,
+                                            const std::optional<ExportIndex>& earlier, const TaskContext& task) {
     std::vector<ExportFile> files;
-    for (const std::string& name : filesOfAllPacks(request, project))
-        files.push_back({name, bytesOf(name, request, project)});
+    for (const std::string& name : filesOfAllPacks(request, project)) {
+        Result<std::string> bytes = bytesOf(name, request, project, earlier, task);
+        if (!bytes) return bytes.error();
+        files.push_back({name, std::move(*bytes)});
+    }
     return files;
 }
 
@@ -82,8 +108,10 @@ Status finishExport(const OutputRequest& request, const Project& project, std::s
         return changeExportIndex(request.folder, change, {.cancel = task.cancel});
     };
     if (!isWhole) return list(std::nullopt);
+    const Result<std::vector<ExportFile>> files = outputFiles(request, project, earlier, task);
+    if (!files) return files.error();
     const Result<std::vector<ManifestEntry>> written =
-        writeOutputFiles(request.folder, outputFiles(request, project), earlier, request.project, request.edited, list);
+        writeOutputFiles(request.folder, *files, earlier, request.project, request.edited, list);
     return written ? list(*written) : Status(written.error());
 }
 

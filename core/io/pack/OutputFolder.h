@@ -35,7 +35,7 @@ std::vector<std::string> outputFileNames(const OutputRequest& request, const Pro
 /// Completes an export whose packs are written: writes the scene, and how to use it, if all packs are in place, and
 /// updates the index of the folder. `earlier` is that before the packs were written. Nothing if there is no folder.
 ///
-/// Errors: those of writeOutputFiles() and changeExportIndex().
+/// Errors: those of writeOutputFiles() and changeExportIndex(); those of playScene() of a scene with bonds.
 Status finishExport(const OutputRequest& request, const Project& project, std::span<const AssetExport> packs,
                     const std::optional<ExportIndex>& earlier, const TaskContext& task = {});
 

@@ -1,12 +1,15 @@
 #include "core/io/pack/SceneFile.h"
 
 #include "core/asset/strength/Threshold.h"
+#include "core/base/Hash.h"
 #include "core/base/Version.h"
 #include "core/io/json/VectorJson.h"
 #include "core/io/pack/PackFormat.h"
 #include "core/io/project/BondingJson.h"
 #include "core/io/project/ShotJson.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -48,7 +51,60 @@ void writeScenePack(JsonWriter& json, const Project& project, const AssetVariant
     json.close();
 }
 
-void writeSceneInstance(JsonWriter& json, const Project& project, const Instance& instance, const PackNames& pack) {
+/// What a bond to something fixed, or a joint, has in common with the bonds of packs.
+void writeFace(JsonWriter& json, double area, Vec3 centroid, Vec3 normal, double capacity) {
+    json.number("area", area);
+    writeVector(json, "centroid", centroid);
+    writeVector(json, "normal", normal);
+    json.number("capacity", std::isfinite(capacity) ? std::optional(capacity) : std::nullopt);
+}
+
+/// The bonds of an instance to what is fixed, without those that are mortar.
+void writeAnchors(JsonWriter& json, const PlayStructure& structure) {
+    if (structure.holdsHeaviest) json.boolean("holdsHeaviest", true);
+    json.openArray("anchors");
+    for (std::uint32_t bond = 0; bond < structure.firstMortar(); ++bond) {
+        const Bond& anchor = structure.graph.bonds[bond];
+        if (anchor.second != kNone) continue;
+        json.openObject();
+        json.wholeNumber("fragment", std::uint64_t{structure.fragmentOf(anchor.first)});
+        writeFace(json, anchor.area, anchor.centroid, anchor.normal, structure.capacities[bond]);
+        json.close();
+    }
+    json.close();
+}
+
+void writeJoint(JsonWriter& json, const PlayScene& played, const Mortar& mortar, const MortarJoint& joint) {
+    const auto fragmentOf = [&](Id instance, std::uint32_t node) {
+        return played.structures.at(instance)->fragmentOf(node);
+    };
+    std::vector<std::uint32_t> instances{joint.first}, fragments{fragmentOf(joint.first, joint.nodes[0])};
+    if (joint.second != 0) {
+        instances.push_back(joint.second);
+        fragments.push_back(fragmentOf(joint.second, joint.nodes[1]));
+    }
+    json.openObject();
+    json.wholeNumber("mortar", std::uint64_t{mortar.id});
+    json.wholeNumbers("instances", instances);
+    json.wholeNumbers("fragments", fragments);
+    writeFace(json, joint.area, joint.centroid, joint.normal, mortar.impulsePerArea * joint.area);
+    json.close();
+}
+
+/// The mortar that holds: between instances of which one is anchored.
+void writeJoints(JsonWriter& json, const PlayScene& played) {
+    json.openArray("joints", JsonLayout::CompactLines);
+    for (std::size_t k = 0; k < played.mortars.size(); ++k) {
+        for (const MortarJoint& joint : played.mortars[k].joints) {
+            if (played.structures.at(joint.first)->joined != nullptr)
+                writeJoint(json, played, played.project.mortars[k], joint);
+        }
+    }
+    json.close();
+}
+
+void writeSceneInstance(JsonWriter& json, const Project& project, const Instance& instance, const PackNames& pack,
+                        const PlayScene* played) {
     const Asset& asset = *findAsset(project, instance.asset);
     const Quat& q = instance.pose.orientation;
     json.openObject();
@@ -62,6 +118,10 @@ void writeSceneInstance(JsonWriter& json, const Project& project, const Instance
     json.boolean("unbreakable", instance.isUnbreakable);
     json.boolean("anchored", instance.isAnchored);
     json.number("bondStrength", instance.bondStrength);
+    if (played != nullptr) {
+        const auto structure = played->structures.find(instance.id);
+        if (structure != played->structures.end()) writeAnchors(json, *structure->second);
+    }
     json.close();
 }
 
@@ -69,7 +129,17 @@ void writeSceneInstance(JsonWriter& json, const Project& project, const Instance
 
 bool hasScene(const Project& project) { return !project.instances.empty() || !project.shots.empty(); }
 
-std::string sceneFileJson(const Project& project, const PackOptions& options) {
+bool hasSceneBonds(const Project& project) {
+    return std::ranges::any_of(project.instances, [&](const Instance& instance) {
+        return !instance.isUnbreakable && findAsset(project, instance.asset)->breakAs == BreakAs::Bonded;
+    });
+}
+
+ContentHash sceneSource(const Project& project, const PackOptions& options) {
+    return contentHash(sceneFileJson(project, options));
+}
+
+std::string sceneFileJson(const Project& project, const PackOptions& options, const PlayScene* played) {
     const std::map<AssetVariant, PackNames> names = packNames(project);
     std::set<AssetVariant> used;
     for (const Instance& instance : project.instances) used.insert(variantOf(instance));
@@ -80,6 +150,7 @@ std::string sceneFileJson(const Project& project, const PackOptions& options) {
     JsonWriter json(JsonLayout::CompactLines, 1024 + 300 * project.instances.size());
     json.openObject();
     writeSceneHeader(json);
+    if (played != nullptr) json.text("source", sceneSource(project, options).hex());
     writeVector(json, "gravity", project.gravity);
     writeSceneGround(json, project.ground);
     json.openArray("packs", JsonLayout::CompactLines);
@@ -87,11 +158,12 @@ std::string sceneFileJson(const Project& project, const PackOptions& options) {
     json.close();
     json.openArray("instances", JsonLayout::CompactLines);
     for (const Instance& instance : project.instances)
-        writeSceneInstance(json, project, instance, names.at(variantOf(instance)));
+        writeSceneInstance(json, project, instance, names.at(variantOf(instance)), played);
     json.close();
     json.openArray("mortars", JsonLayout::CompactLines);
     for (const Mortar& mortar : project.mortars) writeMortar(json, mortar);
     json.close();
+    if (played != nullptr) writeJoints(json, *played);
     json.openArray("shots", JsonLayout::CompactLines);
     for (const Shot& shot : project.shots) writeShot(json, shot);
     json.close();

@@ -44,8 +44,9 @@ Bond anchorOf(const Bond& bond, std::uint32_t node, const Instance& instance, do
     return anchor;
 }
 
-MortarJoint jointOf(const Bond& bond, Id first, Id second) {
-    return {first, second, bond.area, bond.centroid, bond.normal, bond.moments};
+MortarJoint jointOf(const Bond& bond, const MortarNodes::Place& first, const MortarNodes::Place& second) {
+    return {first.instance, second.instance, {first.node, second.node}, bond.area, bond.centroid,
+            bond.normal,    bond.moments};
 }
 
 /// What mortar adds to a structure.
@@ -84,11 +85,11 @@ public:
             const std::uint32_t ofSecond = add(second, bond, -1.0, mortar.impulsePerArea);
             m_added[first.instance].links[ofFirst] = {second.instance, ofSecond};
             m_added[second.instance].links[ofSecond] = {first.instance, ofFirst};
-            joined.push_back(jointOf(bond, first.instance, second.instance));
+            joined.push_back(jointOf(bond, first, second));
         }
         for (const Bond& bond : anchorBonds(all.nodes, supports, mortar.tolerance, mortar.leastArea)) {
             add(all.places[bond.first], bond, 1.0, mortar.impulsePerArea);
-            joined.push_back(jointOf(bond, all.places[bond.first].instance, 0));
+            joined.push_back(jointOf(bond, all.places[bond.first], {0, kNone}));
         }
         return joined;
     }

@@ -2,6 +2,7 @@
 
 #include "core/play/scene/PlayStructure.h"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <set>
@@ -17,8 +18,10 @@ struct MortarMember {
 
 /// A face at which mortar joins fragments of two instances.
 struct MortarJoint {
-    Id first = 0;        // instances
-    Id second = 0;       // 0: a fixed one that does not break along bonds
+    Id first = 0;   // instances
+    Id second = 0;  // 0: a fixed one that does not break along bonds
+    // The fragment of each that it joins: a node of the structure; kNone: of what is fixed.
+    std::array<std::uint32_t, 2> nodes{kNone, kNone};
     double area = 0.0;   // m²
     Vec3 centroid{0.0};  // m, in the world
     Vec3 normal{0.0};    // of length 1, from the first to the second
