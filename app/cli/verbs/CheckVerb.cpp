@@ -16,6 +16,7 @@
 #include "core/io/output/ExportCheck.h"
 #include "core/io/pack/PackBinary.h"
 #include "core/io/pack/PackFile.h"
+#include "core/io/pack/SceneFile.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/play/scene/InstanceOverlaps.h"
@@ -27,6 +28,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 
 namespace rubble {
 namespace {
@@ -38,8 +40,8 @@ constexpr const char* kCheckFooter =
 verifies triangulation, cells, fragments, hulls and meshes. Warnings, which the editor lists in the dock
 Problems (slivers, tiny fragments, duplicate seeds, ...), and overlapping instances are printed, too, but are
 faults only with --strict. Checks a pack, given by its folder or its pack.json, and compares every file with the
-manifest; or all packs in a folder. Exits with 3 if it found faults, and with 1 if something cannot be read as a
-project or a pack.
+manifest; or all packs in a folder, or beside a scene.json, and that the scene is of the same export. Exits with 3 if
+it found faults, and with 1 if something cannot be read as a project or a pack.
 
 Examples:
   rubble-cli check house.rubble
@@ -70,6 +72,7 @@ struct CheckResult {
     std::vector<Finding> warnings;  // and notes
     std::optional<CheckedItem> item;
     std::shared_ptr<const Bake> bake;  // if it is kept
+    std::string physicsHash;           // of a pack
 };
 
 CheckResult cannotCheck(const Error& error, std::string file) { return {.status = error, .file = std::move(file)}; }
@@ -277,6 +280,12 @@ std::vector<Finding> packWarnings(const Pack& pack, const FindingPlace& place) {
     return findings;
 }
 
+CheckResult checkedPack(const fs::path& folder, const Pack& pack, const FindingPlace& place) {
+    return {.warnings = packWarnings(pack, place),
+            .item = CheckedItem{"pack", folder.string(), pack.names.name, pack.fragments.size(), pack.whole.volume},
+            .physicsHash = pack.physicsHash};
+}
+
 /// Verifies a folder with pack.bin only, as far as its numbers allow.
 CheckResult checkBinaryPack(const fs::path& folder) {
     const fs::path path = folder / kPackBinaryName;
@@ -286,8 +295,7 @@ CheckResult checkBinaryPack(const fs::path& folder) {
     if (!pack) return cannotCheck({pack.error().code, path.string() + ": " + pack.error().message}, path.string());
     const FindingPlace place{.file = path.string(), .asset = pack->names.name};
     if (const auto found = verifyExportFolder(folder)) return faulty("InvalidExport", place, *found);
-    return {.warnings = packWarnings(*pack, place),
-            .item = CheckedItem{"pack", folder.string(), pack->names.name, pack->fragments.size(), pack->whole.volume}};
+    return checkedPack(folder, *pack, place);
 }
 
 /// Verifies pack.json, and that no file was modified after the export.
@@ -315,8 +323,25 @@ CheckResult checkPack(const fs::path& folder) {
         return invalid("The mesh " + quotedName(mesh.name) + " is not in the folder.");
     }
     if (const auto found = verifyExportFolder(folder)) return faulty("InvalidExport", place, *found);
-    return {.warnings = packWarnings(*pack, place),
-            .item = CheckedItem{"pack", folder.string(), pack->names.name, pack->fragments.size(), pack->whole.volume}};
+    return checkedPack(folder, *pack, place);
+}
+
+/// Verifies that a scene is of the packs beside it; nothing if there is none.
+std::optional<CheckResult> checkScene(const fs::path& folder, std::span<const fs::path> packs,
+                                      std::span<const CheckResult> results) {
+    const fs::path path = folder / kSceneName;
+    std::error_code missing;
+    if (!fs::exists(fs::symlink_status(path, missing))) return std::nullopt;
+    const Result<std::string> json = readFile(path, Links::Refused);
+    if (!json) return cannotCheck(json.error(), path.string());
+    PackPhysicsHashes present;
+    for (std::size_t k = 0; k < packs.size(); ++k) {
+        if (!results[k].status || results[k].fault) return std::nullopt;  // told already
+        present[packs[k].filename().string()] = results[k].physicsHash;
+    }
+    const std::optional<std::string> fault = scenePacksFault(*json, present);
+    if (!fault) return std::nullopt;
+    return faulty("InvalidScene", {.file = path.string()}, path.string() + ": " + *fault);
 }
 
 void checkPath(const std::string& given, const CheckArguments& arguments, VerbReport& report, const CliContext& context,
@@ -329,15 +354,19 @@ void checkPath(const std::string& given, const CheckArguments& arguments, VerbRe
     };
     if (path.filename() == kPackName && !fs::is_directory(path, ignored))
         return addResult(checkPack(path.has_parent_path() ? path.parent_path() : "."));
-    if (!fs::is_directory(path, ignored)) return checkProject(given, arguments, report, context, all);
-    const Result<std::vector<fs::path>> packs = packsOf(path);
+    const bool isScene = path.filename() == kSceneName && !fs::is_directory(path, ignored);
+    if (!isScene && !fs::is_directory(path, ignored)) return checkProject(given, arguments, report, context, all);
+    const fs::path folder = !isScene ? path : path.has_parent_path() ? path.parent_path() : fs::path(".");
+    const Result<std::vector<fs::path>> packs = packsOf(folder);
     if (!packs) return all.push_back(cannotCheck(packs.error(), given));
     std::vector<CheckResult> results(packs->size());
     forEachIndex(packs->size(), arguments.threads, [&](std::size_t index) {
         const bool isCancelled = context.cancel.isCancelled();
         results[index] = isCancelled ? cannotCheck(TaskContext::cancelled(), given) : checkPack((*packs)[index]);
     });
+    std::optional<CheckResult> scene = checkScene(folder, *packs, results);
     for (CheckResult& result : results) addResult(std::move(result));
+    if (scene) addResult(std::move(*scene));
 }
 
 Status check(const CheckArguments& arguments, VerbReport& report, const CliContext& context) {
@@ -356,7 +385,7 @@ Status check(const CheckArguments& arguments, VerbReport& report, const CliConte
 Verb addCheck(CLI::App& program) {
     Command command(program, "check", "Verify projects and exported packs", kCheckFooter);
     const auto arguments = std::make_shared<CheckArguments>();
-    command.argument("PATH", arguments->paths, "A project, a pack's folder or its pack.json, or a folder of packs")
+    command.argument("PATH", arguments->paths, "A project, a pack's folder or its pack.json, a folder of packs, or its scene.json")
         .required();
     command.flag("--strict", arguments->isStrict, "Warnings are faults, too");
     command.addReportFlag();

@@ -2,7 +2,10 @@
 
 #include "core/asset/strength/Threshold.h"
 #include "core/base/Hash.h"
+#include "core/base/MessageText.h"
 #include "core/base/Version.h"
+#include "core/io/json/FormatVersion.h"
+#include "core/io/json/JsonDocument.h"
 #include "core/io/json/VectorJson.h"
 #include "core/io/pack/PackFormat.h"
 #include "core/io/project/BondingJson.h"
@@ -137,6 +140,26 @@ bool hasSceneBonds(const Project& project) {
 
 ContentHash sceneSource(const Project& project, const PackOptions& options) {
     return contentHash(sceneFileJson(project, options));
+}
+
+std::optional<std::string> scenePacksFault(std::string_view json, const PackPhysicsHashes& present) {
+    Result<JsonDocument> document = JsonDocument::parse(json);
+    if (!document) return document.error().message;
+    if (const Result<std::uint32_t> version = versionOf(*document, kSceneFormat); !version)
+        return version.error().message;
+    PackPhysicsHashes named;
+    for (const auto& [folder, hash] : document->root()["packs"].list([](const JsonValue& pack) {
+             return std::pair(pack["folder"].text(), pack["physicsHash"].text());
+         }))
+        named[folder] = hash;
+    if (const std::optional<Error> fault = document->firstError()) return fault->message;
+    for (const auto& [folder, hash] : named) {
+        const auto found = present.find(folder);
+        if (found == present.end()) return "There is no pack " + quotedName(folder) + ", which the scene uses.";
+        if (found->second == hash) continue;
+        return "The pack " + quotedName(folder) + " is of another export than the scene; export all assets again.";
+    }
+    return std::nullopt;
 }
 
 std::string sceneFileJson(const Project& project, const PackOptions& options, const PlayScene* played) {

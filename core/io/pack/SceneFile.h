@@ -4,7 +4,10 @@
 #include "core/io/pack/PackExport.h"
 #include "core/play/scene/PlayScene.h"
 
+#include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace rubble {
 
@@ -24,5 +27,12 @@ ContentHash sceneSource(const Project& project, const PackOptions& options);
 /// mortar and shots. All fields are described in docs/formats/scene.md. `played`: the project prepared for play, where
 /// it hasSceneBonds().
 std::string sceneFileJson(const Project& project, const PackOptions& options, const PlayScene* played = nullptr);
+
+/// The `physicsHash` of packs, by the names of their folders.
+using PackPhysicsHashes = std::map<std::string, std::string>;
+
+/// Returns what does not fit between a scene file and the packs beside it, as a sentence: one that is missing or of
+/// another export, or a text that is no scene; nothing if all fits.
+std::optional<std::string> scenePacksFault(std::string_view json, const PackPhysicsHashes& present);
 
 }  // namespace rubble

@@ -142,7 +142,8 @@ Result<StateHeader> readHeader(std::string_view bytes, ContentHash scene) {
         return Error{ErrorCode::BadInput,
                      "The state was saved from another scene, or from another version of this "
                      "one: its hash is " +
-                         header.scene.hex() + ", that of the scene " + scene.hex() + "."};
+                         header.scene.hex() + ", that of the scene " + scene.hex() +
+                         ". With the project as it was, rubble-cli simulate --remap takes its damage."};
     }
     return header;
 }

@@ -33,7 +33,8 @@ double standingVolume(const Session& session, const Instance& instance, const Pl
 /// Observes the run of a test.
 class TestObserver {
 public:
-    TestObserver(const Session& session, const PlayTest& test) : m_session(session), m_firstStep(session.stepsDone()) {
+    TestObserver(const Session& session, const PlayTest& test)
+        : m_session(session), m_firstStep(session.stepsDone()), m_hasRemovals(!test.removed.empty()) {
         const bool needsVolumes = std::ranges::find(test.expectations, ExpectationKind::StaysUp, &Expectation::kind) !=
                                   test.expectations.end();
         for (const Instance& instance : session.scene().project.instances)
@@ -52,7 +53,7 @@ public:
         for (const PlayBreak& broken : m_session.events().breaks)
             recordBreak(broken.body.origin, broken.fragmentCount - 1);
         for (const PlaySplit& split : m_session.events().splits)
-            recordBreak(split.body.origin, static_cast<std::uint32_t>(split.freed.size()));
+            if (!isOfRemoval(split)) recordBreak(split.body.origin, static_cast<std::uint32_t>(split.freed.size()));
         for (const Start& start : m_starts) {
             const PlayBody* body = m_session.body(start.number);
             if (body == nullptr) continue;
@@ -85,6 +86,12 @@ private:
         std::uint32_t origin = 0;
         std::uint64_t step = 0;
     };
+
+    /// Whether a body only lost the mortar to what the test removes: nothing of it broke.
+    bool isOfRemoval(const PlaySplit& split) const {
+        const bool isFirst = m_session.stepsDone() == m_firstStep + 1;
+        return m_hasRemovals && isFirst && split.impactorNumber == kNone && split.impulse == 0.0 && split.freed.empty();
+    }
 
     void recordBreak(std::uint32_t origin, std::uint32_t added) {
         m_fragmentCounts[origin] += added;
@@ -258,6 +265,7 @@ private:
 
     const Session& m_session;
     const std::uint64_t m_firstStep;
+    const bool m_hasRemovals;
     std::map<Id, double> m_standing;  // m³, of each instance at the start, without what is removed
     std::vector<Start> m_starts;
     std::vector<Move> m_firstMoves;

@@ -85,6 +85,24 @@ private slots:
             QCOMPARE(read.physicsHash, pack.physicsHash);
         }
     }
+    void packsOfOtherExportsAreFound() {
+        const Project project = projectNamed("house.rubble");
+        const std::string json = sceneFileJson(project, {});
+        PackPhysicsHashes present;
+        for (const nlohmann::json& pack : nlohmann::json::parse(json)["packs"])
+            present[pack["folder"].get<std::string>()] = pack["physicsHash"].get<std::string>();
+        present["another"] = "0123";
+        QVERIFY(!scenePacksFault(json, present));
+        const auto fault = [&](const PackPhysicsHashes& packs) { return scenePacksFault(json, packs).value_or(""); };
+        PackPhysicsHashes other = present;
+        other.begin()->second = sceneSource(project, {}).hex();
+        QCOMPARE(fault(other), "The pack \"" + other.begin()->first +
+                                   "\" is of another export than the scene; export all assets again.");
+        const std::string missing = present.begin()->first;
+        present.erase(missing);
+        QCOMPARE(fault(present), "There is no pack \"" + missing + "\", which the scene uses.");
+        QVERIFY(scenePacksFault("{}", present) && scenePacksFault("", present));
+    }
     void wrongScenesAreRefused() {
         const std::string json = sceneFileJson(projectNamed("house.rubble"), {});
         const auto faultWith = [&](const char* pointer, const nlohmann::json& value) {

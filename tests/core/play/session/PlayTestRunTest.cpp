@@ -200,6 +200,20 @@ private slots:
         QCOMPARE(areMet({{left, {}}}), (std::vector<bool>{true, true}));
         QCOMPARE(areMet({{left, {}}, {right, {}}}), (std::vector<bool>{false, false}));
     }
+    void mortarToWhatIsRemovedIsNoBreak() {
+        Project project = test::mortarPortal();
+        const Id left = project.instances[0].id, right = project.instances[1].id, beam = project.instances[2].id;
+        const auto seen = [&](const std::vector<InstancePart>& removed) {
+            const PlayTest test{.id = 1,
+                                .name = "test",
+                                .removed = removed,
+                                .duration = 0.5,
+                                .expectations = {{.kind = ExpectationKind::DoesNotBreak, .instance = beam}}};
+            return runPlayTest(test::playSceneOf(project), test)->expectations[0].seen;
+        };
+        QCOMPARE(seen({{left, {}}}), std::string("it did not break"));
+        QCOMPARE(seen({{left, {}}, {right, {}}}), std::string("\"beam\" broke at step 1 (0.01667 s)"));
+    }
 
 private:
     std::vector<Case> m_cases;
