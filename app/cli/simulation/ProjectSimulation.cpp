@@ -23,6 +23,11 @@ SimulatedBreak toResult(const PlayBreak& broken, const Session& session, bool is
     return result;
 }
 
+SimulatedSplit toResult(const PlaySplit& split, const Session& session) {
+    return {split.step,  session.nameOf(split.body), split.impulse,     split.point,
+            split.bonds, split.area,                 split.freed.size()};
+}
+
 void addBodies(const Session& session, SimulationOutcome& outcome) {
     std::vector<std::vector<Polytope>> hulls;
     std::vector<PosedHulls> placed;
@@ -126,6 +131,9 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
         }
         for (const PlayBreak& broken : session->events().breaks) {
             run.outcome.breaks.push_back(toResult(broken, *session, plan.simulation.isTimed));
+        }
+        for (const PlaySplit& split : session->events().splits) {
+            if (split.bonds > 0 || !split.freed.empty()) run.outcome.splits.push_back(toResult(split, *session));
         }
         const std::vector<Diagnostic>& reported = session->events().diagnostics;
         diagnostics.insert(diagnostics.end(), reported.begin(), reported.end());

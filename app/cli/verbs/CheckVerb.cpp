@@ -385,7 +385,8 @@ Status check(const CheckArguments& arguments, VerbReport& report, const CliConte
 Verb addCheck(CLI::App& program) {
     Command command(program, "check", "Verify projects and exported packs", kCheckFooter);
     const auto arguments = std::make_shared<CheckArguments>();
-    command.argument("PATH", arguments->paths, "A project, a pack's folder or its pack.json, a folder of packs, or its scene.json")
+    command
+        .argument("PATH", arguments->paths, "A project, a pack's folder or pack.json, a folder of packs or its scene")
         .required();
     command.flag("--strict", arguments->isStrict, "Warnings are faults, too");
     command.addReportFlag();

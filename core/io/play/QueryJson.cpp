@@ -4,6 +4,7 @@
 #include "core/io/json/VectorJson.h"
 
 #include <cmath>
+#include <limits>
 
 namespace rubble {
 namespace {
@@ -48,8 +49,9 @@ std::string wouldFallJson(const Session& session, std::span<const BodyPart> remo
         list.close();
     });
     json.number("mass", collapse.mass);
-    writeTime(json, "first", collapse.first);
-    writeTime(json, "last", collapse.last);
+    const bool doesFall = !collapse.islands.empty();  // else nothing meets anything
+    writeTime(json, "first", doesFall ? collapse.first : std::numeric_limits<double>::infinity());
+    writeTime(json, "last", doesFall ? collapse.last : std::numeric_limits<double>::infinity());
     json.close();
     return std::move(json).finished();
 }

@@ -28,6 +28,18 @@ void writeBreak(JsonWriter& json, const SimulatedBreak& broken) {
     json.close();
 }
 
+void writeSplit(JsonWriter& json, const SimulatedSplit& split) {
+    json.openObject({}, JsonLayout::Inline);
+    json.wholeNumber("step", split.step);
+    json.text("body", split.body);
+    json.number("impulse", split.impulse);
+    writeVector(json, "point", split.point);
+    json.wholeNumber("bonds", std::uint64_t{split.bonds});
+    json.number("area", split.area);
+    json.wholeNumber("freed", std::uint64_t{split.freed});
+    json.close();
+}
+
 void writeCounts(JsonWriter& json, const SimulatedCounts& counts) {
     json.openObject("counts", JsonLayout::Inline);
     json.number("bodies", counts.bodies);
@@ -54,6 +66,7 @@ std::string simulationJson(const SimulationOutcome& outcome) {
     writeCounts(json, outcome.counts);
     json.wholeNumber("swaps", outcome.breaks.size());
     json.list("breaks", outcome.breaks, writeBreak);
+    json.list("splits", outcome.splits, writeSplit);
     json.number("largestPenetration", outcome.largestPenetration);
     json.text("hash", outcome.hash.hex());
     if (outcome.stepMilliseconds) writeTimes(json, *outcome.stepMilliseconds);

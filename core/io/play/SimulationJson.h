@@ -28,6 +28,17 @@ struct SimulatedBreak {
     std::optional<double> swapMilliseconds;  // if measured
 };
 
+/// A body whose bonds broke in a step.
+struct SimulatedSplit {
+    std::uint64_t step = 0;
+    std::string body;           // as it was called before
+    double impulse = 0.0;       // N·s, that the bonds took; 0: they were mortar, or had lost their support
+    Vec3 point{0.0, 0.0, 0.0};  // m, in the world
+    std::uint32_t bonds = 0;    // that broke
+    double area = 0.0;          // m²: of the faces that they open, of both sides
+    std::size_t freed = 0;      // bodies that came free
+};
+
 /// Mean counts over the last steps.
 struct SimulatedCounts {
     double bodies = 0.0;
@@ -48,6 +59,7 @@ struct SimulationOutcome {
     std::vector<SimulatedBody> bodies;  // in input order
     SimulatedCounts counts;
     std::vector<SimulatedBreak> breaks;  // in order of time
+    std::vector<SimulatedSplit> splits;  // the same
     double largestPenetration = 0.0;     // m, exact, of the final poses
     ContentHash hash;
     std::optional<StepMilliseconds> stepMilliseconds;
@@ -58,6 +70,7 @@ struct SimulationOutcome {
 ///     {"steps":N,"bodies":[{"name":s,"position":[x,y,z],"orientation":[w,x,y,z],"asleep":false},...],
 ///      "counts":{"bodies":n,"pairs":n,"contactPoints":n},"swaps":n,
 ///      "breaks":[{"step":k,"body":s,"impact":J,"threshold":J,"point":[x,y,z],"fragments":n},...],
+///      "splits":[{"step":k,"body":s,"impulse":J,"point":[x,y,z],"bonds":n,"area":a,"freed":n},...],
 ///      "largestPenetration":d,"hash":"...","stepMilliseconds":{"median":t,"p99":t,"max":t}}
 ///
 /// `swaps` is the number of breaks. `stepMilliseconds`, and `swapMilliseconds` of a break, are omitted if not measured.
