@@ -24,8 +24,8 @@ SimulatedBreak toResult(const PlayBreak& broken, const Session& session, bool is
 }
 
 SimulatedSplit toResult(const PlaySplit& split, const Session& session) {
-    return {split.step,  session.nameOf(split.body), split.impulse,     split.point,
-            split.bonds, split.area,                 split.freed.size()};
+    return {split.step, session.nameOf(split.body), split.impulse, split.point, split.bonds,
+            split.area, split.freed.size()};
 }
 
 void addBodies(const Session& session, SimulationOutcome& outcome) {

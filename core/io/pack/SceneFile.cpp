@@ -148,9 +148,8 @@ std::optional<std::string> scenePacksFault(std::string_view json, const PackPhys
     if (const Result<std::uint32_t> version = versionOf(*document, kSceneFormat); !version)
         return version.error().message;
     PackPhysicsHashes named;
-    for (const auto& [folder, hash] : document->root()["packs"].list([](const JsonValue& pack) {
-             return std::pair(pack["folder"].text(), pack["physicsHash"].text());
-         }))
+    for (const auto& [folder, hash] : document->root()["packs"].list(
+             [](const JsonValue& pack) { return std::pair(pack["folder"].text(), pack["physicsHash"].text()); }))
         named[folder] = hash;
     if (const std::optional<Error> fault = document->firstError()) return fault->message;
     for (const auto& [folder, hash] : named) {
