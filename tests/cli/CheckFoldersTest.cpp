@@ -1,6 +1,8 @@
 // Tests app/cli/verbs/CheckVerb.cpp and core/io/output/ExportFolder.cpp: folders of packs, names and links in them.
 #include "app/cli/Cli.h"
 #include "core/io/pack/PackExport.h"
+#include "core/io/pack/SceneFile.h"
+#include "core/io/project/ProjectFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
 #include "tests/support/files/FileBytes.h"
@@ -61,6 +63,33 @@ private slots:
     void init() {
         m_place = std::make_unique<QTemporaryDir>();
         m_packs = m_place->filePath("packs").toStdString();
+    }
+    void scenesOfOtherExportsAreFound() {
+        Project project = boxProject(UniformScatter{.count = 3});
+        project.instances.push_back({.id = project.nextId++, .name = "box 1", .asset = project.assets[0].id});
+        exportAsset(project.assets[0].name);
+        write(m_packs / kSceneName, QByteArray::fromStdString(sceneFileJson(project, {})));
+        for (const fs::path& path : {m_packs, m_packs / kSceneName}) QCOMPARE(check(path).exit, 0);
+        project.assets[0].prism.depth *= 2.0;
+        write(m_packs / kSceneName, QByteArray::fromStdString(sceneFileJson(project, {})));
+        for (const fs::path& path : {m_packs, m_packs / kSceneName}) {
+            const CheckRun run = check(path);
+            QCOMPARE(run.exit, 3);
+            QVERIFY2(run.err.contains("is of another export than the scene"), qPrintable(run.err));
+        }
+    }
+    void namesThatAreTooLongAreWarnedOf() {
+        Project project = boxProject(UniformScatter{.count = 3});
+        const auto warnings = [&](std::size_t length) {
+            project.assets[0].name = std::string(length, 'w');
+            const fs::path path = m_place->filePath("p.rubble").toStdString();
+            write(path, QByteArray::fromStdString(projectText(project)));
+            return check(path).err;
+        };
+        QVERIFY(!warnings(61).contains("Blender"));
+        QVERIFY(warnings(62).contains("Blender cuts names at 63 bytes"));
+        QVERIFY(!warnings(62).contains("Windows"));
+        QVERIFY(warnings(150).contains("Windows opens paths of 260 at most"));
     }
     void assetsMayHaveTheNamesOfFiles_data() {
         QTest::addColumn<QString>("name");

@@ -15,6 +15,7 @@
 #include "core/io/json/JsonWriter.h"
 #include "core/io/output/ExportCheck.h"
 #include "core/io/pack/PackBinary.h"
+#include "core/io/pack/PackExport.h"
 #include "core/io/pack/PackFile.h"
 #include "core/io/pack/SceneFile.h"
 #include "core/io/project/ProjectFile.h"
@@ -201,6 +202,31 @@ void addNameWarnings(std::span<const PackSurface> surfaces, const FindingPlace& 
     }
 }
 
+/// What other programs cut or cannot open, since a name in the export is too long.
+std::vector<Finding> lengthWarnings(const std::string& file, const Project& project) {
+    constexpr std::size_t kBlenderName = 63;  // bytes
+    constexpr std::size_t kWindowsPath = 260, kFoldersAbove = 80;
+    std::vector<Finding> warnings;
+    std::vector<Id> assets;
+    for (const Asset& asset : project.assets) assets.push_back(asset.id);
+    for (const PackListing& pack : packListings(project, assets, {})) {
+        const FindingPlace place{.file = file, .asset = pack.folder};
+        if (pack.folder.size() + std::string_view("_1").size() > kBlenderName) {
+            warnings.push_back({Severity::Warning, "LongName", place,
+                                "Blender cuts names at " + std::to_string(kBlenderName) +
+                                    " bytes, which its fragments would share; give the asset a shorter name."});
+        }
+        const std::string& longest = *std::ranges::max_element(pack.files.names, {}, &std::string::size);
+        const std::size_t length = pack.folder.size() + 1 + longest.size();
+        if (length <= kWindowsPath - kFoldersAbove) continue;
+        warnings.push_back({Severity::Warning, "LongPath", place,
+                            "Its files have paths of " + std::to_string(length) + " bytes within the export, and " +
+                                "Windows opens paths of " + std::to_string(kWindowsPath) +
+                                " at most; give the asset a shorter name."});
+    }
+    return warnings;
+}
+
 void checkProject(const std::string& path, const CheckArguments& arguments, VerbReport& report,
                   const CliContext& context, std::vector<CheckResult>& all) {
     const auto add = [&](const Finding& finding) { warn(finding, arguments.isStrict, report, context); };
@@ -224,6 +250,7 @@ void checkProject(const std::string& path, const CheckArguments& arguments, Verb
                         warnings);
         std::ranges::for_each(warnings, add);
     }
+    std::ranges::for_each(lengthWarnings(path, *project), add);
     for (const InstanceOverlap& overlap : instanceOverlaps(*project)) {
         add({Severity::Warning, "OverlappingInstances", {.file = path}, sentenceOf(overlap, *project)});
     }
