@@ -6,11 +6,11 @@ namespace {
 constexpr std::string_view kFiles = R"(
 | File | Holds |
 |---|---|
-| `scene.json` | where the instances stand, ground, gravity, and throws; not in every export |
+| `scene.json` | where the instances stand, what holds them, ground, gravity, and throws; not in every export |
 | `<asset>/pack.json` | for each asset masses, inertia, collision hulls, thresholds, materials, and bonds |
 | `<asset>/pack.bin` | the same, for mapping into memory; not in every export |
 | `<asset>/<asset>-intact.*` | the mesh of the asset before it breaks |
-| `<asset>/<asset>-fragments.*` | the meshes of its fragments, an object each, called as in `pack.json` |
+| `<asset>/<asset>-fragments.*` | the meshes of its fragments, an object each, called as in `pack.json`; USD: `<asset>.usda` |
 | `export.json`, `manifest.json` | what was exported, so that the next export replaces no file that you edited |
 
 Metres, kilograms, seconds; right-handed, y up. Rotations are quaternions x, y, z, w.
@@ -19,6 +19,11 @@ The whole of an instance stands at position + rotation · offset of the whole. W
 remove it and add its fragments (those from `firstChild` on) at position + rotation · their offsets, with the velocity
 of that point of the whole. The impact is J = (1 + e) · v · m with the velocities before the solver. Never add bodies
 of two levels at once.
+
+An asset whose `pack.json` has `bonding` has no threshold: an impact breaks the bonds around its point, and only what is
+no longer connected to an anchor comes off, as bodies of one fragment or several. `anchors` and `joints` in `scene.json`
+say what holds each instance. `applyHit()`, `breakMortar()` and `islandsOf()` of `rubble_pack.hpp` do this in C++;
+`pack.md` and `scene.md` of Rubble's documentation say how in any language.
 
 Fragments keep still when they take the place of the whole, since their collision hulls are inset by 0.1 mm. Where the
 engine adds a margin around shapes, set it below that.

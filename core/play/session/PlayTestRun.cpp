@@ -87,7 +87,7 @@ private:
         std::uint64_t step = 0;
     };
 
-    /// Whether a body only lost the mortar to what the test removes: nothing of it broke.
+    /// Whether a body lost the mortar to what the test removes, and no more.
     bool isOfRemoval(const PlaySplit& split) const {
         const bool isFirst = m_session.stepsDone() == m_firstStep + 1;
         return m_hasRemovals && isFirst && split.impactorNumber == kNone && split.impulse == 0.0 && split.freed.empty();
