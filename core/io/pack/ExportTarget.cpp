@@ -10,7 +10,7 @@ constexpr std::string_view kFiles = R"(
 | `<asset>/pack.json` | for each asset masses, inertia, collision hulls, thresholds, materials, and bonds |
 | `<asset>/pack.bin` | the same, for mapping into memory; not in every export |
 | `<asset>/<asset>-intact.*` | the mesh of the asset before it breaks |
-| `<asset>/<asset>-fragments.*` | the meshes of its fragments, an object each, called as in `pack.json`; USD: `<asset>.usda` |
+| `<asset>/<asset>-fragments.*` | its fragments, an object each, called as in `pack.json`; in USD `<asset>.usda` |
 | `export.json`, `manifest.json` | what was exported, so that the next export replaces no file that you edited |
 
 Metres, kilograms, seconds; right-handed, y up. Rotations are quaternions x, y, z, w.
