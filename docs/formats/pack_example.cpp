@@ -12,7 +12,8 @@ void print(const rubble_pack::Pack& pack, const rubble_pack::Body& body, std::ui
     std::cout << std::string(2 * static_cast<std::size_t>(depth), ' ') << body.name << ": " << body.mass << " kg at ("
               << body.offset.x << ", " << body.offset.y << ", " << body.offset.z << "), hulls " << body.hulls.size()
               << ", vertices " << vertices << ", neighbours " << body.neighbours.size() << '\n';
-    for (const std::uint32_t piece : pack.piecesOf(index)) print(pack, pack.fragments[piece], piece, depth + 1);
+    for (const std::uint32_t fragment : pack.fragmentsOf(index))
+        print(pack, pack.fragments[fragment], fragment, depth + 1);
 }
 
 }  // namespace

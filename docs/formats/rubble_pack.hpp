@@ -506,6 +506,15 @@ struct Island {
     bool isAnchored = false;               // an unbroken bond leads from one to an anchor
 };
 
+/// The mass of several fragments together, as of an island that comes off: a body whose hulls are those of its
+/// fragments, each moved by its offset less the centre.
+struct IslandMass {
+    double mass = 0.0;                               // kg
+    Vec3 centre;                                     // m, of mass, in the asset's frame
+    std::array<std::array<double, 3>, 3> inertia{};  // kg m^2, about the centre, by rows
+};
+inline IslandMass massOf(const Pack& pack, const std::vector<std::uint32_t>& fragments);
+
 /// The islands of a body, by their first fragments.
 inline std::vector<Island> islandsOf(const Structure& structure, const std::vector<Damage>& damage,
                                      const std::vector<std::uint32_t>& body);
@@ -2502,6 +2511,32 @@ inline std::vector<std::uint32_t> breakOff(const Structure& structure, const std
         broken.push_back(bond);
     }
     return broken;
+}
+
+inline IslandMass massOf(const Pack& pack, const std::vector<std::uint32_t>& fragments) {
+    IslandMass all;
+    const auto centreOf = [&](std::uint32_t fragment) {
+        const Body& body = pack.fragments[fragment];
+        return detail::plus(body.offset, body.centreOfMass);
+    };
+    for (const std::uint32_t fragment : fragments) {
+        all.mass += pack.fragments[fragment].mass;
+        all.centre = detail::plus(all.centre, detail::times(centreOf(fragment), pack.fragments[fragment].mass));
+    }
+    if (all.mass > 0.0) all.centre = detail::times(all.centre, 1.0 / all.mass);
+    for (const std::uint32_t fragment : fragments) {
+        const Body& body = pack.fragments[fragment];
+        const Vec3 arm = detail::minus(centreOf(fragment), all.centre);
+        const std::array<double, 3> a{arm.x, arm.y, arm.z};
+        const double square = detail::dot(arm, arm);
+        for (std::size_t row = 0; row < 3; ++row) {  // the parallel-axis theorem
+            for (std::size_t column = 0; column < 3; ++column) {
+                const double own = row == column ? square : 0.0;
+                all.inertia[row][column] += body.inertia[row][column] + body.mass * (own - a[row] * a[column]);
+            }
+        }
+    }
+    return all;
 }
 
 inline SceneStructures structuresOf(const Scene& scene, const std::vector<Pack>& packs) {

@@ -22,7 +22,7 @@ using namespace rubble;
 
 namespace {
 
-using Fragments = std::vector<std::uint32_t>;
+using FragmentList = std::vector<std::uint32_t>;
 
 /// A demo project in play, and as its export tells it.
 struct ExportedScene {
@@ -30,6 +30,7 @@ struct ExportedScene {
     std::shared_ptr<const PlayScene> played;
     std::string json;
     rubble_pack::Scene scene;
+    std::vector<rubble_pack::Pack> packs;
     rubble_pack::SceneStructures read;
 
     explicit ExportedScene(const std::string& name) {
@@ -44,7 +45,7 @@ struct ExportedScene {
         std::vector<Id> assets;
         for (const Asset& asset : project.assets) assets.push_back(asset.id);
         if (!exportPacks(project, assets, out, options)) qFatal("the packs were not exported");
-        std::vector<rubble_pack::Pack> packs(scene.packs.size());
+        packs.resize(scene.packs.size());
         for (std::size_t k = 0; k < packs.size(); ++k) {
             if (!rubble_pack::load((out / scene.packs[k].folder / "pack.json").string(), packs[k], fault))
                 qFatal("%s", fault.c_str());
@@ -121,14 +122,14 @@ std::map<Id, HeldInstance> heldBy(const ExportedScene& one, const SessionDamage&
     }
     while (!rubble_pack::breakMortar(one.read, damages).empty()) {
     }
-    std::vector<Fragments> held(damages.size());
+    std::vector<FragmentList> held(damages.size());
     for (std::size_t k = 0; k < damages.size(); ++k) {
         const rubble_pack::Structure& structure = one.read.structures[k];
         for (const rubble_pack::Island& island : rubble_pack::islandsOf(structure, damages[k], structure.fragments))
             if (island.isAnchored) held[k].insert(held[k].end(), island.fragments.begin(), island.fragments.end());
         std::ranges::sort(held[k]);
     }
-    const std::vector<Fragments> unsupported = rubble_pack::unsupported(one.read, damages, held);
+    const std::vector<FragmentList> unsupported = rubble_pack::unsupported(one.read, damages, held);
     std::map<Id, HeldInstance> all;
     for (std::size_t k = 0; k < held.size(); ++k) {
         if (!held[k].empty())
@@ -188,6 +189,39 @@ private slots:
         }
         qInfo("%d instances collapse, %d come free for they hung on others", collapsing, released);
         if (name.startsWith("two-storey")) QVERIFY(collapsing > 0 && released > 0);
+    }
+    void massesOfIslandsAreThosePlayed() {
+        QFETCH_GLOBAL(QString, name);
+        const ExportedScene one(name.toStdString());
+        for (std::uint64_t seed = 0; seed < 100; ++seed) {
+            Random random(seed);
+            const std::size_t k = random.below(one.project.instances.size());
+            const PlayStructure* const structure = one.structureOf(k);
+            if (structure == nullptr) continue;
+            std::vector<std::uint32_t> island;
+            std::vector<MassProperties> parts;
+            for (std::uint32_t node = 0; node < structure->nodeCount(); ++node) {
+                if (random.below(3) > 0) continue;
+                island.push_back(structure->fragmentOf(node));
+                parts.push_back(structure->solidOf(node).shape->mass);
+                parts.back().centre = structure->graph.centres[node];
+            }
+            if (island.empty()) continue;
+            const MassProperties expected = combined(parts);
+            const Asset& asset = *findAsset(one.project, one.project.instances[k].asset);
+            const double density = findMaterial(one.project, asset.material)->density;
+            const rubble_pack::IslandMass read = rubble_pack::massOf(one.packs[one.scene.instances[k].pack], island);
+            const QString fault = faultOfSeed(seed, "another mass");
+            QVERIFY2(std::abs(read.mass - density * expected.volume) <= 1e-9 * read.mass, qPrintable(fault));
+            const Vec3 centre{read.centre.x, read.centre.y, read.centre.z};
+            QVERIFY2(glm::distance(centre, expected.centre) < 1e-9, qPrintable(fault));
+            for (int row = 0; row < 3; ++row) {
+                for (int column = 0; column < 3; ++column) {
+                    const double difference = read.inertia[row][column] - density * expected.inertia[column][row];
+                    QVERIFY2(std::abs(difference) <= 1e-8 * read.inertia[row][row], qPrintable(fault));
+                }
+            }
+        }
     }
     void sourceChangesWithTheScene() {
         QFETCH_GLOBAL(QString, name);
