@@ -363,7 +363,7 @@ std::optional<CheckResult> checkScene(const fs::path& folder, std::span<const fs
     if (!json) return cannotCheck(json.error(), path.string());
     PackPhysicsHashes present;
     for (std::size_t k = 0; k < packs.size(); ++k) {
-        if (!results[k].status || results[k].fault) return std::nullopt;  // told already
+        if (!results[k].status || results[k].fault) return std::nullopt;  // its fault is reported
         present[packs[k].filename().string()] = results[k].physicsHash;
     }
     const std::optional<std::string> fault = scenePacksFault(*json, present);

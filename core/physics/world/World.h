@@ -137,8 +137,9 @@ public:
     /// Finds the contacts of the coming step of dt > 0 seconds. Called again in a step, with the same dt, after bodies
     /// were added, removed and pushed, it considers only those.
     void collide(double dt);
-    /// Begins the step anew, with a length of its own. Manifolds of some bodies with what they do not touch are not
-    /// recycled: the features that were closest then need not be the ones that meet.
+    /// Begins the step anew, with a length of its own; the pairs stay if it has that length already. Manifolds of some
+    /// bodies with what they do not touch are not recycled: the features that were closest then need not be the ones
+    /// that meet.
     void recollide(double dt, std::span<const BodyId> bodies);
     /// Whether bodies were added, moved or pushed since the last collide().
     bool hasUncollided() const;

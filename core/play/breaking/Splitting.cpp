@@ -92,13 +92,14 @@ struct Breakage {
     bool isAll = true;  // its nodes were one island before these broke
 };
 
+/// The islands of nodes of a body.
 Islands islandsOfNodes(const StructureState& state, std::span<const std::uint32_t> nodes, const Breakage& broken) {
     const BondGraph& graph = state.structure->graph;
     return broken.isAll ? islandsAfter(graph, state.damage, nodes, broken.bonds)
                         : islandsOf(graph, state.damage, nodes);
 }
 
-/// The same, the heaviest first, then by lowest node. Only what was held can be held.
+/// The islands of a body as its parts, the heaviest first, then by lowest node. Only what was held can be held.
 std::vector<PartOfBody> partsOfBody(const StructureState& state, const Islands& islands, bool wasHeld) {
     std::vector<PartOfBody> made;
     for (std::uint32_t k = 0; k < islands.count(); ++k) {
@@ -446,6 +447,7 @@ void splitUnjoined(const SessionParts& parts) { splitBodies(parts, unjoinedBodie
 
 void planMortarCollapse(const SessionParts& parts, const std::set<Id>& changed) {
     const std::set<Id> instances = joinedInstances(parts.scene.structures, changed);
+    if (instances.empty()) return;
     const UnsupportedNodes unsupported = unsupportedByMortar(parts, instances);
     for (PlayBody& body : parts.state.bodies) {
         if (!body.isHeld || !instances.contains(parts.state.origins[body.origin].instance)) continue;

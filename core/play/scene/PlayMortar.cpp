@@ -132,7 +132,7 @@ std::set<Id> anchoredThroughMortar(const std::map<Id, MortarMember>& members, co
     return anchored;
 }
 
-/// Tells structures which instances mortar joins with theirs.
+/// Gives structures the instances that mortar joins with theirs.
 void addJoined(const std::map<Id, std::shared_ptr<PlayStructure>>& structures) {
     for (const auto& [id, structure] : structures) {
         if (structure->joined != nullptr) continue;
