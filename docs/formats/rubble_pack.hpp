@@ -541,7 +541,8 @@ struct SceneBond {
 /// structure of its instance. A hit damages the structure of one instance; what it broke of a joint, breakMortar()
 /// breaks in the other.
 ///
-///     rubble_pack::SceneStructures all = rubble_pack::structuresOf(scene, packs);
+///     rubble_pack::SceneStructures all;
+///     if (!rubble_pack::structuresOf(scene, packs, all, fault)) ...
 ///     std::vector<std::vector<rubble_pack::Damage>> damages = rubble_pack::intactDamages(all);
 ///     rubble_pack::applyHit(all.structures[k], *packs[scene.instances[k].pack].bonding, hit, body, damages[k]);
 ///     rubble_pack::breakMortar(all, damages);
@@ -556,8 +557,10 @@ struct SceneStructures {
     std::vector<bool> holdHeaviest;                      // SceneInstance::holdsHeaviest
 };
 
-/// `packs`: those of Scene::packs, in that order.
-inline SceneStructures structuresOf(const Scene& scene, const std::vector<Pack>& packs);
+/// Makes the structures of a scene. `packs`: those of Scene::packs, in that order. Where these are of another export,
+/// or have no such fragments, returns false, sets `fault` to a message and does not change the structures.
+inline bool structuresOf(const Scene& scene, const std::vector<Pack>& packs, SceneStructures& structures,
+                         std::string& fault);
 
 /// Damages of all structures in which nothing is broken.
 inline std::vector<std::vector<Damage>> intactDamages(const SceneStructures& all);
@@ -2539,7 +2542,31 @@ inline IslandMass massOf(const Pack& pack, const std::vector<std::uint32_t>& fra
     return all;
 }
 
-inline SceneStructures structuresOf(const Scene& scene, const std::vector<Pack>& packs) {
+namespace detail {
+
+/// Why packs are not those of a scene; empty if they are.
+inline std::string faultOfPacks(const Scene& scene, const std::vector<Pack>& packs) {
+    if (packs.size() != scene.packs.size()) return "There must be a pack for each of the scene.";
+    for (std::size_t k = 0; k < packs.size(); ++k) {
+        if (packs[k].physicsHash != scene.packs[k].physicsHash)
+            return "The pack \"" + scene.packs[k].folder + "\" is of another export than the scene.";
+    }
+    return {};
+}
+
+/// Adds a bond to an anchor; returns false if the structure has no such fragment.
+inline bool addHalf(Structure& structure, const Bond& bond) {
+    if (!std::binary_search(structure.fragments.begin(), structure.fragments.end(), bond.fragments[0])) return false;
+    link(structure, bond);
+    return true;
+}
+
+}  // namespace detail
+
+inline bool structuresOf(const Scene& scene, const std::vector<Pack>& packs, SceneStructures& structures,
+                         std::string& fault) {
+    fault = detail::faultOfPacks(scene, packs);
+    if (!fault.empty()) return false;
     SceneStructures all;
     for (const SceneInstance& instance : scene.instances) {
         const Pack& pack = packs[instance.pack];
@@ -2547,8 +2574,11 @@ inline SceneStructures structuresOf(const Scene& scene, const std::vector<Pack>&
                               pack.bonding->fractures[0].fragment == kNone;
         Structure structure;
         if (hasBonds) structure = detail::fractureOf(pack, 0, instance.bondStrength);
-        for (const Bond& anchor : instance.anchors)
-            if (hasBonds) detail::link(structure, anchor);
+        for (const Bond& anchor : instance.anchors) {
+            if (detail::addHalf(structure, anchor)) continue;
+            fault = "An anchor of \"" + instance.name + "\" holds a fragment that its pack has not.";
+            return false;
+        }
         std::vector<double>& masses = all.masses.emplace_back();
         for (const std::uint32_t fragment : structure.fragments) masses.push_back(pack.fragments[fragment].mass);
         all.structures.push_back(std::move(structure));
@@ -2564,13 +2594,16 @@ inline SceneStructures structuresOf(const Scene& scene, const std::vector<Pack>&
         for (std::size_t side = 0; side < 2 && joint.instances[side] != kNone; ++side) {
             const std::uint32_t k = joint.instances[side];
             halves[side] = {k, static_cast<std::uint32_t>(all.structures[k].bonds.size())};
-            detail::link(all.structures[k], detail::halfOf(joint, side, scene.instances[k]));
+            if (detail::addHalf(all.structures[k], detail::halfOf(joint, side, scene.instances[k]))) continue;
+            fault = "A joint of \"" + scene.instances[k].name + "\" joins a fragment that its pack has not.";
+            return false;
         }
         if (joint.instances[1] == kNone) continue;
         for (const SceneBond& half : halves) all.jointBonds[half.instance].push_back(half.bond);
         all.halves.push_back(halves);
     }
-    return all;
+    structures = std::move(all);
+    return true;
 }
 
 inline std::vector<std::vector<Damage>> intactDamages(const SceneStructures& all) {

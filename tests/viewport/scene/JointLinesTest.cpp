@@ -20,7 +20,12 @@ MortarJoint rectangularJoint(Quat rotation) {
     Mat3 moments(0.0);
     moments[0][0] = area * 2.0 * 2.0 / 12.0;
     moments[2][2] = area * 0.5 * 0.5 / 12.0;
-    return {1, 2, area, {3.0, 1.0, 0.0}, axes[1], axes * moments * glm::transpose(axes)};
+    return {.first = 1,
+            .second = 2,
+            .area = area,
+            .centroid = {3.0, 1.0, 0.0},
+            .normal = axes[1],
+            .moments = axes * moments * glm::transpose(axes)};
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ struct ExportedScene {
             if (!rubble_pack::load((out / scene.packs[k].folder / "pack.json").string(), packs[k], fault))
                 qFatal("%s", fault.c_str());
         }
-        read = rubble_pack::structuresOf(scene, packs);
+        if (!rubble_pack::structuresOf(scene, packs, read, fault)) qFatal("%s", fault.c_str());
     }
     const PlayStructure* structureOf(std::size_t instance) const {
         const auto found = played->structures.find(project.instances[instance].id);
@@ -189,6 +189,33 @@ private slots:
         }
         qInfo("%d instances collapse, %d come free for they hung on others", collapsing, released);
         if (name.startsWith("two-storey")) QVERIFY(collapsing > 0 && released > 0);
+    }
+    void scenesOfOtherPacksAreRefused() {
+        QFETCH_GLOBAL(QString, name);
+        const ExportedScene one(name.toStdString());
+        const auto faultOf = [&](const rubble_pack::Scene& scene, const std::vector<rubble_pack::Pack>& packs) {
+            rubble_pack::SceneStructures read;
+            std::string fault;
+            return rubble_pack::structuresOf(scene, packs, read, fault) ? std::string() : fault;
+        };
+        QCOMPARE(faultOf(one.scene, one.packs), std::string());
+        QCOMPARE(faultOf(one.scene, {}), std::string("There must be a pack for each of the scene."));
+        rubble_pack::Scene scene = one.scene;
+        scene.packs[0].physicsHash[0] ^= 1;
+        QVERIFY(faultOf(scene, one.packs).ends_with("is of another export than the scene."));
+        for (std::uint64_t seed = 0; seed < 100; ++seed) {
+            Random random(seed);
+            scene = one.scene;
+            rubble_pack::SceneInstance& instance = scene.instances[random.below(scene.instances.size())];
+            if (!instance.anchors.empty() && random.below(2) == 0) {
+                instance.anchors[random.below(instance.anchors.size())].fragments[0] += 100000;
+                QVERIFY(faultOf(scene, one.packs).starts_with("An anchor of "));
+            } else if (!scene.joints.empty()) {
+                rubble_pack::SceneJoint& joint = scene.joints[random.below(scene.joints.size())];
+                joint.fragments[0] += 100000 + static_cast<std::uint32_t>(random.below(2000000000));
+                QVERIFY(faultOf(scene, one.packs).starts_with("A joint of "));
+            }
+        }
     }
     void massesOfIslandsAreThosePlayed() {
         QFETCH_GLOBAL(QString, name);

@@ -89,18 +89,19 @@ private slots:
         const Project project = projectNamed("house.rubble");
         const std::string json = sceneFileJson(project, {});
         PackPhysicsHashes present;
-        for (const nlohmann::json& pack : nlohmann::json::parse(json)["packs"])
+        const nlohmann::json packs = nlohmann::json::parse(json)["packs"];
+        for (const nlohmann::json& pack : packs)
             present[pack["folder"].get<std::string>()] = pack["physicsHash"].get<std::string>();
         present["another"] = "0123";
-        QVERIFY(!scenePacksFault(json, present));
-        const auto fault = [&](const PackPhysicsHashes& packs) { return scenePacksFault(json, packs).value_or(""); };
+        QCOMPARE(scenePacksFault(json, present).value_or(""), std::string());
+        const auto fault = [&](const PackPhysicsHashes& hashes) { return scenePacksFault(json, hashes).value_or(""); };
+        const std::string used = packs[0]["folder"];
         PackPhysicsHashes other = present;
-        other.begin()->second = sceneSource(project, {}).hex();
-        QCOMPARE(fault(other), "The pack \"" + other.begin()->first +
-                                   "\" is of another export than the scene; export all assets again.");
-        const std::string missing = present.begin()->first;
-        present.erase(missing);
-        QCOMPARE(fault(present), "There is no pack \"" + missing + "\", which the scene uses.");
+        other[used] = sceneSource(project, {}).hex();
+        QCOMPARE(fault(other),
+                 "The pack \"" + used + "\" is of another export than the scene; export all assets again.");
+        present.erase(used);
+        QCOMPARE(fault(present), "There is no pack \"" + used + "\", which the scene uses.");
         QVERIFY(scenePacksFault("{}", present) && scenePacksFault("", present));
     }
     void wrongScenesAreRefused() {
