@@ -1,9 +1,8 @@
-// Prints when which sound starts, and how loud: a cue sheet of events.
+// Prints when which sound starts, and how loud: a cue sheet of events, from their file alone.
 // c++ -std=c++17 cue_sheet_example.cpp -o cue_sheet_example
 #include "rubble_pack.hpp"
 
 #include <cstdio>
-#include <cstdlib>
 
 namespace {
 
@@ -16,12 +15,21 @@ bool isHeard(const rubble_pack::Event& event) {
 
 const char* soundOf(rubble_pack::EventKind kind) { return kind == rubble_pack::EventKind::Impact ? "hit" : "crack"; }
 
+/// The names of both materials; of what has none, its number.
+std::string materialsOf(const rubble_pack::EventLog& log, const rubble_pack::Event& event) {
+    std::array<std::string, 2> names;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        names[k] = rubble_pack::materialName(log, event.materials[k]);
+        if (names[k].empty()) names[k] = std::to_string(event.materials[k]);
+    }
+    return names[0] + " + " + names[1];
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
-    const double dt = count > 2 ? std::atof(arguments[2]) : 1.0 / 60.0;
-    if (count < 2 || count > 3 || !(dt > 0.0)) {
-        std::fprintf(stderr, "usage: cue_sheet_example events.jsonl [seconds per step]\n");
+    if (count != 2) {
+        std::fprintf(stderr, "usage: cue_sheet_example events.jsonl\n");
         return 2;
     }
     rubble_pack::EventLog log;
@@ -30,19 +38,19 @@ int main(int count, char** arguments) {
         std::fprintf(stderr, "%s\n", fault.c_str());
         return 1;
     }
+    const double dt = log.dt > 0.0 ? log.dt : 1.0 / 60.0;  // version 1 does not tell it
     double loudest = 0.0;
     for (const rubble_pack::Event& event : log.events) {
         if (isHeard(event)) loudest = std::max(loudest, event.energy);
     }
-    std::printf("%10s  %-5s  %-9s  %8s  %12s  %s\n", "time", "sound", "materials", "gain", "energy", "place");
+    std::printf("%10s  %-5s  %8s  %12s  %-20s  %s\n", "time", "sound", "gain", "energy", "place", "materials");
     for (const rubble_pack::Event& event : log.events) {
         if (!isHeard(event)) continue;
         const double gain = 10.0 * std::log10(event.energy / loudest);
         if (gain < kSilent) continue;
-        const std::string materials = std::to_string(event.materials[0]) + " + " + std::to_string(event.materials[1]);
-        std::printf("%8.3f s  %-5s  %-9s  %5.1f dB  %10.4g J  %.2f %.2f %.2f\n", static_cast<double>(event.step) * dt,
-                    soundOf(event.kind), materials.c_str(), gain, event.energy, event.point.x, event.point.y,
-                    event.point.z);
+        std::printf("%8.3f s  %-5s  %5.1f dB  %10.4g J  %6.2f %6.2f %6.2f  %s\n", static_cast<double>(event.step) * dt,
+                    soundOf(event.kind), gain, event.energy, event.point.x, event.point.y, event.point.z,
+                    materialsOf(log, event).c_str());
     }
     return 0;
 }

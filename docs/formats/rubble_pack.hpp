@@ -586,32 +586,57 @@ inline std::string damageBytes(const std::string& bake, const std::vector<std::v
 inline bool readDamage(std::string_view bytes, const std::string& bake, std::vector<std::vector<Damage>>& damages,
                        std::string& fault);
 
-/// The kinds of events, in the order in which a step tells them.
-enum class EventKind { Impact, Bonds, Detached, Broken, Settled, Removed };
-constexpr std::size_t kEventKinds = 6;
+/// The kinds of events. Files of version 1 have the first six, in this order.
+enum class EventKind { Impact, Bonds, Detached, Broken, Settled, Removed, Born, Damaged, Sliding, Rolling };
+constexpr std::size_t kEventKinds = 10;
 
 /// Why a body was removed; None: it was not.
-enum class RemovalReason { None, Lifetime, Budget, LeftWorld };
+enum class RemovalReason { None, Lifetime, Budget, LeftWorld, Input };
 
-/// Something that happened to a body in a step.
+/// What broke further in a step, of an instance: see state.md. Counts within `broken` are those of the fractures of a
+/// cut asset where `cut` is not empty.
+struct EventDamage {
+    std::vector<std::uint32_t> broken;                              // bonds or fractures, ascending
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> weakened;  // bonds that hold, and their damage, 1 to 254
+    std::string cut;  // number of the cut at the point of impact; empty: none
+};
+
+/// Something that happened to a body in a step. Members that the kind does not have are 0 or empty.
 struct Event {
     std::uint64_t step = 0;  // after which it holds
     EventKind kind = EventKind::Impact;
-    std::uint32_t body = 0;                    // its number
-    std::uint32_t other = kNone;               // of the body that it touched; kNone: none
-    std::uint32_t instance = 0;                // id; 0: the ground, or thrown
-    std::string fragment;                      // its path in the asset; empty: the whole
-    Vec3 point;                                // m, in the world
-    Vec3 normal;                               // from `other` into `body`
-    double impulse = 0.0;                      // N·s, along the normal
-    double speed = 0.0;                        // m/s, of the approach
-    double energy = 0.0;                       // J: that both bodies lost, or that the break took
-    double area = 0.0;                         // m^2, of the faces that opened
-    double mass = 0.0;                         // kg, of what came free, came to rest or is gone
-    std::uint32_t count = 0;                   // of fragments that came free
+    std::uint32_t body = 0;       // its number
+    std::uint32_t other = kNone;  // of the body that it touched, or came off; kNone: none
+    std::uint32_t instance = 0;   // id; 0: the ground, or thrown. Version 2: of instances and damage only
+    std::string fragment;         // version 1: its path in the asset; empty: the whole
+    Vec3 point;                   // m, in the world
+    Vec3 normal;                  // from `other` into `body`
+    double impulse = 0.0;         // N·s, along the normal
+    double speed = 0.0;           // m/s, of the approach; of what slides and rolls
+    double energy = 0.0;          // J: that both bodies lost, or that the break took
+    double area = 0.0;            // m^2, of the faces that opened
+    double mass = 0.0;            // kg, of what came free or appeared; version 1: also of what came to rest or is gone
+    std::uint32_t count = 0;      // of fragments that came free
     std::array<std::uint32_t, 2> materials{};  // ids, of both bodies; of the body and its inside. 0: none
     Box box;                                   // of what changed, in the world
     RemovalReason reason = RemovalReason::None;
+
+    // Version 2:
+    double restMass = 0.0;               // kg, of what is left of the body that it came off; 0: none, or fixed
+    std::array<double, 2> masses{};      // kg, of both bodies of an impact; 0: fixed
+    double load = 0.0;                   // N, of what slides and rolls
+    Vec3 position;                       // m, of the frame of the body's asset in the world
+    Quaternion rotation;                 // of that frame
+    Vec3 velocity;                       // m/s, of the centre of mass
+    Vec3 angularVelocity;                // rad/s, in world axes
+    std::vector<std::string> fragments;  // paths: what appears, or was removed; none: the whole
+    std::string name;                    // of an instance, or of what was thrown
+    std::uint32_t asset = 0;             // id; 0: none
+    std::uint32_t variant = 0;
+    std::string projectile;  // "ball", "box" or "plank", of what is thrown and has no asset
+    Vec3 size;               // m, of that
+    bool isFixed = false;
+    EventDamage damage;
 };
 
 /// Events of a kind that happened and are not told one by one.
@@ -627,13 +652,70 @@ struct EventSums {
     double restEnergy = 0.0;                           // J, that contacts took without an impact
 };
 
-struct EventLog {
-    std::vector<Event> events;    // ascending step
-    std::vector<EventSums> sums;  // ascending step
+struct EventMaterial {
+    std::uint32_t id = 0;
+    std::string name;
 };
 
-/// Parses events as JSON lines. On an error returns false, sets `fault` to a message and does not change the log.
+struct EventAsset {
+    std::uint32_t id = 0;
+    std::uint32_t variant = 0;
+    std::string name;
+    std::string folder;  // of its pack
+    std::uint32_t material = 0;
+    std::vector<std::string> fragments;  // paths of all of them, if it breaks along bonds
+};
+
+struct EventLog {
+    std::uint32_t version = 1;
+    std::vector<Event> events;    // ascending step
+    std::vector<EventSums> sums;  // ascending step
+
+    // Version 2:
+    std::uint64_t step = 0;  // after which it begins
+    double dt = 0.0;         // s, of a step; 0 in version 1
+    Vec3 gravity;            // m/s^2
+    std::vector<EventMaterial> materials;
+    std::vector<EventAsset> assets;
+    std::vector<Event> bodies;  // that are there at the beginning, as if just born
+};
+
+/// A body as events of version 2 tell of it.
+struct EventBody {
+    std::string name;            // of its instance, or of what was thrown
+    std::uint32_t instance = 0;  // id; 0: the ground, or thrown
+    std::uint32_t asset = 0;     // id; 0: none
+    std::uint32_t variant = 0;
+    std::uint64_t born = 0;              // step after which it was there
+    std::uint32_t from = kNone;          // body that it came off; kNone: none
+    std::vector<std::string> fragments;  // paths, ascending as text; "": the whole
+    bool isFixed = false;
+    double mass = 0.0;  // kg; of what is fixed 0
+};
+
+/// Which bodies there are, and what is broken.
+struct EventState {
+    std::uint64_t step = 0;                        // after which it holds
+    std::size_t next = 0;                          // event of the log that comes next
+    std::map<std::uint32_t, EventBody> bodies;     // by number
+    std::map<std::uint32_t, EventDamage> damages;  // by id of instance
+};
+
+/// The state before the first event of a log of version 2.
+inline EventState startOf(const EventLog& log);
+
+/// Brings a state to the end of a step, which must not be before it.
+inline void playTo(const EventLog& log, std::uint64_t step, EventState& state);
+
+/// The name of a material of a log; empty if there is none.
+inline std::string materialName(const EventLog& log, std::uint32_t material);
+
+/// Parses events as JSON lines, of version 1 or 2. On an error returns false, sets `fault` to a message and does not
+/// change the log.
 inline bool parseEvents(std::string_view lines, EventLog& log, std::string& fault);
+
+/// Adds the lines that follow in a file to what was read of it, as they come over a network.
+inline bool appendEvents(std::string_view lines, EventLog& log, std::string& fault);
 
 /// Reads a file.
 inline bool loadEvents(const std::string& path, EventLog& log, std::string& fault);
@@ -1561,8 +1643,8 @@ public:
         return read;
     }
 
-    static constexpr std::array<std::string_view, kEventKinds> kKinds{"impact", "bonds",   "detached",
-                                                                      "broken", "settled", "removed"};
+    static constexpr std::array<std::string_view, kEventKinds> kKinds{
+        "impact", "bonds", "detached", "broken", "settled", "removed", "born", "damaged", "sliding", "rolling"};
     static constexpr double kMaxCount = 9007199254740992.0;  // the whole numbers below are doubles
 
     std::uint64_t step(const Value& value) {
@@ -1581,41 +1663,138 @@ public:
         if (fault.empty() && corners.size() != 2) refuse(value, "expected 2 corners");
         return fault.empty() ? Box{corners[0], corners[1]} : Box{};
     }
+    /// A member that may be missing.
+    double numberOr0(const Value& value, const char* key) {
+        return at(
+            value, key, [&](const Value& v) { return number(v); }, 0.0);
+    }
+    Vec3 vectorOr0(const Value& value, const char* key) {
+        return at(
+            value, key, [&](const Value& v) { return vector(v); }, Vec3{});
+    }
+    std::uint32_t wholeOr(const Value& value, const char* key, std::uint32_t absent) {
+        return at(
+            value, key, [&](const Value& v) { return index(v, std::size_t{kNone}); }, absent);
+    }
+    std::string textOrNone(const Value& value, const char* key) {
+        return at(
+            value, key, [&](const Value& v) { return text(v); }, std::string());
+    }
+    std::vector<std::string> paths(const Value& value) {
+        return optionalListAt(value, "fragments", [&](const Value& v) { return text(v); });
+    }
+    std::array<std::uint32_t, 2> materialPair(const Value& value) {
+        const std::vector<std::uint32_t> pair =
+            list(value, [&](const Value& v) { return index(v, std::size_t{kNone}); });
+        if (fault.empty() && pair.size() != 2) refuse(value, "expected 2 materials");
+        return fault.empty() ? std::array<std::uint32_t, 2>{pair[0], pair[1]} : std::array<std::uint32_t, 2>{};
+    }
+    /// What the kinds of both versions have.
     Event event(const Value& value) {
-        const auto optionalNumber = [&](const char* key) {
-            return at(
-                value, key, [&](const Value& v) { return number(v); }, 0.0);
-        };
-        const auto whole = [&](const Value& v) { return index(v, std::size_t{kNone}); };
         Event read;
         read.step = step(value);
         read.kind = at(value, "kind", [&](const Value& v) { return static_cast<EventKind>(oneOf(v, kKinds)); });
-        read.body = countAt(value, "body");
-        read.other = at(value, "other", whole, kNone);
-        read.instance = countAt(value, "instance");
-        read.fragment = textAt(value, "fragment");
-        read.point = vectorAt(value, "point");
-        read.normal = at(
-            value, "normal", [&](const Value& v) { return vector(v); }, Vec3{});
-        read.impulse = optionalNumber("impulse");
-        read.speed = optionalNumber("speed");
-        read.energy = optionalNumber("energy");
-        read.area = optionalNumber("area");
-        read.mass = optionalNumber("mass");
-        read.count = at(value, "count", whole, 0u);
-        read.materials = at(value, "materials", [&](const Value& v) {
-            const std::vector<std::uint32_t> pair = list(v, whole);
-            if (fault.empty() && pair.size() != 2) refuse(v, "expected 2 materials");
-            return fault.empty() ? std::array<std::uint32_t, 2>{pair[0], pair[1]} : std::array<std::uint32_t, 2>{};
-        });
-        read.box = at(value, "box", [&](const Value& v) { return box(v); });
+        if (fault.empty() && m_eventsVersion < 2 && read.kind > EventKind::Removed)
+            refuse(value, "the kind is of version 2, which begins with a line for the whole file");
+        read.other = wholeOr(value, "other", kNone);
+        read.point = vectorOr0(value, "point");
+        read.normal = vectorOr0(value, "normal");
+        read.impulse = numberOr0(value, "impulse");
+        read.speed = numberOr0(value, "speed");
+        read.energy = numberOr0(value, "energy");
+        read.area = numberOr0(value, "area");
+        read.mass = numberOr0(value, "mass");
+        read.count = wholeOr(value, "count", 0);
         read.reason = at(
             value, "reason",
             [&](const Value& v) {
-                return static_cast<RemovalReason>(1 + oneOf(v, {"lifetime", "budget", "leftWorld"}));
+                return static_cast<RemovalReason>(1 + oneOf(v, {"lifetime", "budget", "leftWorld", "input"}));
             },
             RemovalReason::None);
+        if (m_eventsVersion < 2) {
+            addVersion1(value, read);
+        } else {
+            addVersion2(value, read);
+        }
         return read;
+    }
+    void addVersion1(const Value& value, Event& read) {
+        read.body = countAt(value, "body");
+        read.instance = countAt(value, "instance");
+        read.fragment = textAt(value, "fragment");
+        read.point = vectorAt(value, "point");
+        read.materials = at(value, "materials", [&](const Value& v) { return materialPair(v); });
+        read.box = at(value, "box", [&](const Value& v) { return box(v); });
+    }
+    void addVersion2(const Value& value, Event& read) {
+        const bool isOfBody = read.kind != EventKind::Damaged;
+        if (isOfBody) read.body = countAt(value, "body");
+        read.instance = isOfBody ? wholeOr(value, "instance", 0) : countAt(value, "instance");
+        read.materials = at(
+            value, "materials", [&](const Value& v) { return materialPair(v); }, std::array<std::uint32_t, 2>{});
+        read.box = at(
+            value, "box", [&](const Value& v) { return box(v); }, Box{});
+        read.masses = at(
+            value, "masses", [&](const Value& v) { return numbers<2>(v); }, std::array<double, 2>{});
+        read.restMass = numberOr0(value, "restMass");
+        read.load = numberOr0(value, "load");
+        read.position = vectorOr0(value, "position");
+        const std::array<double, 4> turned = at(
+            value, "rotation", [&](const Value& v) { return numbers<4>(v); },
+            std::array<double, 4>{0.0, 0.0, 0.0, 1.0});
+        read.rotation = {turned[0], turned[1], turned[2], turned[3]};
+        read.velocity = vectorOr0(value, "velocity");
+        read.angularVelocity = vectorOr0(value, "angularVelocity");
+        read.fragments = paths(value);
+        read.name = textOrNone(value, "name");
+        read.asset = wholeOr(value, "asset", 0);
+        read.variant = wholeOr(value, "variant", 0);
+        read.projectile = textOrNone(value, "projectile");
+        read.size = vectorOr0(value, "size");
+        read.isFixed = at(
+            value, "fixed", [&](const Value& v) { return boolean(v); }, false);
+        if (!isOfBody) read.damage = eventDamage(value);
+    }
+    EventDamage eventDamage(const Value& value) {
+        EventDamage read;
+        const auto whole = [&](const Value& v) { return index(v, std::size_t{kNone}); };
+        read.broken = listAt(value, "broken", whole);
+        read.weakened = listAt(value, "weakened", [&](const Value& v) {
+            const std::vector<std::uint32_t> pair = list(v, whole);
+            if (fault.empty() && (pair.size() != 2 || pair[1] < 1 || pair[1] > 254))
+                refuse(v, "expected a bond and its damage, 1 to 254");
+            return fault.empty() ? std::pair(pair[0], pair[1]) : std::pair(0u, 0u);
+        });
+        if (fault.empty() && find(value, "cut"))
+            read.cut = at(value, "cut", [&](const Value& v) { return textAt(v, "number"); });
+        return read;
+    }
+    /// The first line of version 2.
+    void addEventHeader(const Value& value, EventLog& log) {
+        oneOfAt(value, "format", {"rubble-events"});
+        at(value, "version", [&](const Value& version) {
+            if (number(version) != 2.0) refuse(version, "this header reads version 2");
+            return 0;
+        });
+        m_eventsVersion = log.version = 2;
+        log.step = step(value);
+        log.dt = positiveAt(value, "dt");
+        log.gravity = vectorAt(value, "gravity");
+        log.materials = listAt(value, "materials", [&](const Value& v) {
+            return EventMaterial{countAt(v, "material"), textAt(v, "name")};
+        });
+        log.assets = listAt(value, "assets", [&](const Value& v) {
+            return EventAsset{countAt(v, "asset"), countAt(v, "variant"),  textAt(v, "name"),
+                              textAt(v, "folder"), countAt(v, "material"), paths(v)};
+        });
+        log.bodies = listAt(value, "bodies", [&](const Value& v) {
+            Event read;
+            read.kind = EventKind::Born;
+            read.step = log.step;
+            read.mass = numberOr0(v, "mass");
+            addVersion2(v, read);
+            return read;
+        });
     }
     EventSums sums(const Value& value) {
         EventSums read;
@@ -1636,8 +1815,11 @@ public:
         return read;
     }
     /// Adds a line of events to a log.
-    void addLine(const Value& value, EventLog& log) {
-        if (textAt(value, "kind") == "sums") {
+    void addLine(const Value& value, EventLog& log, bool isFirst) {
+        m_eventsVersion = log.version;
+        if (isFirst && is(value, Kind::Object, "an object") && find(value, "format")) {
+            addEventHeader(value, log);
+        } else if (textAt(value, "kind") == "sums") {
             log.sums.push_back(sums(value));
         } else {
             log.events.push_back(event(value));
@@ -1646,6 +1828,7 @@ public:
 
 private:
     std::uint32_t m_version = 0;
+    std::uint32_t m_eventsVersion = 1;
 };
 
 /// Appends a bond to a structure.
@@ -2749,13 +2932,22 @@ inline bool loadScene(const std::string& path, Scene& scene, std::string& fault)
 
 inline bool parseEvents(std::string_view lines, EventLog& log, std::string& fault) {
     EventLog read;
+    if (!appendEvents(lines, read, fault)) return false;
+    log = std::move(read);
+    return true;
+}
+
+inline bool appendEvents(std::string_view lines, EventLog& log, std::string& fault) {
+    EventLog read;  // the new lines only
+    const bool isBegun = log.version > 1 || !log.events.empty() || !log.sums.empty();
+    read.version = log.version;
     for (std::size_t start = 0, number = 1; start < lines.size(); ++number) {
         const std::size_t end = std::min(lines.find('\n', start), lines.size());
         detail::Parser parser(lines.substr(start, end - start));
         detail::Document document;
         detail::Reader reader;
         if (parser.parse(document)) {
-            reader.addLine(detail::Value{&document, 0, nullptr, nullptr, 0}, read);
+            reader.addLine(detail::Value{&document, 0, nullptr, nullptr, 0}, read, number == 1 && !isBegun);
         } else {
             reader.fault = parser.fault();
         }
@@ -2765,12 +2957,140 @@ inline bool parseEvents(std::string_view lines, EventLog& log, std::string& faul
         }
         start = end + 1;
     }
-    log = std::move(read);
+    if (!isBegun) {
+        log = std::move(read);
+        return true;
+    }
+    log.events.insert(log.events.end(), read.events.begin(), read.events.end());
+    log.sums.insert(log.sums.end(), read.sums.begin(), read.sums.end());
     return true;
 }
 
 inline bool loadEvents(const std::string& path, EventLog& log, std::string& fault) {
     return detail::loadBy(parseEvents, path, log, fault);
+}
+
+namespace detail {
+
+/// The path of the fragment that one is part of; empty for the whole.
+inline std::string parentOf(const std::string& path) {
+    const std::size_t slash = path.rfind('/');
+    return slash == path.npos ? std::string() : path.substr(0, slash);
+}
+
+/// Takes a fragment out of a body; what it is part of falls apart into its fragments.
+inline void takeFragment(const EventLog& log, EventBody& body, const std::string& path) {
+    std::vector<std::string>& own = body.fragments;
+    const auto placeOf = [&](const std::string& one) { return std::lower_bound(own.begin(), own.end(), one); };
+    const auto has = [&](const std::string& one) { return std::binary_search(own.begin(), own.end(), one); };
+    std::string whole = path;
+    while (!has(whole)) {
+        if (whole.empty()) return;
+        whole = parentOf(whole);
+    }
+    const auto isIt = [&](const EventAsset& one) { return one.id == body.asset && one.variant == body.variant; };
+    const auto asset = std::find_if(log.assets.begin(), log.assets.end(), isIt);
+    while (!has(path) && asset != log.assets.end()) {
+        own.erase(placeOf(whole));
+        std::string next = path;
+        while (parentOf(next) != whole) next = parentOf(next);
+        for (const std::string& one : asset->fragments)
+            if (!one.empty() && parentOf(one) == whole) own.push_back(one);
+        std::sort(own.begin(), own.end());
+        if (!has(next)) return;
+        whole = next;
+    }
+    if (has(path)) own.erase(placeOf(path));
+}
+
+inline EventBody bodyOf(const Event& event) {
+    EventBody body{event.name,  event.instance,  event.asset,   event.variant, event.step,
+                   event.other, event.fragments, event.isFixed, event.mass};
+    if (body.fragments.empty()) body.fragments.emplace_back();
+    std::sort(body.fragments.begin(), body.fragments.end());
+    return body;
+}
+
+/// Adds a body that appeared, or what came free of its anchors.
+inline void addBirth(const EventLog& log, const Event& event, EventState& state) {
+    EventBody body = bodyOf(event);
+    if (const auto known = state.bodies.find(event.body); known != state.bodies.end()) {
+        known->second.fragments = body.fragments;
+        known->second.isFixed = body.isFixed;
+        known->second.mass = body.mass;
+        return;
+    }
+    if (const auto whole = state.bodies.find(event.other); whole != state.bodies.end()) {
+        EventBody& other = whole->second;
+        body.name = other.name, body.instance = other.instance, body.asset = other.asset, body.variant = other.variant;
+        if (event.kind == EventKind::Detached) {
+            for (const std::string& path : body.fragments) takeFragment(log, other, path);
+            other.mass = event.restMass;
+        }
+    }
+    state.bodies[event.body] = std::move(body);
+}
+
+inline void addRemoval(const EventLog& log, const Event& event, EventState& state) {
+    if (event.fragments.empty()) {
+        state.bodies.erase(event.body);
+    } else if (const auto body = state.bodies.find(event.body); body != state.bodies.end()) {
+        for (const std::string& path : event.fragments) takeFragment(log, body->second, path);
+        body->second.mass = event.restMass;
+        if (body->second.fragments.empty()) state.bodies.erase(body);
+    }
+}
+
+/// Adds what broke further to a damage.
+inline void addDamage(const EventDamage& added, EventDamage& damage) {
+    if (!added.cut.empty()) damage = {{}, {}, added.cut};
+    damage.broken.insert(damage.broken.end(), added.broken.begin(), added.broken.end());
+    std::sort(damage.broken.begin(), damage.broken.end());
+    for (const auto& one : added.weakened) {
+        const auto isIt = [&](const auto& known) { return known.first == one.first; };
+        const auto known = std::find_if(damage.weakened.begin(), damage.weakened.end(), isIt);
+        if (known == damage.weakened.end()) {
+            damage.weakened.push_back(one);
+        } else {
+            known->second = one.second;
+        }
+    }
+    const auto isBroken = [&](const auto& one) {
+        return std::binary_search(damage.broken.begin(), damage.broken.end(), one.first);
+    };
+    damage.weakened.erase(std::remove_if(damage.weakened.begin(), damage.weakened.end(), isBroken),
+                          damage.weakened.end());
+    std::sort(damage.weakened.begin(), damage.weakened.end());
+}
+
+}  // namespace detail
+
+inline EventState startOf(const EventLog& log) {
+    EventState state;
+    state.step = log.step;
+    for (const Event& body : log.bodies) detail::addBirth(log, body, state);
+    return state;
+}
+
+inline void playTo(const EventLog& log, std::uint64_t step, EventState& state) {
+    for (; state.next < log.events.size() && log.events[state.next].step <= step; ++state.next) {
+        const Event& event = log.events[state.next];
+        switch (event.kind) {
+            case EventKind::Born:
+            case EventKind::Detached: detail::addBirth(log, event, state); break;
+            case EventKind::Broken: state.bodies.erase(event.body); break;
+            case EventKind::Removed: detail::addRemoval(log, event, state); break;
+            case EventKind::Damaged: detail::addDamage(event.damage, state.damages[event.instance]); break;
+            default: break;
+        }
+    }
+    state.step = step;
+}
+
+inline std::string materialName(const EventLog& log, std::uint32_t material) {
+    for (const EventMaterial& one : log.materials)
+        if (one.id == material) return one.name;
+    return {};
 }
 
 }  // namespace rubble_pack

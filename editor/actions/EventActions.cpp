@@ -20,8 +20,18 @@ namespace rubble {
 
 namespace {
 
-QString csvFilter() { return EventActions::tr("Comma-separated values (*.csv)"); }
-QString linesFilter() { return EventActions::tr("JSON lines (*.jsonl)"); }
+FileKind kindOf(EventsFormat format) {
+    switch (format) {
+        case EventsFormat::Stream: return {EventActions::tr("JSON lines (*.jsonl)"), "jsonl"};
+        case EventsFormat::JsonLines: return {EventActions::tr("JSON lines of version 1 (*.jsonl)"), "jsonl"};
+        case EventsFormat::Csv: return {EventActions::tr("Comma-separated values (*.csv)"), "csv"};
+    }
+    return {};
+}
+
+QString countMessage(std::size_t count) {
+    return EventActions::tr("Exported %Ln event(s) to %1.", nullptr, static_cast<int>(count));
+}
 
 bool isTold(const PlayEvent& event) { return event.isTold; }
 
@@ -50,46 +60,60 @@ void EventActions::refresh() {
     m_exportShown->setEnabled(isShown && controller().eventFilter().isActive() && !controller().shownEvents().empty());
 }
 
-QString EventActions::askForFile(const QString& title) {
+EventActions::ChosenFile EventActions::askForFile(const QString& title, const QList<EventsFormat>& formats) {
     controller().pause();
     QFileDialog dialog(&m_views.window(), title);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
-    offerKinds(dialog, {{csvFilter(), "csv"}, {linesFilter(), "jsonl"}});
-    suggestOutput(dialog, m_views.workspace().file(), ".csv");
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().first() : QString();
+    QList<FileKind> kinds;
+    for (const EventsFormat format : formats) kinds.append(kindOf(format));
+    offerKinds(dialog, kinds);
+    suggestOutput(dialog, m_views.workspace().file(), '.' + kinds.front().suffix);
+    if (dialog.exec() != QDialog::Accepted) return {};
+    const QString path = dialog.selectedFiles().first();
+    // The name decides; of those that have it, what was chosen.
+    const bool isCsv = eventsFormatOf(toPath(path)) == EventsFormat::Csv;
+    if (isCsv) return {path, EventsFormat::Csv};
+    const bool isFirstVersion = dialog.selectedNameFilter() == kindOf(EventsFormat::JsonLines).filter;
+    const bool hasStream = formats.contains(EventsFormat::Stream);
+    return {path, isFirstVersion || !hasStream ? EventsFormat::JsonLines : EventsFormat::Stream};
 }
 
 void EventActions::exportAll() {
-    const QString path = askForFile(tr("Export Events"));
-    if (path.isEmpty()) return;
+    const ChosenFile file =
+        askForFile(tr("Export Events"), {EventsFormat::Stream, EventsFormat::JsonLines, EventsFormat::Csv});
+    if (file.path.isEmpty()) return;
+    if (file.format == EventsFormat::Stream) {
+        return controller().requestScript([this, path = file.path](const PlayScript& script) {
+            const std::shared_ptr<const PlayScene> scene = controller().scene();
+            write(path, tr("Exported the events to %1."),
+                  [&](const TaskContext& task) { return eventsText(scene, script, task); });
+        });
+    }
     const EventCourse events = controller().events();
     std::size_t count = 0;
     for (const std::shared_ptr<const LoggedStep>& step : events.steps()) {
         count += static_cast<std::size_t>(std::ranges::count_if(step->events, isTold));
     }
-    write(path, count, [&](EventsFormat format, const TaskContext& task) { return eventsText(events, format, task); });
+    write(file.path, countMessage(count),
+          [&](const TaskContext& task) { return eventsText(events, file.format, task); });
 }
 
 void EventActions::exportShown() {
-    const QString path = askForFile(tr("Export Shown Events"));
-    if (path.isEmpty()) return;
+    const ChosenFile file = askForFile(tr("Export Shown Events"), {EventsFormat::Csv, EventsFormat::JsonLines});
+    if (file.path.isEmpty()) return;
     const std::vector<EventRef> events = controller().shownEvents();
     const auto count = std::ranges::count_if(events, [](const EventRef& event) { return isTold(*event); });
-    write(path, static_cast<std::size_t>(count),
-          [&](EventsFormat format, const TaskContext& task) { return eventsText(events, format, task); });
+    write(file.path, countMessage(static_cast<std::size_t>(count)),
+          [&](const TaskContext& task) { return eventsText(events, file.format, task); });
 }
 
-void EventActions::write(const QString& path, std::size_t count, const TextMaker& makeText) {
+void EventActions::write(const QString& path, const QString& message, const TextMaker& makeText) {
     TaskDialog task(tr("Exporting events…"), &m_views.window());
     const Status written = task.run<Status>([&](const TaskContext& context) -> Status {
-        const std::filesystem::path file = toPath(path);
-        const Result<std::string> text = makeText(eventsFormatOf(file), context);
-        return text ? writeFileAtomically(file, *text) : Status(text.error());
+        const Result<std::string> text = makeText(context);
+        return text ? writeFileAtomically(toPath(path), *text) : Status(text.error());
     });
-    if (written) {
-        const QString message = tr("Exported %Ln event(s) to %1.", nullptr, static_cast<int>(count));
-        return m_views.showStatus(message.arg(fileNameText(path)));
-    }
+    if (written) return m_views.showStatus(message.arg(fileNameText(path)));
     if (written.error().code != ErrorCode::Cancelled) showError(&m_views.window(), written.error());
 }
 

@@ -23,15 +23,20 @@ public:
     QList<QAction*> actions() const { return {m_exportAll, m_exportShown}; }
 
 private:
-    using TextMaker = std::function<Result<std::string>(EventsFormat format, const TaskContext& task)>;
+    using TextMaker = std::function<Result<std::string>(const TaskContext& task)>;
+    /// A file that the user has chosen; of an empty path if the user cancels.
+    struct ChosenFile {
+        QString path;
+        EventsFormat format = EventsFormat::Csv;
+    };
 
     void refresh();
     void exportAll();
     void exportShown();
-    /// Asks for a file; empty if the user cancels.
-    QString askForFile(const QString& title);
-    /// Writes the text with this number of events to a file.
-    void write(const QString& path, std::size_t count, const TextMaker& makeText);
+    /// Asks for a file of one of these formats.
+    ChosenFile askForFile(const QString& title, const QList<EventsFormat>& formats);
+    /// Writes a text to a file, and displays `message` with the file's name in place of %1.
+    void write(const QString& path, const QString& message, const TextMaker& makeText);
     PlayController& controller() const;
 
     Views& m_views;

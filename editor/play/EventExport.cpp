@@ -1,6 +1,15 @@
 #include "editor/play/EventExport.h"
 
+#include "core/io/play/EventStreamFile.h"
+
 namespace rubble {
+
+Result<std::string> eventsText(const std::shared_ptr<const PlayScene>& scene, PlayScript script,
+                               const TaskContext& task) {
+    Result<Session> session = startOf(scene, script);
+    if (!session) return session.error();
+    return eventStream(std::move(*session), std::move(script.inputs), script.steps, task);
+}
 
 Result<std::string> eventsText(const EventCourse& course, EventsFormat format, const TaskContext& task) {
     EventsText text(format);

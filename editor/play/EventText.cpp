@@ -30,6 +30,7 @@ QString removalText(const QString& name, RemovalReason reason) {
         case RemovalReason::Lifetime: return EventTexts::tr("%1 was removed: its lifetime as debris ended").arg(name);
         case RemovalReason::Budget: return EventTexts::tr("%1 was removed: there was too much debris").arg(name);
         case RemovalReason::LeftWorld: return EventTexts::tr("%1 was removed: it left the world").arg(name);
+        case RemovalReason::Input: return EventTexts::tr("%1 was taken away").arg(name);
     }
     return {};
 }

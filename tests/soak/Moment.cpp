@@ -96,9 +96,9 @@ std::string textOf(Vec3 value) { return "(" + textOf(value.x) + ", " + textOf(va
 
 std::vector<std::unique_ptr<Invariant>> invariants() {
     std::vector<std::unique_ptr<Invariant>> all;
-    for (const auto make :
-         {finiteNumbers, uniqueNumbers, oneComponent, nothingLost, heldByAnchors, heldStays, supportLost, staticOverlap,
-          restingOverlap, nothingTunnels, energyGrowth, energyBalance, energySums, freeMomentum, sleepsSupported}) {
+    for (const auto make : {finiteNumbers, uniqueNumbers, oneComponent, nothingLost, heldByAnchors, heldStays,
+                            supportLost, staticOverlap, restingOverlap, nothingTunnels, energyGrowth, energyBalance,
+                            energySums, freeMomentum, sleepsSupported, eventsTellAll}) {
         all.push_back(make());
     }
     return all;

@@ -102,6 +102,7 @@ std::unique_ptr<Invariant> nothingLost();      // each fragment is in one body a
 std::unique_ptr<Invariant> uniqueNumbers();    // numbers and ids are never used again
 std::unique_ptr<Invariant> sleepsSupported();  // nothing sleeps in the air, or out of balance
 std::unique_ptr<Invariant> finiteNumbers();    // every number is finite
+std::unique_ptr<Invariant> eventsTellAll();    // the file of events alone has all bodies and the damage
 
 std::string textOf(double value);
 std::string textOf(Vec3 value);

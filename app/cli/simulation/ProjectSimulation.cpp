@@ -2,6 +2,7 @@
 
 #include "core/base/QuantityText.h"
 #include "core/base/Version.h"
+#include "core/io/play/EventStreamFile.h"
 #include "core/io/play/ReplayFile.h"
 #include "core/io/play/StateFile.h"
 #include "core/io/project/ProjectFile.h"
@@ -111,7 +112,12 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
     SoundRecorder heard;
     const Listener listener = frontListener(*session);
     std::optional<EventsText> told;
-    if (plan.events) told.emplace(*plan.events);
+    std::optional<EventStreamText> stream;
+    if (plan.events == EventsFormat::Stream) {
+        stream.emplace(*session);
+    } else if (plan.events) {
+        told.emplace(*plan.events);
+    }
     std::optional<TrackRecorder> tracks = recorderFor(plan.animation, *session);
     for (int step = 1; step <= plan.simulation.steps; ++step) {
         if (task.isCancelled()) return TaskContext::cancelled();
@@ -125,6 +131,7 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
             if (const Status fits = recorded.add(recorder->replay()); !fits) return fits.error();
         }
         if (told) told->add(session->stepsDone(), session->events().told);
+        if (stream) stream->add(*session);
         if (plan.isHeard) heard.add(*session);
         if (tracks) {
             if (const Status fits = tracks->add(*session); !fits) return fits.error();
@@ -147,6 +154,7 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
     run.trace = std::move(record).trace();
     if (recorder) run.replay = recorder->replay();
     if (told) run.events = std::move(*told).finished();
+    if (stream) run.events = stream->take();
     if (tracks) run.tracks = std::move(*tracks).tracks();
     if (const Status saved = saveResult(plan, *session, run); !saved) return saved.error();
     if (!plan.isHeard) return run;

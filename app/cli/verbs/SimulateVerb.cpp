@@ -51,6 +51,7 @@ struct SimulateOptions {
     bool isTimed = false;
     std::string record;
     std::string events;
+    std::string eventsVersion = "2";
     std::string wav;
     AnimationOptions animation;
     std::string state;
@@ -79,6 +80,7 @@ PlayPlan playPlan(const SimulateOptions& options) {
                   .savedState = options.savedState,
                   .savedKind = options.isSmall ? StateKind::Small : StateKind::Whole};
     if (!options.events.empty()) plan.events = eventsFormatOf(options.events);
+    if (plan.events == EventsFormat::Stream && options.eventsVersion == "1") plan.events = EventsFormat::JsonLines;
     return plan;
 }
 
@@ -179,10 +181,16 @@ Verb addSimulate(CLI::App& program) {
         .valueName("N");
     addPlayOptions(command, options->play);
     command.option("--record", options->record, "Write a recording for rubble-cli replay").valueName("FILE");
+    const CommandOption events =
+        command
+            .option("--events", options->events,
+                    "Write which bodies there are, and what hit, broke and slid: JSON lines, or FILE.csv")
+            .valueName("FILE");
     command
-        .option("--events", options->events,
-                "Write what hit, broke, came to rest and was removed: JSON lines, or FILE.csv")
-        .valueName("FILE");
+        .option("--events-version", options->eventsVersion, "The version of JSON lines of events, 1 or 2 (default: 2)")
+        .needs(events)
+        .oneOf({"1", "2"})
+        .valueName("N");
     command.option("--wav", options->wav, "Write the sound of impacts and breaks").valueName("FILE.wav");
     addAnimationOptions(command, options->animation);
     const CommandOption state =

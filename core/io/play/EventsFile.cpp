@@ -107,7 +107,7 @@ void append(std::variant<std::string, CsvTable>& text, const Write& write) {
 }  // namespace
 
 EventsFormat eventsFormatOf(const std::filesystem::path& path) {
-    return lowerCase(path.extension().string()) == ".csv" ? EventsFormat::Csv : EventsFormat::JsonLines;
+    return lowerCase(path.extension().string()) == ".csv" ? EventsFormat::Csv : EventsFormat::Stream;
 }
 
 EventsText::EventsText(EventsFormat format) : m_text(emptyText(format)) {}

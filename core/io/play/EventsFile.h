@@ -8,15 +8,20 @@
 
 namespace rubble {
 
-enum class EventsFormat { JsonLines, Csv };
+enum class EventsFormat {
+    Stream,     // JSON lines of version 2: EventStreamText
+    JsonLines,  // of version 1
+    Csv,        // of version 1
+};
 
-/// The format of a file of events by its name: Csv if it ends in ".csv", in upper or lower case.
+/// The format of a file of events by its name: Csv if it ends in ".csv", in upper or lower case; else Stream.
 EventsFormat eventsFormatOf(const std::filesystem::path& path);
 
-/// The text of a file of events, which docs/formats/events.md describes: an object or a row for each record, and one of
-/// the kind "sums" for each step in which anything is only counted or summed.
+/// The text of a file of events of version 1, which docs/formats/events.md describes: an object or a row for each
+/// record, and one of the kind "sums" for each step in which anything is only counted or summed.
 class EventsText {
 public:
+    /// `format`: JsonLines or Csv.
     explicit EventsText(EventsFormat format);
 
     /// Adds what a step tells; steps ascend.

@@ -130,6 +130,8 @@ std::pair<std::string, ShotAction> readShotAction(const JsonValue& value) {
     return {value["name"].text(), readAction(value["kind"].oneOf(kActions), value["action"])};
 }
 
+std::string_view nameOf(ProjectileKind kind) { return kProjectiles[indexOf(kind)]; }
+
 void writeShot(JsonWriter& json, const Shot& shot) {
     json.openObject();
     json.wholeNumber("id", shot.id);

@@ -6,6 +6,9 @@
 
 namespace rubble {
 
+/// The name of a kind in files: "ball".
+std::string_view nameOf(ProjectileKind kind);
+
 /// Write a shot and a play-test as elements of an array.
 void writeShot(JsonWriter& json, const Shot& shot);
 void writePlayTest(JsonWriter& json, const PlayTest& test);

@@ -50,7 +50,7 @@ struct StepEvents {
     double contactLoss = 0.0;
 };
 
-/// A contact point, for debug drawing.
+/// A contact point.
 struct ContactPoint {
     BodyId first;
     BodyId second;
@@ -58,6 +58,7 @@ struct ContactPoint {
     Vec3 normal;              // from first to second
     double separation = 0.0;  // m, negative where they overlap
     double impulse = 0.0;     // N·s, of the last sub-step
+    double force = 0.0;       // N: of that impulse; 0 before the first step
 };
 
 /// Statistics of the last step.

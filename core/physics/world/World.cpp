@@ -343,7 +343,13 @@ StepCounts World::counts() const {
     return counts;
 }
 
-std::vector<ContactPoint> World::contactPoints() const { return contactPointsOf(*m_state); }
+std::vector<ContactPoint> World::contactPoints() const {
+    std::vector<ContactPoint> points = contactPointsOf(*m_state);
+    if (!(m_context->dt > 0.0f)) return points;
+    const double subStep = double{solverStep(*m_state, m_context->dt).subStep};
+    for (ContactPoint& point : points) point.force = point.impulse / subStep;
+    return points;
+}
 
 Box3 World::box(BodyId body) const {
     RUBBLE_ASSERT(contains(body));

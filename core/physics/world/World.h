@@ -163,7 +163,7 @@ public:
     const StepEvents& events() const;
     StepCounts counts() const;
     const StepTimes& times() const;
-    /// All contact points, for debug drawing; those of sleeping bodies as of when they fell asleep.
+    /// All contact points, ascending by bodies; those of sleeping bodies as of when they fell asleep.
     std::vector<ContactPoint> contactPoints() const;
     /// The fat bounding box of a body in the broad phase, for debug drawing.
     Box3 box(BodyId body) const;

@@ -54,14 +54,6 @@ std::size_t addExcess(const SessionParts& parts, std::uint32_t maxFragments, std
     return parts.state.bodies.size();
 }
 
-PlayRemoval removalOf(const SessionParts& parts, const PlayBody& body, RemovalReason reason) {
-    return {.body = body,
-            .reason = reason,
-            .centre = parts.world.state(body.body).centre,
-            .mass = parts.world.mass(body.body),
-            .box = parts.world.box(body.body)};
-}
-
 }  // namespace
 
 double fadeOf(const PlayBody& body, const Debris& debris, std::uint64_t step, double dt) {

@@ -33,6 +33,7 @@ void breakMortarOf(const SessionParts& parts, std::uint32_t number) {
 void removeInstance(const SessionParts& parts, Id instance) {
     const std::vector<std::uint32_t> numbers = bodiesOf(parts.state, instance);
     for (const std::uint32_t number : numbers) {
+        parts.state.events.taken.push_back(removalOf(parts, *findBody(parts.state, number), RemovalReason::Input));
         breakMortarOf(parts, number);
         for (StructureState& structure : parts.state.structures)
             std::ranges::replace(structure.bodyOfNode, number, kNone);
@@ -48,10 +49,14 @@ void removeFragments(const SessionParts& parts, Id instance, std::vector<std::ui
         const PlayBody& body = *findBody(parts.state, number);
         std::vector<std::uint32_t> lost;
         std::ranges::set_intersection(bondedFragments(body), fragments, std::back_inserter(lost));
+        const bool isBodyAlone = lost.empty() && std::ranges::binary_search(fragments, body.fragment);
+        if (lost.empty() && !isBodyAlone) continue;
+        parts.state.events.taken.push_back(removalOf(parts, body, RemovalReason::Input));
+        parts.state.events.taken.back().fragments = lost;
         if (!lost.empty()) {
             for (std::uint32_t& fragment : lost) fragment -= body.bondedFracture()->first;
             removeNodes(parts, number, lost);
-        } else if (std::ranges::binary_search(fragments, body.fragment)) {
+        } else {
             removeFromWorld(parts, number);
             eraseRemovedBodies(parts.state);
         }

@@ -115,7 +115,10 @@ void addDamage(const SessionParts& parts, const PendingBreak& broken) {
 void removeWhole(const SessionParts& parts, PendingBreak& broken, Stopwatch& watch) {
     broken.event.asset = assetToSwap(parts, broken);
     addDamage(parts, broken);
+    const BodyState state = parts.world.state(broken.event.body.body);
     broken.event.pose = broken.pose;
+    broken.event.velocity = state.velocity;
+    broken.event.angularVelocity = state.angularVelocity;
     removeFromWorld(parts, broken.event.body.number);
     broken.event.milliseconds = watch.lap();
 }

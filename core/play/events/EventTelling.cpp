@@ -321,20 +321,20 @@ std::vector<EventRecord> happenedEvents(const SessionParts& parts) {
     return records;
 }
 
-void tellEvents(const SessionParts& parts, std::vector<EventRecord> happened) {
+void tellEvents(const SessionParts& parts) {
     EventReport& report = parts.state.events.told;
+    std::vector<EventRecord>& happened = parts.state.events.happened;
     const EventSettings& settings = parts.scene.project.events;
     for (const PlayRemoval& removal : parts.state.events.removed) happened.push_back(removalRecord(parts, removal));
+    std::erase_if(happened, [&](const EventRecord& record) {
+        if (record.kind != EventKind::Impact || record.energy >= settings.leastEnergy) return false;
+        OmittedEvents& omitted = report.omitted[static_cast<std::size_t>(record.kind)];
+        ++omitted.count;
+        omitted.energy += record.energy;
+        return true;
+    });
     std::array<std::vector<EventRecord>, kEventKinds> kinds;
-    for (EventRecord& record : happened) {
-        const auto kind = static_cast<std::size_t>(record.kind);
-        if (record.kind == EventKind::Impact && record.energy < settings.leastEnergy) {
-            ++report.omitted[kind].count;
-            report.omitted[kind].energy += record.energy;
-        } else {
-            kinds[kind].push_back(std::move(record));
-        }
-    }
+    for (const EventRecord& record : happened) kinds[static_cast<std::size_t>(record.kind)].push_back(record);
     const std::array<std::size_t, kEventKinds> shares = sharesOf(kinds, settings.maxRecords);
     for (std::size_t kind = 0; kind < kEventKinds; ++kind) {
         std::vector<EventRecord>& all = kinds[kind];

@@ -11,8 +11,8 @@ namespace rubble {
 /// they do meanwhile counts as that of bodies at rest.
 std::vector<EventRecord> happenedEvents(const SessionParts& parts);
 
-/// Sets the report of a step: of what happened and the bodies that were removed, the strongest of each kind, up to
-/// EventSettings::maxRecords; counts and sums of the rest.
-void tellEvents(const SessionParts& parts, std::vector<EventRecord> happened);
+/// Adds the bodies that were removed to what happened in a step, and sets its report: the strongest of each kind, up to
+/// EventSettings::maxRecords; counts and sums of the rest. Impacts below the least energy are only counted.
+void tellEvents(const SessionParts& parts);
 
 }  // namespace rubble

@@ -127,21 +127,20 @@ void Session::step() {
         if (mayBreak(parts, impacts)) intervals = hitIntervals(m_settings.dt);
     }
     const double dt = m_settings.dt / intervals;
-    std::vector<EventRecord> happened;
     PlayEvents events;
     for (int k = 0; k < intervals; ++k) {
         m_state->elapsed = k * dt;
         if (intervals > 1) impacts = impactsWithin(dt);
         if (mayBreak(parts, impacts)) impacts = hitsWithin(dt);
         playInterval(impacts, dt);
-        std::ranges::move(happenedEvents(parts), std::back_inserter(happened));
+        m_state->events.happened = happenedEvents(parts);
         append(std::exchange(m_state->events, {}), events);
     }
     m_state->events = std::move(events);
     m_state->elapsed = 0.0;
     ++m_state->step;
     removeDebris(parts);
-    tellEvents(parts, std::move(happened));
+    tellEvents(parts);
 }
 
 std::vector<Impact> Session::impactsWithin(double dt) {

@@ -38,7 +38,7 @@ std::string_view nameOf(EventKind kind) {
 }
 
 std::string_view nameOf(RemovalReason reason) {
-    constexpr std::array<std::string_view, 4> kNames{"", "lifetime", "budget", "leftWorld"};
+    constexpr std::array<std::string_view, 5> kNames{"", "lifetime", "budget", "leftWorld", "input"};
     return kNames[static_cast<std::size_t>(reason)];
 }
 

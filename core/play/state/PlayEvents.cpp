@@ -14,15 +14,18 @@ void move(std::vector<Element>& from, std::vector<Element>& to) {
 }  // namespace
 
 void append(PlayEvents&& interval, PlayEvents& step) {
-    auto& [inputs, breaks, splits, impacts, born, removed, diagnostics, energy, told] = interval;
+    auto& [inputs, breaks, splits, impacts, born, removed, taken, diagnostics, energy, happened, told] =
+        interval;
     move(inputs, step.inputs);
     move(breaks, step.breaks);
     move(splits, step.splits);
     move(impacts, step.impacts);
     move(born, step.born);
     move(removed, step.removed);
+    move(taken, step.taken);
     move(diagnostics, step.diagnostics);
     move(energy, step.energy);
+    move(happened, step.happened);
     move(told.records, step.told.records);
     for (std::size_t kind = 0; kind < kEventKinds; ++kind) {
         step.told.omitted[kind].count += told.omitted[kind].count;

@@ -25,6 +25,8 @@ struct PlayBreak {
     std::uint32_t firstFragment = 0;       // number of its first fragment; the others follow, and those left out count
     std::uint32_t fragmentCount = 0;
     Pose pose;                               // of the whole's frame when it broke
+    Vec3 velocity{0.0, 0.0, 0.0};            // m/s, of its centre then
+    Vec3 angularVelocity{0.0, 0.0, 0.0};     // rad/s
     std::shared_ptr<const PlayAsset> asset;  // of its fragments: its own, or one cut at the point of impact
     double milliseconds = 0.0;  // wall-clock time of the swap: the only member that differs from run to run
 };
@@ -54,13 +56,15 @@ struct PlaySplit {
     std::vector<std::uint32_t> freed;  // numbers of the bodies that came free, ascending
 };
 
-/// A body that was removed in a step.
+/// A body that was removed in a step, or some of the fragments that are bonded in it.
 struct PlayRemoval {
     PlayBody body;  // as it was before
     RemovalReason reason = RemovalReason::LeftWorld;
-    Vec3 centre{0.0, 0.0, 0.0};  // m, of mass
-    double mass = 0.0;           // kg
-    Box3 box;                    // m
+    std::vector<std::uint32_t> fragments;  // of its asset's bake, ascending: what was removed of it; none: all
+    BodyState state;                       // of the body
+    Vec3 centre{0.0, 0.0, 0.0};            // m, of mass
+    double mass = 0.0;                     // kg
+    Box3 box;                              // m
 };
 
 /// What happened in the last step, in a fixed order.
@@ -71,9 +75,13 @@ struct PlayEvents {
     std::vector<PlayImpact> impacts;      // on breakable bodies, by body, after those on bonded ones
     std::vector<PlayBody> born;           // fragments and projectiles
     std::vector<PlayRemoval> removed;     // debris that was removed, and bodies that left the world, by number
+    std::vector<PlayRemoval> taken;       // by inputs
     std::vector<Diagnostic> diagnostics;  // UnappliedInput, PatternFallback and LeftWorld
     EnergyAudit energy;                   // of inputs and breaks, not of the solver
-    EventReport told;                     // the strongest of all that, and of what contacts did
+    /// All that happened, and what contacts did, in that order: without the step and the names of fragments. Impacts
+    /// below the least energy are counted in `told` only.
+    std::vector<EventRecord> happened;
+    EventReport told;  // the strongest of it
 };
 
 /// Adds what happened in an interval of a step to what happened in it before.

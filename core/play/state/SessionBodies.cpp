@@ -150,6 +150,16 @@ Result<std::uint32_t> addBody(const SessionParts& parts, BodyDefinition definiti
     return state.bodies.back().number;
 }
 
+PlayRemoval removalOf(const SessionParts& parts, const PlayBody& body, RemovalReason reason) {
+    const BodyState state = parts.world.state(body.body);
+    return {.body = body,
+            .reason = reason,
+            .state = state,
+            .centre = state.centre,
+            .mass = parts.world.mass(body.body),
+            .box = parts.world.box(body.body)};
+}
+
 void removeFromWorld(const SessionParts& parts, std::uint32_t number) {
     PlayBody* body = findBody(parts.state, number);
     RUBBLE_ASSERT(body != nullptr);

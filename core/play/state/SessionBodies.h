@@ -22,6 +22,8 @@ double heldPotential(const PlayScene& scene, const SessionState& state, const Wo
 ///
 /// Errors: those of World::addBody().
 Result<std::uint32_t> addBody(const SessionParts& parts, BodyDefinition definition, PlayBody body);
+/// A body as it is before it is removed.
+PlayRemoval removalOf(const SessionParts& parts, const PlayBody& body, RemovalReason reason);
 /// Removes a body from the world. It stays in the list, without a world id, until eraseRemovedBodies().
 void removeFromWorld(const SessionParts& parts, std::uint32_t number);
 /// Returns the number of bodies visited.

@@ -12,8 +12,8 @@ std::size_t byteCount(const SessionState& state) {
     for (const StructureState& one : state.structures) damage += sizeof(one) + elementBytes(one.damage, one.bodyOfNode);
     return sizeof(SessionState) + damage +
            elementBytes(state.bodies, state.origins, state.pending, state.materials, state.toldImpacts) +
-           elementBytes(events.inputs, events.breaks, events.impacts, events.born, events.removed, events.diagnostics,
-                        events.told.records);
+           elementBytes(events.inputs, events.breaks, events.impacts, events.born, events.removed, events.taken,
+                        events.diagnostics, events.happened, events.told.records);
 }
 
 }  // namespace rubble

@@ -1,5 +1,6 @@
 #include "editor/play/EventExport.h"
 
+#include "core/io/play/EventStreamFile.h"
 #include "editor/play/PlayEngine.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/House.h"
@@ -51,6 +52,19 @@ private slots:
         stage.controller.seek(30);  // the course is the whole timeline, wherever it is displayed
         stage.settle();
         QVERIFY(eventsText(events, format).value() == expected);
+    }
+    void secondVersionIsTheBytesOfTheCommandLine() {
+        test::Stage stage(test::house());
+        playHouse(stage);
+        Session session = test::sessionOf(stage.document.project());
+        const Shot& shot = stage.document.project().shots.front();
+        test::addInput(session, ShotInput{shot.name, shot.action});
+        EventStreamText expected(session);
+        for (int k = 0; k < kSteps; ++k) {
+            session.step();
+            expected.add(session);
+        }
+        QVERIFY(eventsText(stage.controller.scene(), stage.script()).value() == expected.take());
     }
     void shownEventsAreExportedWithoutSums() {
         test::Stage stage(test::house());

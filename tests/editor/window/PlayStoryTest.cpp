@@ -118,8 +118,11 @@ private slots:
         QAction& shown = *action("play-export-shown-events");
         QVERIFY(!shown.isEnabled());  // there is no filter
         exportTo("events.jsonl", *action("play-export-events"));
-        QVERIFY(bytesOfFile(pathOf("events.jsonl")).toStdString() ==
-                eventsText(play().events(), EventsFormat::JsonLines).value());
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(pathOf("events.jsonl")), kPatience);
+        QVERIFY(bytesOfFile(pathOf("events.jsonl")).startsWith(R"({"format":"rubble-events","version":2,)"));
+        exportTo("events.csv", *action("play-export-events"));
+        QVERIFY(bytesOfFile(pathOf("events.csv")).toStdString() ==
+                eventsText(play().events(), EventsFormat::Csv).value());
         window().findChild<QLineEdit*>("event-text")->setText("front");
         QVERIFY(shown.isEnabled());
         exportTo("shown.csv", shown);

@@ -14,7 +14,8 @@ using EventJson = nlohmann::json;
 
 namespace {
 
-constexpr const char* kHouseEvents = RUBBLE_SOURCE_DIR "/tests/cli/cases/simulate-events/after/house.jsonl";
+constexpr const char* kHouseEvents = RUBBLE_SOURCE_DIR "/tests/cli/cases/simulate-events-version-1/after/house.jsonl";
+constexpr const char* kHouseStream = RUBBLE_SOURCE_DIR "/tests/cli/cases/simulate-events/after/house.jsonl";
 constexpr const char* kEventKindNames[] = {"impact", "bonds", "detached", "broken", "settled", "removed"};
 constexpr const char* kEventReasons[] = {"", "lifetime", "budget", "leftWorld"};
 
@@ -53,7 +54,7 @@ EventJson eventJson(const rubble_pack::Event& event, const EventJson& like) {
 
 EventJson sumsJson(const rubble_pack::EventSums& sums) {
     EventJson omitted = EventJson::object();
-    for (std::size_t kind = 0; kind < rubble_pack::kEventKinds; ++kind) {
+    for (std::size_t kind = 0; kind < std::size(kEventKindNames); ++kind) {
         const rubble_pack::OmittedEvents& of = sums.omitted[kind];
         if (of.count > 0) omitted[kEventKindNames[kind]] = {{"count", of.count}, {"energy", of.energy}};
     }
@@ -104,7 +105,7 @@ private slots:
         QCOMPARE(sums, log.sums.size());
     }
     void everyKindAndReasonIsRead() {
-        for (std::size_t kind = 0; kind < rubble_pack::kEventKinds; ++kind) {
+        for (std::size_t kind = 0; kind < std::size(kEventKindNames); ++kind) {
             EventJson line = kBreakEvent;
             line["kind"] = kEventKindNames[kind];
             line["reason"] = kEventReasons[1 + kind % 3];
@@ -169,12 +170,60 @@ private slots:
                                                             << rest << '\n'
                                                             << silent << '\n'
                                                             << weak << '\n';
-        QProcess* program = example({path, "0.01"});
+        QProcess* program = example({path});
         QCOMPARE(program->exitCode(), 0);
         QCOMPARE(program->readAllStandardOutput(),
-                 QByteArray("      time  sound  materials      gain        energy  place\n"
-                            "   0.030 s  crack  1 + 2        0.0 dB           7 J  0.00 1.00 2.00\n"
-                            "   0.060 s  hit    1 + 2      -10.0 dB         0.7 J  0.00 1.00 2.00\n"));
+                 QByteArray("      time  sound      gain        energy  place                 materials\n"
+                            "   0.050 s  crack    0.0 dB           7 J    0.00   1.00   2.00  1 + 2\n"
+                            "   0.100 s  hit    -10.0 dB         0.7 J    0.00   1.00   2.00  1 + 2\n"));
+    }
+    void cueSheetNamesMaterials() {
+        const QByteArray sheet = example({kHouseStream})->readAllStandardOutput();
+        QVERIFY2(sheet.contains("  yellow masonry + yellow masonry\n"), sheet);
+        rubble_pack::EventLog log;
+        std::string fault;
+        QVERIFY2(rubble_pack::loadEvents(kHouseStream, log, fault), fault.c_str());
+        const double seconds = sheet.mid(sheet.indexOf('\n') + 1).left(10).trimmed().split(' ').front().toDouble();
+        const auto first = std::ranges::find_if(log.events, [](const auto& event) { return event.energy > 0.0; });
+        QVERIFY(std::abs(seconds - static_cast<double>(first->step) * log.dt) < 1e-3);
+    }
+    void streamIsReadWholeAndAsItArrives() {
+        rubble_pack::EventLog whole, pieces;
+        std::string fault;
+        QVERIFY2(rubble_pack::loadEvents(kHouseStream, whole, fault), fault.c_str());
+        QCOMPARE(whole.version, 2u);
+        QCOMPARE(whole.dt, 1.0 / 60.0);
+        QCOMPARE(rubble_pack::materialName(whole, whole.materials.at(0).id), whole.materials[0].name);
+        std::ifstream file(kHouseStream, std::ios::binary);
+        for (std::string line; std::getline(file, line);) QVERIFY(rubble_pack::appendEvents(line, pieces, fault));
+        QCOMPARE(pieces.events.size(), whole.events.size());
+        QCOMPARE(pieces.sums.size(), whole.sums.size());
+        const std::size_t before = whole.events.size();
+        QVERIFY(!rubble_pack::appendEvents("{\"step\":1,\"kind\":\"sliding\"}", whole, fault));
+        QCOMPARE(fault, std::string("Line 1: The document: the key \"body\" is missing."));
+        QCOMPARE(whole.events.size(), before);
+    }
+    void bodiesOfTheHouseAreFollowed() {
+        rubble_pack::EventLog log;
+        std::string fault;
+        QVERIFY2(rubble_pack::loadEvents(kHouseStream, log, fault), fault.c_str());
+        rubble_pack::EventState state = rubble_pack::startOf(log);
+        const std::size_t atFirst = state.bodies.size();
+        QCOMPARE(state.bodies.at(0).name, std::string("ground"));
+        rubble_pack::playTo(log, 60, state);
+        QVERIFY(state.bodies.size() > atFirst && !state.damages.empty());
+        const auto broken = std::ranges::find(log.events, rubble_pack::EventKind::Broken, &rubble_pack::Event::kind);
+        QVERIFY(broken != log.events.end() && !state.bodies.contains(broken->body));
+        std::uint32_t born = 0;
+        for (const auto& [number, body] : state.bodies) born += body.from == broken->body ? 1 : 0;
+        QCOMPARE(born, broken->count);
+    }
+    void kindsOfVersion2NeedItsFirstLine() {
+        QCOMPARE(eventsFault("{\"step\":1,\"kind\":\"born\",\"body\":2}"),
+                 std::string("Line 1: The document: the kind is of version 2, which begins with a line for the whole "
+                             "file."));
+        QCOMPARE(eventsFault("{\"format\":\"rubble-events\",\"version\":3}"),
+                 std::string("Line 1: version: this header reads version 2."));
     }
     void cueSheetReportsErrors() {
         QCOMPARE(example({"none.jsonl"})->readAllStandardError(), QByteArray("Cannot read \"none.jsonl\".\n"));

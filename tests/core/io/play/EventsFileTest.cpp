@@ -117,8 +117,8 @@ private slots:
     void formatsAreThoseOfNames() {
         QCOMPARE(eventsFormatOf("a/house.csv"), EventsFormat::Csv);
         QCOMPARE(eventsFormatOf("HOUSE.CSV"), EventsFormat::Csv);
-        QCOMPARE(eventsFormatOf("house.jsonl"), EventsFormat::JsonLines);
-        QCOMPARE(eventsFormatOf("csv"), EventsFormat::JsonLines);
+        QCOMPARE(eventsFormatOf("house.jsonl"), EventsFormat::Stream);
+        QCOMPARE(eventsFormatOf("csv"), EventsFormat::Stream);
     }
 
 private:
