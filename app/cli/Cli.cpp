@@ -28,7 +28,7 @@ Exit status:
   1    error: a file cannot be read or written, bad input, out of memory
   2    wrong usage
   3    findings: check found faults, tests failed, requirements of strength are not satisfied, an asset of audit is
-       not clean, replay diverges, diff found differences
+       not clean, replay diverges, diff or damage compare found differences
   130  stopped by Ctrl+C
 
 rubble-cli VERB --help prints the options and examples of a verb.
@@ -160,11 +160,11 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
     program.require_subcommand(0, 1);  // a missing verb is reported below
     program.get_formatter()->column_width(34);
     program.get_formatter()->label("SUBCOMMAND", "VERB");
-    std::vector<Verb> verbs = {addNew(program),      addImport(program),   addSeeds(program),     addFracture(program),
-                               addExport(program),   addCheck(program),    addDraw(program),      addRender(program),
-                               addVideo(program),    addSimulate(program), addReplay(program),    addTest(program),
-                               addStrength(program), addAudit(program),    addMaterials(program), addDiff(program),
-                               addSheet(program),    addQuery(program),    addCompletion(program)};
+    std::vector<Verb> verbs = {
+        addNew(program),    addImport(program), addSeeds(program),    addFracture(program), addExport(program),
+        addCheck(program),  addDraw(program),   addRender(program),   addVideo(program),    addSimulate(program),
+        addReplay(program), addTest(program),   addStrength(program), addAudit(program),    addMaterials(program),
+        addDiff(program),   addSheet(program),  addQuery(program),    addDamage(program),   addCompletion(program)};
     for (Verb& verb : verbs) verb.command.addCommonFlags();
     try {
         program.parse(

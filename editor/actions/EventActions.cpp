@@ -60,7 +60,7 @@ void EventActions::refresh() {
     m_exportShown->setEnabled(isShown && controller().eventFilter().isActive() && !controller().shownEvents().empty());
 }
 
-EventActions::ChosenFile EventActions::askForFile(const QString& title, const QList<EventsFormat>& formats) {
+EventActions::OutputFile EventActions::askForFile(const QString& title, const QList<EventsFormat>& formats) {
     controller().pause();
     QFileDialog dialog(&m_views.window(), title);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
@@ -70,7 +70,7 @@ EventActions::ChosenFile EventActions::askForFile(const QString& title, const QL
     suggestOutput(dialog, m_views.workspace().file(), '.' + kinds.front().suffix);
     if (dialog.exec() != QDialog::Accepted) return {};
     const QString path = dialog.selectedFiles().first();
-    // The name decides; of those that have it, what was chosen.
+    // The name decides; of formats with the same, the filter.
     const bool isCsv = eventsFormatOf(toPath(path)) == EventsFormat::Csv;
     if (isCsv) return {path, EventsFormat::Csv};
     const bool isFirstVersion = dialog.selectedNameFilter() == kindOf(EventsFormat::JsonLines).filter;
@@ -79,7 +79,7 @@ EventActions::ChosenFile EventActions::askForFile(const QString& title, const QL
 }
 
 void EventActions::exportAll() {
-    const ChosenFile file =
+    const OutputFile file =
         askForFile(tr("Export Events"), {EventsFormat::Stream, EventsFormat::JsonLines, EventsFormat::Csv});
     if (file.path.isEmpty()) return;
     if (file.format == EventsFormat::Stream) {
@@ -99,7 +99,7 @@ void EventActions::exportAll() {
 }
 
 void EventActions::exportShown() {
-    const ChosenFile file = askForFile(tr("Export Shown Events"), {EventsFormat::Csv, EventsFormat::JsonLines});
+    const OutputFile file = askForFile(tr("Export Shown Events"), {EventsFormat::Csv, EventsFormat::JsonLines});
     if (file.path.isEmpty()) return;
     const std::vector<EventRef> events = controller().shownEvents();
     const auto count = std::ranges::count_if(events, [](const EventRef& event) { return isTold(*event); });

@@ -24,8 +24,8 @@ public:
 
 private:
     using TextMaker = std::function<Result<std::string>(const TaskContext& task)>;
-    /// A file that the user has chosen; of an empty path if the user cancels.
-    struct ChosenFile {
+    /// A file to write; of an empty path if the user cancels.
+    struct OutputFile {
         QString path;
         EventsFormat format = EventsFormat::Csv;
     };
@@ -34,7 +34,7 @@ private:
     void exportAll();
     void exportShown();
     /// Asks for a file of one of these formats.
-    ChosenFile askForFile(const QString& title, const QList<EventsFormat>& formats);
+    OutputFile askForFile(const QString& title, const QList<EventsFormat>& formats);
     /// Writes a text to a file, and displays `message` with the file's name in place of %1.
     void write(const QString& path, const QString& message, const TextMaker& makeText);
     PlayController& controller() const;

@@ -48,7 +48,7 @@ CommandOption CommandOption::single() const {
 }
 
 CommandOption CommandOption::repeatable() const {
-    m_option->expected(1)->take_all();
+    m_option->expected(1)->take_all()->allow_extra_args(false);
     return *this;
 }
 

@@ -214,7 +214,8 @@ std::vector<Finding> lengthWarnings(const std::string& file, const Project& proj
         if (pack.folder.size() + std::string_view("_1").size() > kBlenderName) {
             warnings.push_back({Severity::Warning, "LongName", place,
                                 "Blender cuts names at " + std::to_string(kBlenderName) +
-                                    " bytes, which its fragments would share; give the asset a shorter name."});
+                                    " bytes, which its fragments would share; give the asset a shorter name, or " +
+                                    "export with --short-names."});
         }
         const std::string& longest = *std::ranges::max_element(pack.files.names, {}, &std::string::size);
         const std::size_t length = pack.folder.size() + 1 + longest.size();
@@ -222,7 +223,7 @@ std::vector<Finding> lengthWarnings(const std::string& file, const Project& proj
         warnings.push_back({Severity::Warning, "LongPath", place,
                             "Its files have paths of " + std::to_string(length) + " bytes within the export, and " +
                                 "Windows opens paths of " + std::to_string(kWindowsPath) +
-                                " at most; give the asset a shorter name."});
+                                " at most; give the asset a shorter name, or export with --short-names."});
     }
     return warnings;
 }

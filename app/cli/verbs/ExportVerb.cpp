@@ -165,7 +165,8 @@ Status exportAssets(ExportArguments arguments, VerbReport& report, const CliCont
     if (!outcome) return outcome.error();
     if (arguments.isPruning)
         outcome->pruned =
-            prune(arguments, stalePacks(arguments.out, indexName(arguments.project), *project, *earlier), context);
+            prune(arguments,
+                  stalePacks(arguments.out, indexName(arguments.project), *project, arguments.pack, *earlier), context);
     const Status listed = arguments.isDryRun ? success() : writeLists(arguments, *project, *outcome, *earlier, context);
     const Status printed = printExport(*outcome, arguments.project, report, context);
     if (listed) return printed;
@@ -268,6 +269,8 @@ Verb addExport(CLI::App& program) {
     addEnumOption<PackTopology>(
         command, "--topology", "Edges and planes of hulls in pack.json (default), or loops only",
         {{"full", PackTopology::Full}, {"loops", PackTopology::Loops}}, arguments->pack.topology);
+    command.flag("--short-names", arguments->pack.hasShortNames,
+                 "Cut names at 32 bytes, for Blender's names and Windows's paths");
     addFolderOptions(command, *arguments);
     command.option("--depfile", arguments->depfile, "Write the dependencies of the packs for Make and Ninja")
         .valueName("FILE");

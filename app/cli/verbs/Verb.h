@@ -37,6 +37,7 @@ Verb addMaterials(CLI::App& program);
 Verb addDiff(CLI::App& program);
 Verb addSheet(CLI::App& program);
 Verb addQuery(CLI::App& program);
+Verb addDamage(CLI::App& program);
 Verb addCompletion(CLI::App& program);
 
 }  // namespace rubble

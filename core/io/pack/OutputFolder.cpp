@@ -15,9 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The names of the folders of all packs of a project, in its order.
-std::vector<std::string> folderNames(const Project& project) {
+std::vector<std::string> folderNames(const Project& project, const PackOptions& options) {
     std::vector<std::string> names;
-    for (const auto& [variant, pack] : packNames(project)) names.push_back(pack.folder);
+    for (const auto& [variant, pack] : packNames(project, options)) names.push_back(pack.folder);
     return names;
 }
 
@@ -93,14 +93,15 @@ Status finishExport(const OutputRequest& request, const Project& project, std::s
     if (!isThere(request.folder)) return success();  // nothing was exported
     const auto isInPlace = [](const AssetExport& pack) { return pack.status.hasValue(); };
     const bool isWhole = request.hasAllAssets && std::ranges::all_of(packs, isInPlace);
-    const std::vector<std::string> current = folderNames(project);
+    const std::vector<std::string> current = folderNames(project, request.options);
     std::set<std::string> exported;
     for (const AssetExport& pack : packs) {
         if (pack.status) exported.insert(pack.folder.filename().string());
     }
     const auto list = [&](std::optional<std::span<const ManifestEntry>> files) {
         const auto change = [&](const std::optional<ExportIndex>& before) {
-            const std::vector<std::string> stale = stalePacks(request.folder, request.project, project, before);
+            const std::vector<std::string> stale =
+                stalePacks(request.folder, request.project, project, request.options, before);
             ExportIndex index = indexAfterExport(before, request.project, current, exported, stale);
             if (files) index.files.assign(files->begin(), files->end());
             return index;
@@ -116,8 +117,8 @@ Status finishExport(const OutputRequest& request, const Project& project, std::s
 }
 
 std::vector<std::string> stalePacks(const fs::path& folder, const std::string& name, const Project& project,
-                                    const std::optional<ExportIndex>& earlier) {
-    const std::vector<std::string> current = folderNames(project);
+                                    const PackOptions& options, const std::optional<ExportIndex>& earlier) {
+    const std::vector<std::string> current = folderNames(project, options);
     std::vector<std::string> stale = staleFolders(earlier, name, current);
     std::erase_if(stale, [&](const std::string& one) {
         const auto isSame = [&](const std::string& other) {

@@ -42,6 +42,7 @@ Status finishExport(const OutputRequest& request, const Project& project, std::s
 /// The folders that are there and that the project exported earlier and has no asset for any more. One that is also
 /// that of an asset is not: "Wall" and "wall" on file systems that ignore case.
 std::vector<std::string> stalePacks(const std::filesystem::path& folder, const std::string& name,
-                                    const Project& project, const std::optional<ExportIndex>& earlier);
+                                    const Project& project, const PackOptions& options,
+                                    const std::optional<ExportIndex>& earlier);
 
 }  // namespace rubble

@@ -36,8 +36,8 @@ struct PackedAsset {
 };
 
 /// Returns the assets in all variants that the project uses.
-std::vector<PackedAsset> packedAssets(const Project& project, std::span<const Id> assets) {
-    const std::map<AssetVariant, PackNames> names = packNames(project);
+std::vector<PackedAsset> packedAssets(const Project& project, std::span<const Id> assets, const PackOptions& options) {
+    const std::map<AssetVariant, PackNames> names = packNames(project, options);
     std::vector<PackedAsset> packed;
     for (const Id id : assets) {
         for (auto at = names.lower_bound({id}); at != names.end() && at->first.asset == id; ++at)
@@ -172,14 +172,15 @@ void removeBonds(Asset& asset) {
 
 }  // namespace
 
-std::map<AssetVariant, PackNames> packNames(const Project& project) {
+std::map<AssetVariant, PackNames> packNames(const Project& project, const PackOptions& options) {
     // Assets come before variants: a variant "wall_1" of a wall leaves the name to an asset of that name.
     std::vector<AssetVariant> used = usedVariants(project);
     std::ranges::stable_sort(used, {}, [](const AssetVariant& one) { return one.variant != 0; });
     std::vector<std::string> words{kIndexName};  // which is not of a pack
     for (const auto& [id, variant] : used)
         words.push_back(meshName(nameOfVariant(findAsset(project, id)->name, variant)));
-    const std::vector<std::string> folders = distinctFileNames(words);
+    const std::vector<std::string> folders =
+        distinctFileNames(words, options.hasShortNames ? kShortestName : kLongestName);
     std::map<AssetVariant, PackNames> names;
     for (std::size_t k = 0; k < used.size(); ++k) {
         const std::string& base = findAsset(project, used[k].asset)->name;
@@ -238,7 +239,7 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Pac
 
 std::vector<PackListing> packListings(const Project& project, std::span<const Id> assets, const PackOptions& options) {
     std::vector<PackListing> listings;
-    for (const PackedAsset& packed : packedAssets(project, assets)) {
+    for (const PackedAsset& packed : packedAssets(project, assets, options)) {
         PackFileNames files;
         if (hasJson(options)) files.names.push_back(kPackName);
         if (hasBinary(options)) files.names.push_back(kPackBinaryName);
@@ -258,7 +259,7 @@ Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<c
     CreatedDirectories created;  // not per asset: a failing one would remove the folder of the others
     if (const Status status = created.create(folder); !status) return status.error();
     removeLeftovers(folder);
-    const std::vector<PackedAsset> packed = packedAssets(project, assets);
+    const std::vector<PackedAsset> packed = packedAssets(project, assets, options);
     std::vector<AssetExport> results(packed.size());
     SharedProgress progress(task, packed.size());
     Result<std::vector<double>> bytes = memoryOf(packed, options);
@@ -277,7 +278,7 @@ Result<std::vector<AssetExport>> planPacks(const Project& project, std::span<con
                                            const std::filesystem::path& folder, const PackOptions& options,
                                            EditedFiles edited, const TaskContext& task) {
     if (const Status known = checkAssets(project, assets); !known) return known.error();
-    const std::vector<PackedAsset> packed = packedAssets(project, assets);
+    const std::vector<PackedAsset> packed = packedAssets(project, assets, options);
     if (const Result<std::vector<double>> bytes = memoryOf(packed, options); !bytes) return bytes.error();
     std::vector<AssetExport> results;
     for (const PackedAsset& each : packed) {

@@ -39,6 +39,7 @@ struct PackOptions {
     MeshOptions meshes;
     double inset = kDefaultInset;  // m, >= 0: of collision hulls
     PackTopology topology = PackTopology::Full;
+    bool hasShortNames = false;  // of at most kShortestName bytes
     bool operator==(const PackOptions&) const = default;
 };
 
@@ -53,7 +54,7 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Pac
 /// The names of each pack of a project. The folders are the distinctFileNames() of its assets without blanks, in their
 /// order, then of the variants that instances use ("wall_2"); none is that of the index, export.json. They depend on
 /// all assets, so that these may be exported one by one.
-std::map<AssetVariant, PackNames> packNames(const Project& project);
+std::map<AssetVariant, PackNames> packNames(const Project& project, const PackOptions& options = {});
 
 /// The folder of a pack and the files in it.
 struct PackListing {

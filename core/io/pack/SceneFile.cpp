@@ -162,7 +162,7 @@ std::optional<std::string> scenePacksFault(std::string_view json, const PackPhys
 }
 
 std::string sceneFileJson(const Project& project, const PackOptions& options, const PlayScene* played) {
-    const std::map<AssetVariant, PackNames> names = packNames(project);
+    const std::map<AssetVariant, PackNames> names = packNames(project, options);
     std::set<AssetVariant> used;
     for (const Instance& instance : project.instances) used.insert(variantOf(instance));
     for (const Shot& shot : project.shots) {

@@ -374,7 +374,7 @@ void EventStreamText::addDamage(const Session& session) {
 }
 
 void EventStreamText::addContacts(const Session& session) {
-    for (const MovingContact& contact : movingContacts(session, kMostContacts)) {
+    for (const MovingContact& contact : movingContacts(session.world(), kMostContacts)) {
         addEvent(session, contact.isRolling ? "rolling" : "sliding", [&](JsonWriter& json) {
             json.wholeNumber("body", std::uint64_t{contact.body});
             json.wholeNumber("other", std::uint64_t{contact.other});

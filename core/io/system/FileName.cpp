@@ -1,5 +1,6 @@
 #include "core/io/system/FileName.h"
 
+#include "core/base/Assert.h"
 #include "core/base/Hash.h"
 #include "core/io/system/UnicodeName.h"
 
@@ -11,8 +12,9 @@
 namespace rubble {
 namespace {
 
-constexpr std::size_t kMaxName = 255;      // bytes
-constexpr std::size_t kMaxSafeName = 200;  // the same
+constexpr std::size_t kMaxName = 255;        // bytes
+constexpr std::size_t kWholeHash = 100;      // bytes: a shorter name gets only the start of its hash,
+constexpr std::size_t kShortHashDigits = 8;  // so many digits
 
 /// Names that Windows keeps for devices, in every folder and with any ending.
 /// Source: Microsoft, "Naming Files, Paths, and Namespaces". "CONIN$" and "CONOUT$" have a character that is replaced.
@@ -22,16 +24,17 @@ constexpr std::array<std::string_view, 2> kNumberedDevices = {"com", "lpt"};  //
 /// Returns the name, or its first characters and a hash of the whole if it has more than `size` bytes.
 std::string shortened(const std::string& name, std::size_t size) {
     if (name.size() <= size) return name;
-    const std::string hash = "-" + contentHash(name).hex();
+    std::string hash = "-" + contentHash(name).hex();
+    if (size < kWholeHash) hash.resize(1 + kShortHashDigits);
     std::size_t kept = size - hash.size();
     while (kept > 0 && (static_cast<unsigned char>(name[kept]) & 0xC0) == 0x80) --kept;  // not inside of UTF-8
     return name.substr(0, kept) + hash;
 }
 
 /// The same, by the length that the strictest file system counts.
-std::string shortenedSafeName(const std::string& name) {
+std::string shortenedSafeName(const std::string& name, std::size_t most) {
     std::string result = name;
-    for (std::size_t size = kMaxSafeName; nameLength(result) > kMaxSafeName; size -= 8) result = shortened(name, size);
+    for (std::size_t size = most; nameLength(result) > most; size -= 8) result = shortened(name, size);
     return result;
 }
 
@@ -64,23 +67,25 @@ bool isDevice(const std::string& name) {
 
 }  // namespace
 
-std::string safeFileName(const std::string& name) {
+std::string safeFileName(const std::string& name, std::size_t most) {
+    RUBBLE_ASSERT(most >= kShortestName && most <= kLongestName);
     std::u32string codes = composedCodePoints(name);
     std::ranges::transform(codes, codes.begin(), safeCharacter);
     if (codes.empty()) return "_";
     for (char32_t* end : {&codes.front(), &codes.back()}) {
         if (*end == U'.' || *end == U' ') *end = U'_';
     }
+    if (codes.front() == U'-') codes.front() = U'_';
     const std::string safe = utf8Of(codes);
-    return shortenedSafeName(isDevice(safe) ? "_" + safe : safe);
+    return shortenedSafeName(isDevice(safe) ? "_" + safe : safe, most);
 }
 
-std::vector<std::string> distinctFileNames(std::span<const std::string> names) {
+std::vector<std::string> distinctFileNames(std::span<const std::string> names, std::size_t most) {
     std::set<std::string> taken;  // keys
     std::vector<std::string> result;
     std::vector<std::size_t> doubles;
     for (const std::string& name : names) {
-        result.push_back(safeFileName(name));
+        result.push_back(safeFileName(name, most));
         if (!taken.insert(nameKey(result.back())).second) doubles.push_back(result.size() - 1);
     }
     for (const std::size_t k : doubles) {

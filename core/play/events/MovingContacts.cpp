@@ -53,14 +53,14 @@ MovingContact contactOf(const World& world, std::span<const ContactPoint> points
 
 }  // namespace
 
-std::vector<MovingContact> movingContacts(const Session& session, std::size_t most) {
-    const std::vector<ContactPoint> points = session.world().contactPoints();
+std::vector<MovingContact> movingContacts(const World& world, std::size_t most) {
+    const std::vector<ContactPoint> points = world.contactPoints();
     std::map<std::uint32_t, MovingContact> ofBody;
     for (auto begin = points.begin(); begin != points.end();) {
         const auto end = std::find_if(begin, points.end(), [&](const ContactPoint& one) {
             return one.first != begin->first || one.second != begin->second;
         });
-        const MovingContact contact = contactOf(session.world(), {begin, end});
+        const MovingContact contact = contactOf(world, {begin, end});
         begin = end;
         if (contact.speed < kLeastSpeed || powerOf(contact) < kLeastPower) continue;
         const auto [known, isNew] = ofBody.try_emplace(contact.body, contact);

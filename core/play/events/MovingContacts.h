@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/play/session/Session.h"
+#include "core/physics/world/World.h"
 
 #include <vector>
 
@@ -16,9 +16,9 @@ struct MovingContact {
     double load = 0.0;        // N, that presses them together
 };
 
-/// The bodies that slide or roll faster than 5 cm/s, each on what it rubs most: by load times speed, which is at least
-/// 1 W; the `most` strongest, in order of their numbers. Rolling: the faces move against each other at less than a
-/// quarter of the speed of the body's centre. O(n log n) for n contact points.
-std::vector<MovingContact> movingContacts(const Session& session, std::size_t most);
+/// The bodies of a session's world that slide or roll faster than 5 cm/s, each on what it rubs most: by load times
+/// speed, which is at least 1 W; the `most` strongest, in order of their numbers. Rolling: the faces move against each
+/// other at less than a quarter of the speed of the body's centre. O(n log n) for n contact points.
+std::vector<MovingContact> movingContacts(const World& world, std::size_t most);
 
 }  // namespace rubble

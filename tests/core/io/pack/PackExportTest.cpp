@@ -3,6 +3,7 @@
 #include "core/io/pack/PackExport.h"
 
 #include "core/io/system/AtomicFile.h"
+#include "core/io/system/FileName.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Fragments.h"
 
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 
 using namespace rubble;
 namespace fs = std::filesystem;
@@ -61,6 +63,22 @@ ContentHash sourceOf(const Project& project, const PackOptions& options = {}) {
 class PackExportTest : public QObject {
     Q_OBJECT
 private slots:
+    void shortNamesFitOtherPrograms() {
+        const std::string name(80, 'a');
+        const Project project = projectOf({name + "b", name + "c", "wall"});
+        const PackOptions options{.hasShortNames = true};
+        QTemporaryDir folder;
+        const fs::path out = folder.path().toStdString();
+        QVERIFY(exportPacks(project, allAssets(project), out, options, EditedFiles::Kept).hasValue());
+        std::set<std::string> folders;
+        for (const PackListing& pack : packListings(project, allAssets(project), options)) {
+            QVERIFY(pack.folder.size() <= kShortestName && fs::exists(out / pack.folder / "pack.json"));
+            for (const std::string& file : pack.files.names) QVERIFY(file.size() < 63);
+            folders.insert(pack.folder);
+        }
+        QVERIFY(folders.size() == 3 && folders.contains("wall"));
+        QVERIFY(packListings(project, allAssets(project), {})[0].folder == name + "b");
+    }
     void init() {
         m_temporary = std::make_unique<QTemporaryDir>();
         m_out = m_temporary->path().toStdString() + "/packs";

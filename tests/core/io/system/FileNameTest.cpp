@@ -14,6 +14,8 @@ private slots:
         QCOMPARE(safeFileName("a/b\\c:d*e"), std::string("a_b_c_d_e"));
         QCOMPARE(safeFileName("../up"), std::string("_._up"));
         QCOMPARE(safeFileName("dot."), std::string("dot_"));
+        QCOMPARE(safeFileName("-rf"), std::string("_rf"));
+        QCOMPARE(safeFileName("--"), std::string("_-"));
         QCOMPARE(safeFileName(""), std::string("_"));
         QCOMPARE(safeFileName("con"), std::string("_con"));
         QCOMPARE(safeFileName("LPT1.txt"), std::string("_LPT1.txt"));
@@ -28,6 +30,9 @@ private slots:
         QCOMPARE(safeFileName(a).size(), std::size_t{200});
         QVERIFY(safeFileName(a) != safeFileName(b) && safeFileName(a).starts_with("aaa"));
         QCOMPARE(safeFileName(std::string(200, 'a')), std::string(200, 'a'));
+        QCOMPARE(safeFileName(std::string(32, 'a'), kShortestName), std::string(32, 'a'));
+        QCOMPARE(safeFileName(a, kShortestName).size(), kShortestName);
+        QVERIFY(safeFileName(a, kShortestName) != safeFileName(b, kShortestName));
     }
     void namesWithEndingsFit() {
         QCOMPARE(fittingFileName(".", "wall", ".lock"), std::string(".wall.lock"));
