@@ -31,7 +31,7 @@ enum class RemovalReason : std::uint8_t {
     Lifetime,   // debris that has faded out
     Budget,     // debris beyond the largest number of fragments
     LeftWorld,  // it fell, flew or moved out of the world
-    Input,      // somebody took it away
+    Input,      // an input took it away
 };
 
 /// The name of a reason in files: "lifetime"; empty for none.
