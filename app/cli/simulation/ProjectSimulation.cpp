@@ -97,6 +97,75 @@ Status saveResult(const PlayPlan& plan, const Session& session, SimulationRun& r
     return saveState(plan.savedState, session, plan.savedKind);
 }
 
+/// What is recorded of a session, step by step.
+class SessionRecord {
+public:
+    SessionRecord(const PlayPlan& plan, const Session& session)
+        : m_plan(plan),
+          m_steps(plan.simulation),
+          m_listener(frontListener(session)),
+          m_tracks(recorderFor(plan.animation, session)) {
+        if (plan.isRecorded) m_replay.emplace(session, programVersion(), projectHash(session.scene().project));
+        if (plan.events == EventsFormat::Stream) {
+            m_stream.emplace(session);
+        } else if (plan.events) {
+            m_told.emplace(*plan.events);
+        }
+    }
+
+    /// Adds a step that was played in some milliseconds.
+    ///
+    /// Errors: Limit where a recording is too large.
+    Status add(int step, const Session& session, double milliseconds) {
+        m_steps.add(step, session.world(), milliseconds, m_plan.simulation.isTraced ? session.heldPotential() : 0.0);
+        if (m_told) m_told->add(session.stepsDone(), session.events().told);
+        if (m_stream) m_stream->add(session);
+        if (m_plan.isHeard) m_heard.add(session);
+        if (m_replay) {
+            m_replay->add(session);
+            if (const Status fits = m_replaySize.add(m_replay->replay()); !fits) return fits;
+        }
+        return m_tracks ? m_tracks->add(session) : success();
+    }
+    /// Errors: those of SoundRecorder::track().
+    Status finish(SimulationRun& run) && {
+        run.outcome.counts = m_steps.means();
+        run.outcome.stepMilliseconds = m_steps.milliseconds();
+        run.trace = std::move(m_steps).trace();
+        if (m_replay) run.replay = m_replay->replay();
+        if (m_told) run.events = std::move(*m_told).finished();
+        if (m_stream) run.events = m_stream->take();
+        if (m_tracks) run.tracks = std::move(*m_tracks).tracks();
+        if (!m_plan.isHeard) return success();
+        Result<StereoTrack> sound = m_heard.track(m_listener);
+        if (!sound) return sound.error();
+        run.sound = std::move(*sound);
+        return success();
+    }
+
+private:
+    const PlayPlan& m_plan;
+    StepRecord m_steps;
+    Listener m_listener;
+    std::optional<TrackRecorder> m_tracks;
+    SoundRecorder m_heard;
+    std::optional<ReplayRecorder> m_replay;
+    ReplaySize m_replaySize;
+    std::optional<EventsText> m_told;  // of version 1
+    std::optional<EventStreamText> m_stream;
+};
+
+/// Adds what broke in the last step of a session to a result, and what it reports to `diagnostics`.
+void addBreaks(const Session& session, const PlayPlan& plan, SimulationOutcome& outcome,
+               std::vector<Diagnostic>& diagnostics) {
+    for (const PlayBreak& broken : session.events().breaks)
+        outcome.breaks.push_back(toResult(broken, session, plan.simulation.isTimed));
+    for (const PlaySplit& split : session.events().splits)
+        if (split.bonds > 0 || !split.freed.empty()) outcome.splits.push_back(toResult(split, session));
+    const std::vector<Diagnostic>& reported = session.events().diagnostics;
+    diagnostics.insert(diagnostics.end(), reported.begin(), reported.end());
+}
+
 }  // namespace
 
 Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan& plan, const TaskContext& task,
@@ -105,62 +174,22 @@ Result<SimulationRun> runProject(const PreparedProject& project, const PlayPlan&
     Result<Session> session =
         plan.remapped.empty() ? sessionOf(project, plan) : damagedSession(project, plan, task, run.notes);
     if (!session) return session.error();
-    StepRecord record(plan.simulation);
-    std::optional<ReplayRecorder> recorder;
-    if (plan.isRecorded) recorder.emplace(*session, programVersion(), projectHash(session->scene().project));
-    ReplaySize recorded;
-    SoundRecorder heard;
-    const Listener listener = frontListener(*session);
-    std::optional<EventsText> told;
-    std::optional<EventStreamText> stream;
-    if (plan.events == EventsFormat::Stream) {
-        stream.emplace(*session);
-    } else if (plan.events) {
-        told.emplace(*plan.events);
-    }
-    std::optional<TrackRecorder> tracks = recorderFor(plan.animation, *session);
+    SessionRecord record(plan, *session);
     for (int step = 1; step <= plan.simulation.steps; ++step) {
         if (task.isCancelled()) return TaskContext::cancelled();
         const auto start = std::chrono::steady_clock::now();
         session->step();
         const auto end = std::chrono::steady_clock::now();
-        record.add(step, session->world(), std::chrono::duration<double, std::milli>(end - start).count(),
-                   plan.simulation.isTraced ? session->heldPotential() : 0.0);
-        if (recorder) {
-            recorder->add(*session);
-            if (const Status fits = recorded.add(recorder->replay()); !fits) return fits.error();
-        }
-        if (told) told->add(session->stepsDone(), session->events().told);
-        if (stream) stream->add(*session);
-        if (plan.isHeard) heard.add(*session);
-        if (tracks) {
-            if (const Status fits = tracks->add(*session); !fits) return fits.error();
-        }
-        for (const PlayBreak& broken : session->events().breaks) {
-            run.outcome.breaks.push_back(toResult(broken, *session, plan.simulation.isTimed));
-        }
-        for (const PlaySplit& split : session->events().splits) {
-            if (split.bonds > 0 || !split.freed.empty()) run.outcome.splits.push_back(toResult(split, *session));
-        }
-        const std::vector<Diagnostic>& reported = session->events().diagnostics;
-        diagnostics.insert(diagnostics.end(), reported.begin(), reported.end());
+        const double milliseconds = std::chrono::duration<double, std::milli>(end - start).count();
+        if (const Status added = record.add(step, *session, milliseconds); !added) return added.error();
+        addBreaks(*session, plan, run.outcome, diagnostics);
         task.report(static_cast<double>(step) / plan.simulation.steps);
     }
     run.outcome.steps = static_cast<std::uint64_t>(plan.simulation.steps);
     addBodies(*session, run.outcome);
-    run.outcome.counts = record.means();
     run.outcome.hash = session->hash();
-    run.outcome.stepMilliseconds = record.milliseconds();
-    run.trace = std::move(record).trace();
-    if (recorder) run.replay = recorder->replay();
-    if (told) run.events = std::move(*told).finished();
-    if (stream) run.events = stream->take();
-    if (tracks) run.tracks = std::move(*tracks).tracks();
+    if (const Status finished = std::move(record).finish(run); !finished) return finished.error();
     if (const Status saved = saveResult(plan, *session, run); !saved) return saved.error();
-    if (!plan.isHeard) return run;
-    Result<StereoTrack> sound = heard.track(listener);
-    if (!sound) return sound.error();
-    run.sound = std::move(*sound);
     return run;
 }
 

@@ -79,7 +79,11 @@ std::string_view stepsFor(ExportTarget target) {
             return "1. Load the GLB files with `GLTFLoader` of three.js or the loader of Babylon.js.\n"
                    "2. Read `pack.json` with `fetch()`, and make bodies in Rapier, Jolt, PhysX, Havok or cannon-es; "
                    "the\n"
-                   "   example `rapier_example.mjs` that is installed with Rubble has 80 lines.\n"
+                   "   example `rapier_example.mjs` that is installed with Rubble has 80 lines, and needs "
+                   "`npm install\n"
+                   "   @dimforge/rapier3d-compat`. `rapier_scene_example.mjs`, with `bonds.mjs` and "
+                   "`bonded_play.mjs`,\n"
+                   "   stands the whole scene and breaks the bonds of bonded assets.\n"
                    "\nTested in three.js, Babylon.js, Rapier, Jolt, PhysX, Havok, MuJoCo and cannon-es.\n";
         case ExportTarget::Usd:
             return "1. Reference `<asset>/<asset>.usda`, the fragments, or `<asset>/<asset>-intact.usda`, the whole, "

@@ -14,8 +14,7 @@ void move(std::vector<Element>& from, std::vector<Element>& to) {
 }  // namespace
 
 void append(PlayEvents&& interval, PlayEvents& step) {
-    auto& [inputs, breaks, splits, impacts, born, removed, taken, diagnostics, energy, happened, told] =
-        interval;
+    auto& [inputs, breaks, splits, impacts, born, removed, taken, diagnostics, energy, happened, told] = interval;
     move(inputs, step.inputs);
     move(breaks, step.breaks);
     move(splits, step.splits);

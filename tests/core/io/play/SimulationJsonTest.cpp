@@ -32,6 +32,7 @@ private slots:
   "counts": {"bodies": 2, "pairs": 1.5, "contactPoints": 4},
   "swaps": 0,
   "breaks": [],
+  "splits": [],
   "largestPenetration": 0.0625,
   "hash": "00000000000000010000000000000002"
 }
