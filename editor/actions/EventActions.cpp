@@ -80,7 +80,7 @@ EventActions::OutputFile EventActions::askForFile(const QString& title, const QL
 
 void EventActions::exportAll() {
     const OutputFile file =
-        askForFile(tr("Export Events"), {EventsFormat::Stream, EventsFormat::JsonLines, EventsFormat::Csv});
+        askForFile(tr("Export Events"), {EventsFormat::Csv, EventsFormat::Stream, EventsFormat::JsonLines});
     if (file.path.isEmpty()) return;
     if (file.format == EventsFormat::Stream) {
         return controller().requestScript([this, path = file.path](const PlayScript& script) {
