@@ -125,16 +125,17 @@ private slots:
         QFile file(pathOf("plate.obj"));
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write(finePlate()) > 0);
         file.close();
-        const test::Watchdog watchdog;
+        const test::Watchdog reading;
         const auto work = [] { return !finePlate().isEmpty(); };
         ImportDialog dialog(file.fileName(), project(), {}, nullptr);
         QVERIFY(dialog.read(RUBBLE_IMPORTER));
-        check(watchdog, work);
+        check(reading, work);
+        const test::Watchdog showing;
         auto& view = *dialog.findChild<ViewportWidget*>();
         view.hide();  // here the processor draws it
         dialog.show();
         QTRY_VERIFY_WITH_TIMEOUT(!dialog.findChild<QProgressBar*>()->isVisible(), kPatience);
-        check(watchdog, work);
+        check(showing, work);
         QVERIFY(!view.scene().poses.empty() && !view.settings().hasShadows);
     }
 
