@@ -3,6 +3,7 @@
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/bake/AssetBakes.h"
+#include "core/asset/strength/BondStrength.h"
 #include "core/asset/strength/Threshold.h"
 #include "core/base/MessageText.h"
 #include "core/io/play/StrengthReportJson.h"
@@ -17,8 +18,8 @@ constexpr const char* kStrengthFooter =
 its own orientation, or when a body of a given mass and speed hits the centre of its front squarely: off-centre hits do
 less. An asset is free to move, or held in place where its instances are fixed. Prints the impulse of each requirement,
 and for each asset the thresholds that satisfy all of them. If two requirements conflict, prints both and the gap
-between them. Exits with 3 if requirements conflict or a threshold does not satisfy them; also where an asset with
-requirements breaks along bonds, without a threshold.
+between them. Of an asset that breaks along bonds, prints the impulse per area of bonds instead, from which on none
+breaks. Exits with 3 if requirements conflict or are not satisfied.
 
 Examples:
   rubble-cli strength house.rubble
@@ -31,10 +32,20 @@ struct StrengthOptions {
     int threads = 1;
 };
 
-/// Why the requirements of an asset that breaks along bonds cannot be judged; nothing if it has none.
-std::optional<std::string> faultOfBonded(const Asset& asset) {
-    if (asset.requirements.empty()) return std::nullopt;
-    return "it breaks along bonds, without a threshold, and strength requirements are for assets that break whole.";
+Result<StrengthReport> reportOn(const Project& project, const Asset& asset, const std::shared_ptr<const Bake>& bake,
+                                const TaskContext& task) {
+    if (hasThreshold(project, asset)) {
+        const Result<PlayAsset> whole = wholePlayAsset(asset, bake);
+        if (!whole) return whole.error();
+        Result<ThresholdInterval> interval = thresholdInterval(project, *whole);
+        if (!interval) return interval.error();
+        return StrengthReport{asset, thresholdOf(project, asset), std::move(*interval)};
+    }
+    Result<std::shared_ptr<const PlayAsset>> ready = playAsset(asset, bake, task, FindContacts::OnBreak);
+    if (!ready) return ready.error();
+    Result<ThresholdInterval> interval = bondInterval(project, std::move(*ready));
+    if (!interval) return interval.error();
+    return StrengthReport{asset, bondImpulseOf(asset, *findMaterial(project, asset.material)), std::move(*interval)};
 }
 
 Result<std::vector<StrengthReport>> reportsOn(const Project& project, std::span<const Id> assets,
@@ -43,50 +54,45 @@ Result<std::vector<StrengthReport>> reportsOn(const Project& project, std::span<
     if (!bakes) return bakes.error();
     std::vector<StrengthReport> reports;
     for (const Id id : assets) {
-        const Asset& asset = *findAsset(project, id);
-        if (!hasThreshold(project, asset)) {
-            reports.push_back({.asset = asset, .fault = faultOfBonded(asset)});
-            continue;
-        }
-        const Result<PlayAsset> whole = wholePlayAsset(asset, bakes->at({id}));
-        if (!whole) return whole.error();
-        Result<ThresholdInterval> interval = thresholdInterval(project, *whole);
-        if (!interval) return interval.error();
-        reports.push_back({asset, thresholdOf(project, asset), std::move(*interval)});
+        Result<StrengthReport> report = reportOn(project, *findAsset(project, id), bakes->at({id}), task);
+        if (!report) return report.error();
+        reports.push_back(std::move(*report));
     }
     return reports;
 }
 
-/// Returns whether the threshold of an asset satisfies its requirements, and which would.
+std::string strengthText(const StrengthReport& report) {
+    const bool isPerArea = report.interval.isPerArea;
+    return (isPerArea ? "impulse per area " : "threshold ") + impulseText(report.strength, isPerArea);
+}
+
+/// Returns whether the strength of an asset satisfies its requirements, and which would.
 std::string verdictOn(const StrengthReport& report) {
     const ThresholdInterval& interval = report.interval;
-    if (!report.threshold) return report.fault ? "breaks along bonds\n" : "breaks along bonds, no requirements\n";
-    const std::string threshold = "threshold " + impulseText(*report.threshold);
-    if (report.asset.requirements.empty()) return threshold + ", no requirements\n";
-    if (interval.isEmpty()) return threshold + "; the requirements conflict\n";
-    if (interval.contains(*report.threshold)) {
-        return threshold + ", satisfied: it must be " + intervalText(interval) + "\n";
-    }
-    return threshold + ", not satisfied: it must be " + intervalText(interval) + "; " +
-           impulseText(*interval.suggested()) + " would satisfy all\n";
+    const std::string strength = strengthText(report);
+    if (report.asset.requirements.empty()) return strength + ", no requirements\n";
+    if (interval.isEmpty()) return strength + "; the requirements conflict\n";
+    if (interval.contains(report.strength))
+        return strength + ", satisfied: it must be " + intervalText(interval) + "\n";
+    return strength + ", not satisfied: it must be " + intervalText(interval) + "; " +
+           impulseText(*interval.suggested(), interval.isPerArea) + " would satisfy all\n";
 }
 
 std::string textOf(const StrengthReport& report) {
     std::string text = shownName(report.asset.name) + ": " + verdictOn(report);
     for (std::size_t k = 0; k < report.asset.requirements.size(); ++k) {
-        text += "  " + requirementText(report.asset.requirements[k]);
-        text += report.fault ? ": not judged\n" : ": " + impulseText(report.interval.impulses[k]) + "\n";
+        text += "  " + requirementText(report.asset.requirements[k]) + ": " +
+                impulseText(report.interval.impulses[k], report.interval.isPerArea) + "\n";
     }
     return text;
 }
 
 /// Why the requirements of an asset are not satisfied; nothing if they are.
 std::optional<std::string> unsatisfiedText(const StrengthReport& report) {
-    if (report.fault) return report.fault;
-    if (!report.threshold || report.asset.requirements.empty()) return std::nullopt;
+    if (report.asset.requirements.empty()) return std::nullopt;
     if (std::optional<std::string> conflict = conflictText(report.asset, report.interval)) return conflict;
-    if (report.interval.contains(*report.threshold)) return std::nullopt;
-    return "the threshold " + impulseText(*report.threshold) + " does not satisfy the requirements.";
+    if (report.interval.contains(report.strength)) return std::nullopt;
+    return "the " + strengthText(report) + " does not satisfy the requirements.";
 }
 
 Status strength(const StrengthOptions& options, VerbReport& report, const CliContext& context) {

@@ -17,7 +17,7 @@ void writeRequirements(JsonWriter& json, const StrengthReport& report) {
         json.openObject({}, JsonLayout::Inline);
         writeRequirementMembers(json, requirement);
         json.text("sentence", requirementText(requirement));
-        json.number("impulse", report.fault ? std::nullopt : std::optional(report.interval.impulses[k]));
+        json.number(report.interval.isPerArea ? "impulsePerArea" : "impulse", report.interval.impulses[k]);
         json.close();
     }
     json.close();
@@ -27,14 +27,13 @@ void writeReport(JsonWriter& json, const StrengthReport& report) {
     const ThresholdInterval& interval = report.interval;
     json.openObject();
     json.text("name", report.asset.name);
-    json.number("threshold", report.threshold);
+    json.number(interval.isPerArea ? "impulsePerArea" : "threshold", report.strength);
     writeRequirements(json, report);
     writeBound(json, "above", interval.low, interval.lowRequirement);
     writeBound(json, "atMost", interval.high, interval.highRequirement);
     json.number("suggested", interval.suggested());
-    json.boolean("isSatisfied", !report.fault && (!report.threshold || interval.contains(*report.threshold)));
-    const std::optional<std::string> conflict = report.fault ? report.fault : conflictText(report.asset, interval);
-    if (conflict) {
+    json.boolean("isSatisfied", interval.contains(report.strength));
+    if (const std::optional<std::string> conflict = conflictText(report.asset, interval)) {
         json.text("conflict", *conflict);
     } else {
         json.null("conflict");

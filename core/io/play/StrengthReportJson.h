@@ -11,9 +11,8 @@ namespace rubble {
 /// The strength requirements of an asset and the thresholds that satisfy them.
 struct StrengthReport {
     Asset asset;
-    std::optional<double> threshold;                  // N·s, of the asset; none if it breaks along bonds
-    ThresholdInterval interval;                       // without impulses if there is a fault
-    std::optional<std::string> fault = std::nullopt;  // why its requirements cannot be judged
+    double strength = 0.0;  // the asset's threshold, N·s; where it breaks along bonds, N·s/m² of these
+    ThresholdInterval interval;
 };
 
 /// Returns reports as JSON, one requirement per line:
@@ -22,8 +21,8 @@ struct StrengthReport {
 ///       "intents":[{"outcome":s,"kind":s,...,"sentence":s,"impulse":J},...],
 ///       "above":J,"atMost":J,"suggested":J,"isSatisfied":true,"conflict":s},...]}
 ///
-/// Bounds, suggestion and conflict are null if there is none. An asset that breaks along bonds has null as threshold;
-/// if it has requirements, their impulses are null, and the conflict says why.
+/// Bounds, suggestion and conflict are null if there is none. An asset that breaks along bonds has "impulsePerArea" in
+/// place of "threshold", and the figures are impulses per area.
 std::string strengthReportJson(std::span<const StrengthReport> reports);
 
 }  // namespace rubble

@@ -50,18 +50,39 @@ BodyDefinition standing(const Project& project, const PlayAsset& asset, Support 
             .restitution = material.restitution};
 }
 
+/// Two touching bodies, of which the first is hit.
+struct TouchingBodies {
+    BodyDefinition hit;
+    BodyDefinition other;
+};
+
 /// The damage to the first of two touching bodies.
-Result<double> damageAtContact(const BodyDefinition& first, const BodyDefinition& second, DamageRule rule) {
+Result<double> damageAtContact(const TouchingBodies& bodies, DamageRule rule) {
     World world({.gravity = Vec3(0.0)});
-    const Result<BodyId> hit = world.addBody(first);
+    const Result<BodyId> hit = world.addBody(bodies.hit);
     if (!hit) return hit.error();
-    const Result<BodyId> other = world.addBody(second);
+    const Result<BodyId> other = world.addBody(bodies.other);
     if (!other) return other.error();
     world.collide(kCollisionStep);
     for (const DamageDone& damage : damageOf(world.impacts(), world, rule)) {
         if (damage.body == *hit) return damage.amount;
     }
     return 0.0;
+}
+
+/// The impact of two touching bodies, with its points in the frame of the first, which is at the origin or not turned.
+Result<RequirementImpact> impactAtContact(const TouchingBodies& bodies) {
+    World world({.gravity = Vec3(0.0)});
+    for (const BodyDefinition* body : {&bodies.hit, &bodies.other}) {
+        if (const Result<BodyId> added = world.addBody(*body); !added) return added.error();
+    }
+    world.collide(kCollisionStep);
+    RequirementImpact all;
+    for (const Impact& impact : world.impacts()) {
+        all.impulse = std::max(all.impulse, impact.impulse());
+        all.points.push_back(impact.point - bodies.hit.pose.position);
+    }
+    return all;
 }
 
 Result<BodyDefinition> groundBelow(const Project& project, const Shape& shape) {
@@ -78,26 +99,40 @@ Result<BodyDefinition> groundBelow(const Project& project, const Shape& shape) {
         .restitution = project.ground.restitution};
 }
 
-Result<double> impulseOf(const Project& project, const PlayAsset& asset, const DropRequirement& drop, Support support) {
+Result<TouchingBodies> touchingBodies(const Project& project, const PlayAsset& asset, const DropRequirement& drop,
+                                      Support support) {
     const Vec3 gravity = project.gravity;
     if (gravity.x != 0.0 || gravity.z != 0.0 || !(gravity.y < 0.0)) {
         return Error{ErrorCode::BadInput, "A drop needs gravity that points straight down, along -y."};
     }
-    const Result<BodyDefinition> ground = groundBelow(project, *asset.whole.shape);
+    Result<BodyDefinition> ground = groundBelow(project, *asset.whole.shape);
     if (!ground) return ground.error();
     BodyDefinition falling = standing(project, asset, support);
     falling.velocity = {0.0, -std::sqrt(-2.0 * gravity.y * drop.height), 0.0};
-    return damageAtContact(falling, *ground, project.damage.rule);
+    return TouchingBodies{std::move(falling), std::move(*ground)};
 }
 
-Result<double> impulseOf(const Project& project, const PlayAsset& asset, const HitRequirement& hit, Support support) {
-    const Result<BodyDefinition> cube = projectileBody(hitThrow(project, asset, hit), nullptr, nullptr);
+Result<TouchingBodies> touchingBodies(const Project& project, const PlayAsset& asset, const HitRequirement& hit,
+                                      Support support) {
+    Result<BodyDefinition> cube = projectileBody(hitThrow(project, asset, hit), nullptr, nullptr);
     if (!cube) return cube.error();
-    return damageAtContact(standing(project, asset, support), *cube, project.damage.rule);
+    return TouchingBodies{standing(project, asset, support), std::move(*cube)};
 }
 
-Result<double> impulseOf(const Project&, const PlayAsset&, const ImpulseRequirement& impact, Support) {
-    return impact.impulse;
+/// The point of the front that hits meet, in the prism's frame.
+Vec3 frontPoint(const Project& project, const PlayAsset& asset) {
+    const Shape& shape = *asset.whole.shape;
+    const Vec2 point = hitPoint(assetOf(project, asset).prism.outline, Vec2(shape.mass.centre));
+    return {point, supportAlong(shape, {0.0, 0.0, 1.0})};
+}
+
+/// The bodies of a drop or a hit.
+Result<TouchingBodies> bodiesOf(const Project& project, const PlayAsset& asset,
+                                const StrengthRequirement& requirement) {
+    const Support support = supportOf(project, assetOf(project, asset), requirement);
+    if (const auto* drop = std::get_if<DropRequirement>(&requirement.event))
+        return touchingBodies(project, asset, *drop, support);
+    return touchingBodies(project, asset, std::get<HitRequirement>(requirement.event), support);
 }
 
 }  // namespace
@@ -116,8 +151,17 @@ Support supportOf(const Project& project, const Asset& asset, const StrengthRequ
 
 Result<double> requirementImpulse(const Project& project, const PlayAsset& asset,
                                   const StrengthRequirement& requirement) {
-    const Support support = supportOf(project, assetOf(project, asset), requirement);
-    return std::visit([&](const auto& event) { return impulseOf(project, asset, event, support); }, requirement.event);
+    if (const auto* impact = std::get_if<ImpulseRequirement>(&requirement.event)) return impact->impulse;
+    const Result<TouchingBodies> bodies = bodiesOf(project, asset, requirement);
+    return bodies ? damageAtContact(*bodies, project.damage.rule) : bodies.error();
+}
+
+Result<RequirementImpact> requirementImpact(const Project& project, const PlayAsset& asset,
+                                            const StrengthRequirement& requirement) {
+    if (const auto* impact = std::get_if<ImpulseRequirement>(&requirement.event))
+        return RequirementImpact{impact->impulse, {frontPoint(project, asset)}};
+    const Result<TouchingBodies> bodies = bodiesOf(project, asset, requirement);
+    return bodies ? impactAtContact(*bodies) : bodies.error();
 }
 
 double cornerFraction(const Project& project, const PlayAsset& asset, const HitRequirement& hit, Support support) {
@@ -134,17 +178,11 @@ double cornerFraction(const Project& project, const PlayAsset& asset, const HitR
 }
 
 Throw hitThrow(const Project& project, const PlayAsset& asset, const HitRequirement& hit) {
-    const Polygon& outline = assetOf(project, asset).prism.outline;
-    const Vec2 size = boundsOf(outline.outer).size();
+    const Vec2 size = boundsOf(assetOf(project, asset).prism.outline.outer).size();
     const double side = std::min(kCubeSide, kMaxCubeFraction * std::min(size.x, size.y));
-    const Shape& shape = *asset.whole.shape;
-    const Vec2 point = hitPoint(outline, Vec2(shape.mass.centre));
-    const double front = supportAlong(shape, {0.0, 0.0, 1.0});
-    return {.size = Vec3(side),
-            .mass = hit.mass,
-            .from = {point, front + side / 2.0},
-            .to = {point, front - side / 2.0},
-            .speed = hit.speed};
+    const Vec3 point = frontPoint(project, asset);
+    const Vec3 half(0.0, 0.0, side / 2.0);
+    return {.size = Vec3(side), .mass = hit.mass, .from = point + half, .to = point - half, .speed = hit.speed};
 }
 
 double supportAlong(const Shape& shape, Vec3 direction) {

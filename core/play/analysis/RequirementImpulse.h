@@ -29,6 +29,19 @@ Support supportOf(const Project& project, const Asset& asset, const StrengthRequ
 Result<double> requirementImpulse(const Project& project, const PlayAsset& asset,
                                   const StrengthRequirement& requirement);
 
+/// What a requirement's event does to an asset that breaks along bonds.
+struct RequirementImpact {
+    double impulse = 0.0;      // N·s, of the hardest contact; 0 if it is too slow to do any damage
+    std::vector<Vec3> points;  // m, in the prism's frame: of all contacts
+};
+
+/// The same at the points of contact, whatever the damage rule. An impulse without a body acts where hits do: at the
+/// front, see hitThrow().
+///
+/// Errors: as above.
+Result<RequirementImpact> requirementImpact(const Project& project, const PlayAsset& asset,
+                                            const StrengthRequirement& requirement);
+
 /// The fraction of the impulse of a hit that is left at the corner of the front that is farthest from the centre of
 /// mass, in (0, 1]: the least that a hit along the normal of the front can have, since a free asset rotates away. 1 if
 /// fixed, and by DamageRule::Momentum, which knows no rotation.

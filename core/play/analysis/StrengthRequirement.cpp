@@ -1,9 +1,12 @@
 #include "core/play/analysis/StrengthRequirement.h"
 
 #include "core/asset/bake/FractureResult.h"
+#include "core/asset/strength/BondStrength.h"
 #include "core/base/Assert.h"
 #include "core/base/MessageText.h"
 #include "core/play/analysis/RequirementImpulse.h"
+#include "core/play/scene/PlayStructure.h"
+#include "core/structure/rule/SimpleRule.h"
 
 #include <cmath>
 
@@ -60,14 +63,37 @@ Result<ThresholdInterval> thresholdInterval(const Project& project, const PlayAs
     RUBBLE_ASSERT(authored != nullptr);
     if (!hasThreshold(project, *authored)) {
         return ofAsset(*authored, {ErrorCode::BadInput,
-                                   "Strength requirements are for assets that break whole; this one breaks along "
-                                   "bonds, without a threshold that they could bound."});
+                                   "This asset breaks along bonds: its requirements bound the impulse per area, not a "
+                                   "threshold."});
     }
     ThresholdInterval interval;
     for (const StrengthRequirement& requirement : authored->requirements) {
         const Result<double> impulse = requirementImpulse(project, asset, requirement);
         if (!impulse) return ofAsset(*authored, impulse.error());
         interval.impulses.push_back(*impulse);
+        restrict(interval, requirement.outcome, static_cast<std::uint32_t>(interval.impulses.size() - 1));
+    }
+    return interval;
+}
+
+Result<ThresholdInterval> bondInterval(const Project& project, std::shared_ptr<const PlayAsset> asset) {
+    const Asset& authored = *findAsset(project, asset->bake->asset);
+    const Material& material = *findMaterial(project, authored.material);
+    ThresholdInterval interval{.isPerArea = true};
+    const std::shared_ptr<const PlayStructure> bonds =
+        asset->fractureOf(kNone) != nullptr ? playStructure(authored, material, asset, kNone) : nullptr;
+    for (const StrengthRequirement& requirement : authored.requirements) {
+        const Result<RequirementImpact> impact = requirementImpact(project, *asset, requirement);
+        if (!impact) return ofAsset(authored, impact.error());
+        double utilization = 0.0;
+        if (bonds != nullptr && !impact->points.empty()) {
+            std::vector<BondDamage> damage(bonds->initialDamage);
+            const std::vector<std::uint32_t> owners(bonds->nodeCount(), 0);
+            utilization = applyHit(bonds->graph, bonds->capacities, bonds->rule,
+                                   {.points = impact->points, .impulse = impact->impulse}, owners, 0, damage)
+                              .utilization;
+        }
+        interval.impulses.push_back(bondImpulseOf(authored, material) * utilization);
         restrict(interval, requirement.outcome, static_cast<std::uint32_t>(interval.impulses.size() - 1));
     }
     return interval;
@@ -90,18 +116,21 @@ std::optional<std::string> conflictText(const Asset& asset, const ThresholdInter
     if (interval.high == 0.0) return breaks + " cannot be met: such a slow contact does no damage.";
     const std::string survives = '"' + requirementText(asset.requirements[interval.lowRequirement]) + '"';
     const double apart = interval.low - interval.high;
-    return survives + " needs a threshold above " + impulseText(interval.low) + ", " + breaks + " one of at most " +
-           impulseText(interval.high) + ": they are " + impulseText(apart) + " (" +
-           figureText(100.0 * apart / interval.high) + " %) apart.";
+    const auto text = [&](double impulse) { return impulseText(impulse, interval.isPerArea); };
+    return survives + " needs " + (interval.isPerArea ? "an impulse per area above " : "a threshold above ") +
+           text(interval.low) + ", " + breaks + " one of at most " + text(interval.high) + ": they are " + text(apart) +
+           " (" + figureText(100.0 * apart / interval.high) + " %) apart.";
 }
 
 std::string intervalText(const ThresholdInterval& interval) {
-    const std::string low = "above " + impulseText(interval.low);
+    const std::string low = "above " + impulseText(interval.low, interval.isPerArea);
     if (interval.highRequirement == kNone) return interval.lowRequirement == kNone ? "any" : low;
-    const std::string high = "at most " + impulseText(interval.high);
+    const std::string high = "at most " + impulseText(interval.high, interval.isPerArea);
     return interval.lowRequirement == kNone ? high : low + " and " + high;
 }
 
-std::string impulseText(double impulse) { return figureText(impulse) + " N·s"; }
+std::string impulseText(double impulse, bool isPerArea) {
+    return figureText(impulse) + (isPerArea ? " N·s/m²" : " N·s");
+}
 
 }  // namespace rubble

@@ -16,6 +16,7 @@ struct ThresholdInterval {
     std::uint32_t lowRequirement = kNone;  // index in Asset::requirements of the bound; kNone: unbounded
     std::uint32_t highRequirement = kNone;
     std::vector<double> impulses;  // N·s, one per requirement
+    bool isPerArea = false;        // of bonds: all of these are impulses per area, N·s/m²
 
     /// True if the requirements conflict: no threshold satisfies all of them.
     bool isEmpty() const { return !(low < high); }
@@ -32,6 +33,14 @@ struct ThresholdInterval {
 /// threshold.
 Result<ThresholdInterval> thresholdInterval(const Project& project, const PlayAsset& asset);
 
+/// The same for an asset that breaks along bonds: the impulses per area, as bondImpulseOf(), with which all are
+/// satisfied. It survives where no bond breaks: a bond under the fraction f of an impulse J breaks where its capacity
+/// is at most f J, and capacities grow with the impulse per area. Anchors of instances are not looked at. `asset` has
+/// its fragments.
+///
+/// Errors, with the asset's name: those of requirementImpact().
+Result<ThresholdInterval> bondInterval(const Project& project, std::shared_ptr<const PlayAsset> asset);
+
 /// The requirement that an impact of this impulse has this outcome again, rounded to three digits towards the side that
 /// demands more.
 StrengthRequirement impulseRequirement(RequirementOutcome outcome, double impulse);
@@ -46,7 +55,7 @@ std::optional<std::string> conflictText(const Asset& asset, const ThresholdInter
 /// The interval as text: "above 734.5 N·s and at most 980 N·s"; "any" without bounds.
 std::string intervalText(const ThresholdInterval& interval);
 
-/// The impulse as text: "734.5 N·s".
-std::string impulseText(double impulse);
+/// The impulse as text: "734.5 N·s"; per area "734.5 N·s/m²".
+std::string impulseText(double impulse, bool isPerArea = false);
 
 }  // namespace rubble

@@ -1,5 +1,6 @@
 #include "editor/panels/docks/StrengthPanel.h"
 
+#include "core/asset/strength/BondStrength.h"
 #include "core/asset/strength/Threshold.h"
 #include "core/fracture/pattern/SeedEdits.h"
 #include "core/play/analysis/RequirementImpulse.h"
@@ -155,34 +156,59 @@ void StrengthPanel::refresh() {
     const auto baked = m_bakes.find(shown->id);
     if (baked && baked->bake && baked->asset->prism == shown->prism) {
         if (Result<PlayAsset> whole = wholePlayAsset(*shown, baked->bake)) {
-            const Result<ThresholdInterval> found = thresholdInterval(m_document.project(), *whole);
-            if (found) interval = *found;
             m_whole = std::move(*whole);
+            const Result<ThresholdInterval> found = intervalOf(*shown, baked->bake);
+            if (found) interval = *found;
             m_verdict->setText(found ? QString() : QString::fromStdString(found.error().message));
         }
     }
     refreshRows(*shown, interval ? &*interval : nullptr);
     m_bar->setVisible(hasThreshold(m_document.project(), *shown));
-    m_bar->setInterval(shown->requirements, interval.value_or(ThresholdInterval{}),
-                       thresholdOf(m_document.project(), *shown));
+    m_bar->setInterval(shown->requirements, interval.value_or(ThresholdInterval{}), strengthOf(*shown));
     if (interval) {
         m_suggested = interval->suggested();
         m_verdict->setText(verdict(*shown, *interval));
     }
     m_apply->setVisible(m_suggested.has_value());
     if (m_suggested) {
-        m_apply->setText(tr("Set Threshold to %1").arg(localizedQuantity(QuantityKind::Impulse, *m_suggested)));
+        m_apply->setText((interval->isPerArea ? tr("Set Impulse per Area to %1") : tr("Set Threshold to %1"))
+                             .arg(shownStrength(*shown, *m_suggested)));
     }
     refreshAudit();
+}
+
+/// The threshold of an asset, N·s, or where it breaks along bonds its impulse per area, N·s/m².
+double StrengthPanel::strengthOf(const Asset& asset) const {
+    const Project& project = m_document.project();
+    return hasThreshold(project, asset) ? thresholdOf(project, asset)
+                                        : bondImpulseOf(asset, *findMaterial(project, asset.material));
+}
+
+QString StrengthPanel::shownStrength(const Asset& asset, double strength) const {
+    const QString text = localizedQuantity(QuantityKind::Impulse, strength);
+    return hasThreshold(m_document.project(), asset) ? text : text + tr("/m²");
+}
+
+Result<ThresholdInterval> StrengthPanel::intervalOf(const Asset& asset, const std::shared_ptr<const Bake>& bake) const {
+    if (hasThreshold(m_document.project(), asset)) return thresholdInterval(m_document.project(), *m_whole);
+    if (asset.requirements.empty()) return ThresholdInterval{.isPerArea = true};
+    Result<std::shared_ptr<const PlayAsset>> ready = playAsset(asset, bake, {}, FindContacts::OnBreak);
+    return ready ? bondInterval(m_document.project(), std::move(*ready)) : ready.error();
 }
 
 QString StrengthPanel::verdict(const Asset& asset, const ThresholdInterval& interval) const {
     if (const std::optional<std::string> conflict = conflictText(asset, interval))
         return QString::fromStdString(*conflict);
-    if (asset.requirements.empty()) return tr("No requirements: any threshold is valid.");
-    const bool isMet = interval.contains(thresholdOf(m_document.project(), asset));
-    return (isMet ? tr("The threshold is valid: %1.") : tr("The threshold is not valid: it must be %1."))
-        .arg(QString::fromStdString(intervalText(interval)));
+    const bool isPerArea = interval.isPerArea;
+    if (asset.requirements.empty())
+        return isPerArea ? tr("No requirements: any impulse per area is valid.")
+                         : tr("No requirements: any threshold is valid.");
+    const QString must = QString::fromStdString(intervalText(interval));
+    if (interval.contains(strengthOf(asset)))
+        return (isPerArea ? tr("The impulse per area is valid: %1.") : tr("The threshold is valid: %1.")).arg(must);
+    return (isPerArea ? tr("The impulse per area is not valid: it must be %1.")
+                      : tr("The threshold is not valid: it must be %1."))
+        .arg(must);
 }
 
 /// Rebuilds the rows, three per requirement, if what they show has changed.
@@ -190,7 +216,7 @@ void StrengthPanel::refreshRows(const Asset& asset, const ThresholdInterval* int
     Shown shown{.asset = asset.id,
                 .requirements = asset.requirements,
                 .impulses = interval ? interval->impulses : std::vector<double>{},
-                .threshold = thresholdOf(m_document.project(), asset),
+                .threshold = strengthOf(asset),
                 .units = m_units};
     for (const StrengthRequirement& requirement : asset.requirements) {
         shown.assumptions.append(assumption(asset, requirement));
@@ -280,15 +306,18 @@ void StrengthPanel::addFigure(const Asset& asset, std::size_t index) {
     QString text = m_shown.assumptions[static_cast<int>(index)];
     if (!m_shown.impulses.empty()) {
         const double impulse = m_shown.impulses[index];
-        text = tr("%1 = %2×: %3")
-                   .arg(localizedQuantity(QuantityKind::Impulse, impulse), roundedText(impulse / m_shown.threshold, {}),
-                        text);
+        text =
+            tr("%1 = %2×: %3").arg(shownStrength(asset, impulse), roundedText(impulse / m_shown.threshold, {}), text);
     }
     auto* label = new QLabel(text);
     const StrengthRequirement& requirement = asset.requirements[index];
     const bool isFixed = supportOf(m_document.project(), asset, requirement) == Support::Fixed;
-    label->setToolTip(tr("The impulse on the asset and its ratio to the threshold: it breaks from 1× on.") + ' ' +
-                      assumptionDescription(requirement.event, isFixed));
+    label->setToolTip(
+        (hasThreshold(m_document.project(), asset)
+             ? tr("The impulse on the asset and its ratio to the threshold: it breaks from 1× on.")
+             : tr("The impulse per area at which a bond breaks, and its ratio to that of the asset: a bond "
+                  "breaks from 1× on.")) +
+        ' ' + assumptionDescription(requirement.event, isFixed));
     label->setWordWrap(true);
     m_grid->addWidget(label, rowOf(index) + 2, kFirst, 1, kColumns);
 }
@@ -352,7 +381,12 @@ void StrengthPanel::addRequirement(const StrengthRequirement& requirement) {
 
 void StrengthPanel::applySuggested() {
     if (!m_suggested) return;
-    change(tr("Set Threshold"), [threshold = *m_suggested](Asset& changed) { enterThreshold(changed, threshold); });
+    if (hasThreshold(m_document.project(), *asset())) {
+        change(tr("Set Threshold"), [threshold = *m_suggested](Asset& changed) { enterThreshold(changed, threshold); });
+    } else {
+        change(tr("Set Impulse per Area"),
+               [strength = *m_suggested](Asset& changed) { changed.bonding.impulsePerArea = strength; });
+    }
 }
 
 void StrengthPanel::refreshAudit() {

@@ -49,6 +49,9 @@ private:
     void addPlayButton(const Asset& asset, std::size_t index);
     void addDeleteButton(std::size_t index);
     void play(std::size_t index);
+    double strengthOf(const Asset& asset) const;
+    QString shownStrength(const Asset& asset, double strength) const;
+    Result<ThresholdInterval> intervalOf(const Asset& asset, const std::shared_ptr<const Bake>& bake) const;
     QString verdict(const Asset& asset, const ThresholdInterval& interval) const;
     void refreshAudit();
     void addRequirement(const StrengthRequirement& requirement);

@@ -16,7 +16,7 @@ StrengthReport report(double threshold) {
     made.asset.name = "front";
     made.asset.requirements = {{RequirementOutcome::Survives, ImpulseRequirement{10.0}},
                                {RequirementOutcome::Breaks, ImpulseRequirement{40.0}}};
-    made.threshold = threshold;
+    made.strength = threshold;
     made.interval = {.low = 10.0, .high = 40.0, .lowRequirement = 0, .highRequirement = 1, .impulses = {10.0, 40.0}};
     return made;
 }
@@ -51,20 +51,22 @@ private slots:
         QVERIFY(reportJson(one)["atMost"].is_null());
         QCOMPARE(reportJson(one)["suggested"].get<double>(), 12.5);
     }
-    void bondedAssetIsNotJudged() {
+    void bondedAssetHasImpulsesPerArea() {
         StrengthReport one = report(20.0);
-        one.threshold.reset();
-        one.interval = {};
-        one.fault = "it breaks along bonds.";
+        one.interval.isPerArea = true;
         const nlohmann::json front = reportJson(one);
-        QVERIFY(front["threshold"].is_null() && front["above"].is_null() && front["suggested"].is_null());
-        QVERIFY(front["intents"].size() == 2 && front["intents"][0]["impulse"].is_null());
-        QCOMPARE(front["isSatisfied"].get<bool>(), false);
-        QCOMPARE(front["conflict"].get<std::string>(), "it breaks along bonds.");
-        one.asset.requirements.clear();
-        one.fault.reset();
-        QCOMPARE(reportJson(one)["isSatisfied"].get<bool>(), true);
-        QVERIFY(reportJson(one)["conflict"].is_null());
+        QVERIFY(!front.contains("threshold") && front["impulsePerArea"].get<double>() == 20.0);
+        QCOMPARE(front["intents"][0]["impulsePerArea"].get<double>(), 10.0);
+        QCOMPARE(front["isSatisfied"].get<bool>(), true);
+        std::swap(one.asset.requirements[0].outcome, one.asset.requirements[1].outcome);
+        one.interval = {.low = 40.0,
+                        .high = 10.0,
+                        .lowRequirement = 1,
+                        .highRequirement = 0,
+                        .impulses = {10.0, 40.0},
+                        .isPerArea = true};
+        QVERIFY(reportJson(one)["conflict"].get<std::string>().find("an impulse per area above 40 N·s/m²") !=
+                std::string::npos);
     }
     void conflictIsASentence() {
         StrengthReport one = report(20.0);

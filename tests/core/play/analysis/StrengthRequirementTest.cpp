@@ -6,6 +6,7 @@
 #include "tests/support/ErrorText.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/RandomAssets.h"
+#include "tests/support/play/BondedWalls.h"
 #include "tests/support/play/Sessions.h"
 
 using namespace rubble;
@@ -69,11 +70,63 @@ StrengthRequirement randomIntent(Random& random) {
     return {outcome, HitRequirement{random.between(0.5, 200.0), random.between(1.5, 30.0)}};
 }
 
+/// Whether a hit of a cube breaks a bond of a free, bonded wall, in play.
+bool breaksBond(Project project, const HitRequirement& hit, double impulsePerArea) {
+    project.assets[0].bonding.impulsePerArea = impulsePerArea;
+    Session session = test::sessionOf(project, {.dt = 1.0 / 240.0});
+    const Vec3 place = project.instances[0].pose.position;
+    Throw thrown = hitThrow(project, onlyAsset(session.scene()), hit);
+    thrown.from += place + Vec3(0.0, 0.0, 0.3);
+    thrown.to += place;
+    test::addInput(session, ShotInput{"cube", thrown});
+    for (int k = 0; k < 120 && session.events().impacts.empty(); ++k) session.step();
+    const auto hasBonds = [](const PlaySplit& split) { return split.bonds > 0; };
+    return std::ranges::any_of(session.events().splits, hasBonds);
+}
+
 }  // namespace
 
 class StrengthRequirementTest : public QObject {
     Q_OBJECT
 private slots:
+    void bondsBreakFromTheirFigureOn() {
+        int agreeing = 0, tried = 0;
+        for (std::uint64_t seed = 0; seed < 50; ++seed) {
+            Random random(seed);
+            Project project = test::bondedWall(20 + static_cast<std::uint32_t>(random.below(60)), 100.0);
+            project.gravity = Vec3(0.0);
+            project.ground.isOn = false;
+            project.instances[0].isAnchored = false;
+            project.assets[0].pattern.layers[0].randomSeed = seed;
+            const HitRequirement hit{random.between(5.0, 200.0), random.between(2.0, 20.0)};
+            project.assets[0].requirements = {{kSurvives, hit}};
+            const std::shared_ptr<const PlayScene> scene = test::playSceneOf(project);
+            const Result<ThresholdInterval> interval = bondInterval(project, scene->assets.begin()->second);
+            QVERIFY2(interval.hasValue(), errorText(interval).c_str());
+            QVERIFY(interval->isPerArea && interval->low > 0.0 && interval->lowRequirement == 0);
+            for (const double factor : {0.9, 1.1}) {
+                const bool breaks = breaksBond(project, hit, factor * interval->low);
+                agreeing += breaks == (factor < 1.0) ? 1 : 0;
+                if (breaks != (factor < 1.0)) qInfo("seed %d: a factor of %g", static_cast<int>(seed), factor);
+                ++tried;
+            }
+        }
+        QVERIFY2(agreeing >= 95 * tried / 100, qPrintable(QString("%1 of %2").arg(agreeing).arg(tried)));
+        qInfo("%d of %d agree", agreeing, tried);
+    }
+    void figuresOfBondsGrowWithTheImpulse() {
+        Project project = test::bondedWall(60, 100.0);
+        project.assets[0].requirements = {{kSurvives, ImpulseRequirement{100.0}}, {kBreaks, ImpulseRequirement{300.0}}};
+        const auto asset = test::playSceneOf(project)->assets.begin()->second;
+        const ThresholdInterval interval = bondInterval(project, asset).value();
+        QVERIFY(isNear(interval.impulses[1], 3.0 * interval.impulses[0], 1e-9));
+        QVERIFY(!interval.isEmpty() && interval.contains(*interval.suggested()));
+        QCOMPARE(intervalText(interval),
+                 "above " + impulseText(interval.low, true) + " and at most " + impulseText(interval.high, true));
+        project.assets[0].bonding.impulsePerArea = 25.0;  // the figures do not depend on what it is now
+        const auto weak = test::playSceneOf(project)->assets.begin()->second;
+        QVERIFY(isNear(bondInterval(project, weak).value().low, interval.low, 1e-9));
+    }
     void dropStopsTheWholeMass() {
         QVERIFY(isNear(impulseOf(block(), {kSurvives, DropRequirement{1.0}}), 500.0 * std::sqrt(2.0 * 9.81), 1e-4));
     }
@@ -187,9 +240,11 @@ private slots:
         Project project = block();
         project.assets[0].breakAs = BreakAs::Bonded;
         const auto interval = [&] { return thresholdInterval(project, onlyAsset(*test::playSceneOf(project))); };
-        QCOMPARE(interval().error().message,
-                 std::string("Asset \"block\": Strength requirements are for assets that break whole; this one breaks "
-                             "along bonds, without a threshold that they could bound."));
+        QCOMPARE(
+            interval().error().message,
+            std::string(
+                "Asset \"block\": This asset breaks along bonds: its requirements bound the impulse per area, not a "
+                "threshold."));
         project.damage.isThesis = true;
         QVERIFY(interval().hasValue());
     }

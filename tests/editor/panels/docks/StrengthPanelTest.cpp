@@ -85,16 +85,21 @@ private slots:
         QVERIFY(desk.button("set-threshold").isHidden());
         QVERIFY(desk.says("survives"));
     }
-    void bondedAssetHasNoInterval() {
+    void bondedAssetHasAnImpulsePerArea() {
         Desk desk;
         QVERIFY(!desk.panel->findChild<IntervalBar*>()->isHidden());
         Asset asset = desk.asset();
         asset.breakAs = BreakAs::Bonded;
+        asset.bonding.impulsePerArea = 1e-3;
+        asset.requirements = {{RequirementOutcome::Survives, ImpulseRequirement{50.0}}};
         desk.stage.document.push({.text = "Break as bonded", .replacements = {Replacement<Asset>{asset.id, asset}}});
-        QTRY_VERIFY(desk.says("breaks along bonds"));
-        QVERIFY(desk.button("set-threshold").isHidden() && desk.panel->findChild<IntervalBar*>()->isHidden());
-        desk.stage.document.undoStack().undo();
-        QTRY_VERIFY(!desk.says("breaks along bonds"));
+        desk.stage.bake();
+        QTRY_VERIFY(desk.says("The impulse per area is not valid"));
+        QVERIFY(desk.panel->findChild<IntervalBar*>()->isHidden());
+        QVERIFY(desk.button("set-threshold").text().startsWith("Set Impulse per Area to "));
+        desk.button("set-threshold").click();
+        QTRY_VERIFY(desk.says("The impulse per area is valid"));
+        QVERIFY(*desk.asset().bonding.impulsePerArea > 1e-3);
     }
     void presetsSayWhichHitTheyAssume() {
         Desk desk;
