@@ -5,6 +5,10 @@ NOT TESTED in Unreal Engine: it follows the documentation of its Python API.
 Imports the GLB files of each pack into /Game/Rubble/<pack>, makes a Geometry Collection of the fragments that do not
 break further, and places one for each instance of scene.json in the open level. Needs the plugins Python Editor Script
 Plugin and Geometry Collection. Run again, it replaces the assets; delete the actors of the run before by hand.
+
+Chaos has one damage threshold for a collection. Of an asset that breaks along bonds it is the median of what they take;
+the bonds themselves, and mortar between instances, are in pack.json and scene.json only. What anchors hold is kinematic
+until it breaks.
 """
 
 import json
@@ -70,6 +74,21 @@ def collections():
     return {path for path in paths if isinstance(unreal.EditorAssetLibrary.load_asset(path), unreal.GeometryCollection)}
 
 
+def threshold_of(pack):
+    """N·s: of the whole, or the median of the bonds between its fragments; None if it never breaks."""
+    if "bonding" not in pack:
+        return pack["whole"].get("threshold")
+    bonds = [bond for fracture in pack["bonding"]["fractures"] for bond in fracture["bonds"]]
+    capacities = sorted(bond["capacity"] for bond in bonds if bond["capacity"])
+    return capacities[len(capacities) // 2] if capacities else None
+
+
+def hold(actor):
+    """Keeps in place what is held by anchors, until it breaks."""
+    component = actor.get_editor_property("geometry_collection_component")
+    component.set_editor_property("object_type", unreal.ObjectStateTypeEnum.CHAOS_OBJECT_KINEMATIC)
+
+
 def make_collection(pack, folder, actors):
     """A Geometry Collection of the fragments that do not break further."""
     meshes = import_meshes(pack, folder)
@@ -91,7 +110,7 @@ def make_collection(pack, folder, actors):
         unreal.EditorAssetLibrary.delete_asset(target)
     unreal.EditorAssetLibrary.rename_asset(made.pop(), target)
     collection = unreal.EditorAssetLibrary.load_asset(target)
-    threshold = pack["whole"].get("threshold")
+    threshold = threshold_of(pack)
     if threshold is not None:
         collection.set_editor_property("damage_threshold", [100.0 * threshold])  # N·s is 100 kg·cm/s
     unreal.EditorAssetLibrary.save_asset(target)
@@ -110,6 +129,8 @@ def main():
             actor = actors.spawn_actor_from_object(made[instance["pack"]], vector(instance["position"]),
                                                    rotator(instance["rotation"]))
             actor.set_actor_label(instance["name"])
+            if instance.get("fixed") or instance.get("anchors") or instance.get("holdsHeaviest"):
+                hold(actor)
             count += 1
     unreal.log(f"Rubble: {len(made)} Geometry Collections, {count} instances")
 

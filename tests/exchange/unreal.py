@@ -73,12 +73,25 @@ class AssetImportTask:
         self.properties[name] = value
 
 
+class Component:
+    def __init__(self):
+        self.properties = {}
+
+    def set_editor_property(self, name, value):
+        self.properties[name] = value
+
+
 class Actor:
     def __init__(self, asset, location, rotation=None):
         self.asset, self.location, self.rotation, self.label = asset, location, rotation, None
+        self.component = Component()
 
     def set_actor_label(self, label):
         self.label = label
+
+    def get_editor_property(self, name):
+        assert name == "geometry_collection_component", name
+        return self.component
 
 
 assets = {}
@@ -132,6 +145,7 @@ def console_command(world, command):
 messages = []
 sys.modules["unreal"] = types.SimpleNamespace(
     Vector=Vector, Quat=Quat, StaticMesh=StaticMesh, GeometryCollection=GeometryCollection,
+    ObjectStateTypeEnum=types.SimpleNamespace(CHAOS_OBJECT_KINEMATIC="kinematic"),
     AssetImportTask=AssetImportTask, EditorAssetLibrary=Library, EditorActorSubsystem=Actors,
     get_editor_subsystem=lambda kind: kind(), log=messages.append,
     SystemLibrary=types.SimpleNamespace(execute_console_command=console_command),
@@ -168,7 +182,13 @@ def check_collections():
             hulls = [path for path in assets if path.startswith(f"/Game/Rubble/{folder}/UCX_{body['name']}_")]
             assert len(hulls) == len(body["hulls"]), f"{body['name']} has {len(hulls)} hulls"
             count += 1
-        assert collection.properties["damage_threshold"] == [100 * pack["whole"]["threshold"]]
+        [threshold] = collection.properties["damage_threshold"]
+        if "bonding" in pack:
+            bonds = [bond["capacity"] for fracture in pack["bonding"]["fractures"] for bond in fracture["bonds"]]
+            stronger = sum(100 * bond >= threshold for bond in bonds if bond)
+            assert abs(2 * stronger - len(bonds)) <= len(bonds) / 10, folder
+        else:
+            assert threshold == 100 * pack["whole"]["threshold"]
     return count
 
 
@@ -177,6 +197,8 @@ def check_instances():
         instances = json.load(file)["instances"]
     assert [actor.label for actor in level] == [instance["name"] for instance in instances]
     for actor, instance in zip(level, instances):
+        is_held = bool(instance.get("fixed") or instance.get("anchors") or instance.get("holdsHeaviest"))
+        assert (actor.component.properties.get("object_type") == "kinematic") == is_held, instance["name"]
         for corner in ([1, 0, 0], [0, 1, 0], [0, 0, 1]):
             turned = rotated_in_rubble(instance["rotation"], corner)
             there = converted([instance["position"][axis] + turned[axis] for axis in range(3)])
