@@ -4,6 +4,7 @@
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/play/session/Session.h"
+#include "core/structure/rule/SimpleRule.h"
 #include "docs/formats/rubble_pack.hpp"
 #include "tests/support/FaultOfSeed.h"
 #include "tests/support/TestProgram.h"
@@ -138,6 +139,34 @@ std::map<Id, HeldInstance> heldBy(const ExportedScene& one, const SessionDamage&
     return all;
 }
 
+/// Where a random hit on an instance does something else by the header than in play; nothing if it does not. Both
+/// damages are changed.
+std::optional<std::string> faultOfHit(const ExportedScene& one, std::size_t k, Random& random,
+                                      std::vector<BondDamage>& played, std::vector<rubble_pack::Damage>& read) {
+    const PlayStructure& structure = *one.structureOf(k);
+    std::vector<Vec3> points;
+    std::vector<rubble_pack::Vec3> readPoints;
+    const Vec3 around = structure.graph.centres[random.below(structure.nodeCount())];
+    for (std::uint64_t count = 1 + random.below(3); count > 0; --count) {
+        const Vec3 point =
+            around + Vec3(random.between(-0.4, 0.4), random.between(-0.4, 0.4), random.between(-0.4, 0.4));
+        points.push_back(point);
+        readPoints.push_back({point.x, point.y, point.z});
+    }
+    const double impulse = std::pow(10.0, random.between(0.0, 5.0));
+    const std::vector<std::uint32_t> owners(structure.nodeCount(), 1);
+    const HitOutcome outcome = applyHit(structure.graph, structure.capacities, structure.rule,
+                                        {.points = points, .impulse = impulse}, owners, 1, played);
+    const rubble_pack::Structure& own = one.read.structures[k];
+    const rubble_pack::Bonding& bonding = *one.packs[one.scene.instances[k].pack].bonding;
+    const rubble_pack::HitOutcome same =
+        rubble_pack::applyHit(own, bonding, {readPoints, impulse}, own.fragments, read);
+    if (same.broken != outcome.broken || same.damaged != outcome.damaged) return "other bonds break or are damaged";
+    if (std::abs(same.taken - outcome.taken) > 1e-6 * std::max(1.0, outcome.taken)) return "another impulse is taken";
+    if (!std::ranges::equal(played, read)) return "the damages differ";
+    return std::nullopt;
+}
+
 std::optional<std::string> faultOfHeld(const std::map<Id, HeldInstance>& held, const std::map<Id, HeldInstance>& read) {
     if (held.size() != read.size()) return "other instances are held";
     for (const auto& [id, one] : held) {
@@ -189,6 +218,26 @@ private slots:
         }
         qInfo("%d instances collapse, %d come free for they hung on others", collapsing, released);
         if (name.startsWith("two-storey")) QVERIFY(collapsing > 0 && released > 0);
+    }
+    void hitsDoWhatTheyDoInPlay() {
+        QFETCH_GLOBAL(QString, name);
+        const ExportedScene one(name.toStdString());
+        std::vector<std::size_t> bonded;
+        for (std::size_t k = 0; k < one.project.instances.size(); ++k)
+            if (one.structureOf(k) != nullptr) bonded.push_back(k);
+        int broken = 0;
+        for (std::uint64_t seed = 0; seed < 500; ++seed) {
+            Random random(seed);
+            const std::size_t k = bonded[random.below(bonded.size())];
+            std::vector<BondDamage> played(one.structureOf(k)->graph.bondCount());
+            std::vector<rubble_pack::Damage> read(played.size());
+            for (int hit = 0; hit < 5; ++hit) {  // on what the hits before have left
+                const std::optional<std::string> fault = faultOfHit(one, k, random, played, read);
+                QVERIFY2(!fault, qPrintable(QString("seed %1, hit %2: %3").arg(seed).arg(hit).arg(fault->c_str())));
+            }
+            broken += static_cast<int>(std::ranges::count(played, kBroken));
+        }
+        QVERIFY(broken > 1000);
     }
     void scenesOfOtherPacksAreRefused() {
         QFETCH_GLOBAL(QString, name);
