@@ -160,11 +160,12 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
     program.require_subcommand(0, 1);  // a missing verb is reported below
     program.get_formatter()->column_width(34);
     program.get_formatter()->label("SUBCOMMAND", "VERB");
-    std::vector<Verb> verbs = {
-        addNew(program),    addImport(program), addSeeds(program),    addFracture(program), addExport(program),
-        addCheck(program),  addDraw(program),   addRender(program),   addVideo(program),    addSimulate(program),
-        addReplay(program), addTest(program),   addStrength(program), addAudit(program),    addMaterials(program),
-        addDiff(program),   addSheet(program),  addQuery(program),    addDamage(program),   addCompletion(program)};
+    std::vector<Verb> verbs = {addNew(program),       addImport(program),   addSeeds(program),    addClusters(program),
+                               addFracture(program),  addExport(program),   addCheck(program),    addDraw(program),
+                               addRender(program),    addVideo(program),    addSimulate(program), addReplay(program),
+                               addTest(program),      addStrength(program), addAudit(program),    addMaterials(program),
+                               addDiff(program),      addSheet(program),    addQuery(program),    addDamage(program),
+                               addCompletion(program)};
     for (Verb& verb : verbs) verb.command.addCommonFlags();
     try {
         program.parse(

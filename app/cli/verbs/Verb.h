@@ -38,6 +38,7 @@ Verb addDiff(CLI::App& program);
 Verb addSheet(CLI::App& program);
 Verb addQuery(CLI::App& program);
 Verb addDamage(CLI::App& program);
+Verb addClusters(CLI::App& program);
 Verb addCompletion(CLI::App& program);
 
 }  // namespace rubble
