@@ -24,7 +24,7 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr double kLongestHandler = 50.0;         // ms of processor time; or, where machines are slow,
-constexpr double kLargestShare = 0.25;           // of the time that the work takes that is done in the background
+constexpr double kLargestShare = 0.5;            // of the time that the work takes that is done in the background
 constexpr std::uint32_t kPlacedSeeds = 400'000;  // to serialize them takes longer, and so does
 constexpr qint64 kPadding = 128 << 20;           // hashing so many bytes
 constexpr int kPlateColumns = 500;               // of squares, each of four triangles: two above, two below
