@@ -292,6 +292,8 @@ void StrengthPanel::addField(std::size_t index, int column, ProjectNumber number
 
 /// What the figure assumes and, for a hit on an asset that is free to move, what is left of it at a corner.
 QString StrengthPanel::assumption(const Asset& asset, const StrengthRequirement& requirement) const {
+    if (std::holds_alternative<ImpulseRequirement>(requirement.event) && !hasThreshold(m_document.project(), asset))
+        return tr("on the centre of the front");
     const Support support = supportOf(m_document.project(), asset, requirement);
     const QString text = assumptionText(requirement.event, support == Support::Fixed);
     const auto* hit = std::get_if<HitRequirement>(&requirement.event);

@@ -95,6 +95,7 @@ private slots:
         desk.stage.document.push({.text = "Break as bonded", .replacements = {Replacement<Asset>{asset.id, asset}}});
         desk.stage.bake();
         QTRY_VERIFY(desk.says("The impulse per area is not valid"));
+        QVERIFY(desk.says("on the centre of the front"));
         QVERIFY(desk.panel->findChild<IntervalBar*>()->isHidden());
         QVERIFY(desk.button("set-threshold").text().startsWith("Set Impulse per Area to "));
         desk.button("set-threshold").click();
