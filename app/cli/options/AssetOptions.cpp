@@ -4,6 +4,8 @@
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/output/ProjectLoading.h"
 #include "core/base/MessageText.h"
+#include "core/io/project/ProjectFile.h"
+#include "core/io/project/ProjectLock.h"
 
 #include <algorithm>
 
@@ -34,6 +36,19 @@ Result<ProjectAssets> loadProjectAssets(const std::string& file, const std::vect
     if (!assets) return assets.error();
     if (assets->empty()) return Error{ErrorCode::NotFound, "The project has no assets."};
     return ProjectAssets{std::move(*project), std::move(*assets)};
+}
+
+Status changeAsset(const std::filesystem::path& file, const std::string& name, const CliContext& context,
+                   const std::function<Status(Project& project, Asset& asset)>& change) {
+    const Result<std::shared_ptr<const LockFile>> lock = waitForProjectLock(file, context.cancel);
+    if (!lock) return lock.error();
+    Result<Project> project = openProject(file, context);
+    if (!project) return project.error();
+    const Result<std::vector<Id>> selected = selectedAssets(*project, {name});
+    if (!selected) return selected.error();
+    Asset& asset = *std::ranges::find(project->assets, selected->front(), &Asset::id);
+    if (const Status changed = change(*project, asset); !changed) return changed;
+    return saveProject(file, *project);
 }
 
 }  // namespace rubble

@@ -3,6 +3,8 @@
 #include "core/asset/project/Project.h"
 #include "core/base/Result.h"
 
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,5 +32,11 @@ Result<std::vector<Id>> selectedAssets(const Project& project, const std::vector
 /// Errors: those of openProject() and selectedAssets(); NotFound if the project has no assets.
 Result<ProjectAssets> loadProjectAssets(const std::string& file, const std::vector<std::string>& names,
                                         const CliContext& context);
+
+/// Changes an asset of a project in its file, which is locked meanwhile, by change(project, asset).
+///
+/// Errors: those of waitForProjectLock(), openProject(), selectedAssets(), `change` and saveProject().
+Status changeAsset(const std::filesystem::path& file, const std::string& name, const CliContext& context,
+                   const std::function<Status(Project& project, Asset& asset)>& change);
 
 }  // namespace rubble

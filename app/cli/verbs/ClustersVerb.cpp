@@ -1,12 +1,9 @@
 #include "app/cli/options/AssetOptions.h"
 #include "app/cli/options/CommonOptions.h"
-#include "app/cli/output/ProjectLoading.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
-#include "core/io/project/ProjectFile.h"
-#include "core/io/project/ProjectLock.h"
 #include "core/structure/clusters/ClusterEditing.h"
 
 #include <algorithm>
@@ -32,41 +29,37 @@ struct ClustersOptions {
     std::optional<int> size;
 };
 
-std::string levelText(std::uint32_t level) { return "level " + std::to_string(level); }
-
-/// The clusters of the level among all of an asset.
-std::size_t countOf(const std::vector<FragmentCluster>& clusters, std::uint32_t level) {
-    return static_cast<std::size_t>(std::ranges::count(clusters, level, &FragmentCluster::level));
-}
-
-Status propose(const ClustersOptions& options, VerbReport& report, const CliContext& context) {
-    if (options.count.value_or(options.size.value_or(0)) == 0)
-        return Error{ErrorCode::BadInput, "There must be one cluster or more, of one fragment or more."};
-    const Result<std::shared_ptr<const LockFile>> lock = waitForProjectLock(options.project, context.cancel);
-    if (!lock) return lock.error();
-    Result<Project> project = openProject(options.project, context);
-    if (!project) return project.error();
-    const Result<std::vector<Id>> selected = selectedAssets(*project, {options.asset});
-    if (!selected) return selected.error();
-    Asset& asset = *std::ranges::find(project->assets, selected->front(), &Asset::id);
+/// Proposes the clusters of a level of an asset. Returns their number.
+Result<std::size_t> propose(Asset& asset, std::uint32_t level, const ClusterTarget& target, const CliContext& context) {
     if (asset.breakAs != BreakAs::Bonded) {
         return Error{ErrorCode::BadInput,
                      "The asset " + quotedName(asset.name) + " breaks whole; only bonded assets have clusters."};
     }
     const Result<Bake> baked = bake(asset, {.cancel = context.cancel});
     if (!baked) return baked.error();
-    if (baked->fractureOf(kNone) == nullptr) {
+    if (baked->fractureOf(kNone) == nullptr)
         return Error{ErrorCode::BadInput, "The asset " + quotedName(asset.name) + " has fewer than two fragments."};
-    }
-    const auto level = static_cast<std::uint32_t>(options.level);
+    std::vector<FragmentCluster> clusters = ClusterEditing(asset, *baked, 0, level).propose(target);
+    asset.bonding.clusters = std::move(clusters);
+    return static_cast<std::size_t>(std::ranges::count(asset.bonding.clusters, level, &FragmentCluster::level));
+}
+
+Status proposeClusters(const ClustersOptions& options, VerbReport& report, const CliContext& context) {
     ClusterTarget target{.value = static_cast<std::uint32_t>(options.count.value_or(options.size.value_or(0)))};
     if (options.size) target.measure = ClusterTarget::Measure::Size;
-    asset.bonding.clusters = ClusterEditing(asset, *baked, 0, level).propose(target);
-    const std::size_t count = countOf(asset.bonding.clusters, level);
-    const std::string sentence =
-        quotedName(asset.name) + " has " + countText(count, "cluster", "clusters") + " of " + levelText(level) + ".";
-    if (const Status saved = saveProject(options.project, *project); !saved) return saved.error();
-    return printSummary(sentence + "\nSaved " + options.project + "\n", report, context);
+    if (target.value == 0)
+        return Error{ErrorCode::BadInput, "There must be one cluster or more, of one fragment or more."};
+    std::size_t count = 0;
+    const Status saved = changeAsset(options.project, options.asset, context, [&](Project&, Asset& asset) -> Status {
+        const Result<std::size_t> made = propose(asset, static_cast<std::uint32_t>(options.level), target, context);
+        if (!made) return made.error();
+        count = *made;
+        return success();
+    });
+    if (!saved) return saved;
+    return printSummary(quotedName(options.asset) + " has " + countText(count, "cluster", "clusters") + " of level " +
+                            std::to_string(options.level) + ".\nSaved " + options.project + "\n",
+                        report, context);
 }
 
 }  // namespace
@@ -87,8 +80,9 @@ Verb addClusters(CLI::App& program) {
                                    .valueName("N")
                                    .excludes(count);
     command.requireOne(count, size);
-    return {command,
-            [options](VerbReport& report, const CliContext& context) { return propose(*options, report, context); }};
+    return {command, [options](VerbReport& report, const CliContext& context) {
+                return proposeClusters(*options, report, context);
+            }};
 }
 
 }  // namespace rubble

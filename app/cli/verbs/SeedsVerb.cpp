@@ -10,8 +10,6 @@
 #include "core/io/json/JsonWriter.h"
 #include "core/io/media/GreyImageFile.h"
 #include "core/io/mesh/MeshImport.h"
-#include "core/io/project/ProjectFile.h"
-#include "core/io/project/ProjectLock.h"
 
 #include <algorithm>
 #include <functional>
@@ -76,21 +74,20 @@ void reportChange(const SeedsOptions& options, const ChangedAsset& changed, Verb
 }
 
 /// Applies a change to the asset, saves the project and prints what was changed.
-Status changeAsset(const SeedsOptions& options, const AssetChange& change, VerbReport& report,
-                   const CliContext& context) {
-    const Result<std::shared_ptr<const LockFile>> lock = waitForProjectLock(options.project, context.cancel);
-    if (!lock) return lock.error();
-    Result<Project> project = openProject(options.project, context);
-    if (!project) return project.error();
-    const Result<std::vector<Id>> selected = selectedAssets(*project, {options.asset});
-    if (!selected) return selected.error();
-    Asset& asset = *std::ranges::find(project->assets, selected->front(), &Asset::id);
-    const Result<ChangedAsset> changed = change(*project, asset);
-    if (!changed) return changed.error();
-    if (const Status saved = saveProject(options.project, *project); !saved) return saved.error();
-    reportChange(options, *changed, report);
-    const std::string note = changed->note.empty() ? "" : " " + changed->note;
-    return printSummary(changed->sentence + note + "\nSaved " + options.project.string() + "\n", report, context);
+Status addSeedsBy(const SeedsOptions& options, const AssetChange& change, VerbReport& report,
+                  const CliContext& context) {
+    ChangedAsset changed;
+    const Status saved =
+        changeAsset(options.project, options.asset, context, [&](Project& project, Asset& asset) -> Status {
+            Result<ChangedAsset> made = change(project, asset);
+            if (!made) return made.error();
+            changed = std::move(*made);
+            return success();
+        });
+    if (!saved) return saved;
+    reportChange(options, changed, report);
+    const std::string note = changed.note.empty() ? "" : " " + changed.note;
+    return printSummary(changed.sentence + note + "\nSaved " + options.project.string() + "\n", report, context);
 }
 
 /// Returns the id of the new layer.
@@ -116,7 +113,7 @@ Status addVertexSeeds(const SeedsOptions& options, VerbReport& report, const Cli
                             quotedName(asset.name) + " has a new layer of " + countText(count, "seed", "seeds") + ".",
                             omissions};
     };
-    return changeAsset(options, change, report, context);
+    return addSeedsBy(options, change, report, context);
 }
 
 /// The patterns of an asset, of its levels and of single fragments, which may share layers.
@@ -187,7 +184,7 @@ Status applyPicture(const SeedsOptions& options, VerbReport& report, const CliCo
                                         quotedName(options.picture.filename().string()) + ".",
                             .note = picture->note};
     };
-    return changeAsset(options, change, report, context);
+    return addSeedsBy(options, change, report, context);
 }
 
 Status addSeeds(const SeedsOptions& options, VerbReport& report, const CliContext& context) {

@@ -386,27 +386,24 @@ void EventStreamText::addContacts(const Session& session) {
 }
 
 void EventStreamText::addSums(const Session& session) {
-    // Of what the report of the step omits, and of what it tells, that which is not told here.
-    const EventReport& told = session.events().told;
-    OmittedEvents omitted = told.omitted[static_cast<std::size_t>(EventKind::Impact)];
-    const auto add = [&](const EventRecord& record, std::uint32_t count, double sign) {
-        if (record.kind != EventKind::Impact) return;
-        omitted.count += count;
-        omitted.energy += sign * record.energy;
-    };
-    for (const EventRecord& record : told.records) add(record, 1, 1.0);
-    for (const std::uint32_t k : m_listed) add(session.events().happened[k], ~std::uint32_t{0}, -1.0);
-    if (omitted.count == 0 && told.restEnergy == 0.0) return;
+    const PlayEvents& events = session.events();
+    OmittedEvents omitted = events.weakImpacts;
+    for (std::uint32_t k = 0; k < events.happened.size(); ++k) {
+        if (events.happened[k].kind != EventKind::Impact || m_listed.contains(k)) continue;
+        ++omitted.count;
+        omitted.energy += events.happened[k].energy;
+    }
+    if (omitted.count == 0 && events.told.restEnergy == 0.0) return;
     addEvent(session, "sums", [&](JsonWriter& json) {
         json.openObject("omitted");
         if (omitted.count > 0) {
             json.openObject(nameOf(EventKind::Impact));
             json.wholeNumber("count", std::uint64_t{omitted.count});
-            writeShort(json, "energy", std::max(0.0, omitted.energy));
+            writeShort(json, "energy", omitted.energy);
             json.close();
         }
         json.close();
-        writeShort(json, "restEnergy", told.restEnergy);
+        writeShort(json, "restEnergy", events.told.restEnergy);
     });
 }
 
@@ -444,13 +441,12 @@ std::uint32_t EventStreamText::ownerOf(const PlayBody& body) const {
 Result<std::string> eventStream(Session session, std::vector<TimedInput> inputs, std::uint64_t steps,
                                 const TaskContext& task) {
     EventStreamText text(session);
-    Timeline timeline(std::move(session), std::move(inputs), steps);
-    while (timeline.session().stepsDone() < steps) {
-        if (task.isCancelled()) return TaskContext::cancelled();
-        if (const Status played = timeline.step(); !played) return played.error();
-        text.add(timeline.session());
-        task.report(static_cast<double>(timeline.session().stepsDone()) / static_cast<double>(steps));
-    }
+    const auto add = [&](const Session& played) {
+        text.add(played);
+        return success();
+    };
+    const Status played = playOn(std::move(session), std::move(inputs), steps, task, add);
+    if (!played) return played.error();
     return text.take();
 }
 

@@ -326,13 +326,14 @@ void tellEvents(const SessionParts& parts) {
     std::vector<EventRecord>& happened = parts.state.events.happened;
     const EventSettings& settings = parts.scene.project.events;
     for (const PlayRemoval& removal : parts.state.events.removed) happened.push_back(removalRecord(parts, removal));
+    OmittedEvents& weak = parts.state.events.weakImpacts;
     std::erase_if(happened, [&](const EventRecord& record) {
         if (record.kind != EventKind::Impact || record.energy >= settings.leastEnergy) return false;
-        OmittedEvents& omitted = report.omitted[static_cast<std::size_t>(record.kind)];
-        ++omitted.count;
-        omitted.energy += record.energy;
+        ++weak.count;
+        weak.energy += record.energy;
         return true;
     });
+    report.omitted[static_cast<std::size_t>(EventKind::Impact)] = weak;
     std::array<std::vector<EventRecord>, kEventKinds> kinds;
     for (const EventRecord& record : happened) kinds[static_cast<std::size_t>(record.kind)].push_back(record);
     const std::array<std::size_t, kEventKinds> shares = sharesOf(kinds, settings.maxRecords);

@@ -121,13 +121,9 @@ void TrackRecorder::hideMissing() {
 Result<SessionTracks> recordTracks(Session session, std::vector<TimedInput> inputs, std::uint64_t steps,
                                    const TaskContext& task) {
     TrackRecorder recorder(session);
-    Timeline timeline(std::move(session), std::move(inputs), steps);
-    while (timeline.session().stepsDone() < steps) {
-        if (task.isCancelled()) return TaskContext::cancelled();
-        if (const Status played = timeline.step(); !played) return played.error();
-        if (const Status fits = recorder.add(timeline.session()); !fits) return fits.error();
-        task.report(static_cast<double>(timeline.session().stepsDone()) / static_cast<double>(steps));
-    }
+    const auto record = [&](const Session& played) { return recorder.add(played); };
+    const Status played = playOn(std::move(session), std::move(inputs), steps, task, record);
+    if (!played) return played.error();
     return std::move(recorder).tracks();
 }
 

@@ -151,4 +151,16 @@ void Timeline::removeSnapshot() {
     m_keyframes.erase(m_keyframes.begin() + static_cast<std::ptrdiff_t>(closest));
 }
 
+Status playOn(Session session, std::vector<TimedInput> inputs, std::uint64_t steps, const TaskContext& task,
+              const std::function<Status(const Session&)>& visit) {
+    Timeline timeline(std::move(session), std::move(inputs), steps);
+    while (timeline.session().stepsDone() < steps) {
+        if (task.isCancelled()) return TaskContext::cancelled();
+        if (const Status played = timeline.step(); !played) return played;
+        if (const Status visited = visit(timeline.session()); !visited) return visited;
+        task.report(static_cast<double>(timeline.session().stepsDone()) / static_cast<double>(steps));
+    }
+    return success();
+}
+
 }  // namespace rubble

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/TaskContext.h"
 #include "core/play/session/Session.h"
 
 #include <deque>
@@ -94,5 +95,11 @@ private:
     std::vector<TimelineBranch> m_branches;
     std::size_t m_maxSnapshotBytes;
 };
+
+/// Plays a session on, with inputs (ascending step), until `steps` steps are done, and calls visit(session) after each.
+///
+/// Errors: those of Timeline::step() and of `visit`; Cancelled.
+Status playOn(Session session, std::vector<TimedInput> inputs, std::uint64_t steps, const TaskContext& task,
+              const std::function<Status(const Session&)>& visit);
 
 }  // namespace rubble

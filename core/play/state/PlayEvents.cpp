@@ -14,7 +14,8 @@ void move(std::vector<Element>& from, std::vector<Element>& to) {
 }  // namespace
 
 void append(PlayEvents&& interval, PlayEvents& step) {
-    auto& [inputs, breaks, splits, impacts, born, removed, taken, diagnostics, energy, happened, told] = interval;
+    auto& [inputs, breaks, splits, impacts, born, removed, taken, diagnostics, energy, happened, weakImpacts, told] =
+        interval;
     move(inputs, step.inputs);
     move(breaks, step.breaks);
     move(splits, step.splits);
@@ -25,6 +26,8 @@ void append(PlayEvents&& interval, PlayEvents& step) {
     move(diagnostics, step.diagnostics);
     move(energy, step.energy);
     move(happened, step.happened);
+    step.weakImpacts.count += weakImpacts.count;
+    step.weakImpacts.energy += weakImpacts.energy;
     move(told.records, step.told.records);
     for (std::size_t kind = 0; kind < kEventKinds; ++kind) {
         step.told.omitted[kind].count += told.omitted[kind].count;

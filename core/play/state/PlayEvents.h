@@ -78,10 +78,10 @@ struct PlayEvents {
     std::vector<PlayRemoval> taken;       // by inputs
     std::vector<Diagnostic> diagnostics;  // UnappliedInput, PatternFallback and LeftWorld
     EnergyAudit energy;                   // of inputs and breaks, not of the solver
-    /// All that happened, and what contacts did, in that order: without the step and the names of fragments. Impacts
-    /// below the least energy are counted in `told` only.
+    /// All that happened, and what contacts did, in that order: without the step and the names of fragments.
     std::vector<EventRecord> happened;
-    EventReport told;  // the strongest of it
+    OmittedEvents weakImpacts;  // below the least energy, which are not among them
+    EventReport told;           // the strongest of it
 };
 
 /// Adds what happened in an interval of a step to what happened in it before.
