@@ -80,7 +80,11 @@ struct CutAtImpact {
 };
 
 /// The required outcome of the event of a strength requirement.
-enum class RequirementOutcome { Survives, Breaks };
+enum class RequirementOutcome {
+    Survives,
+    Breaks,
+    HoleAtMost,  // it loses no more than a hole of a width
+};
 
 /// A fall from a height onto level ground, in the asset's own orientation.
 struct DropRequirement {
@@ -98,10 +102,12 @@ struct ImpulseRequirement {
     double impulse = 10.0;  // N·s, > 0, on the whole asset
     bool operator==(const ImpulseRequirement&) const = default;
 };
-/// An event that an asset must survive, or must break in. Requirements bound its threshold.
+/// An event that an asset must survive, must break in, or may lose a part in. Requirements bound its threshold, or the
+/// impulse per area of its bonds.
 struct StrengthRequirement {
     RequirementOutcome outcome = RequirementOutcome::Survives;
     std::variant<DropRequirement, HitRequirement, ImpulseRequirement> event;
+    double hole = 0.5;  // m, > 0: the width for HoleAtMost, as holeWidth()
     bool operator==(const StrengthRequirement&) const = default;
 };
 

@@ -8,14 +8,14 @@ namespace {
 using RequirementEvent = decltype(StrengthRequirement::event);
 
 // In the order of their enumerators and of the alternatives of RequirementEvent.
-constexpr std::array<std::string_view, 2> kOutcomes{"survives", "breaks"};
+constexpr std::array<std::string_view, 3> kOutcomes{"survives", "breaks", "holeAtMost"};
 constexpr std::array<std::string_view, 3> kEvents{"drop", "hit", "impulse"};
 static_assert(kEvents.size() == std::variant_size_v<RequirementEvent>);
 
 void writeEvent(JsonWriter& json, const DropRequirement& drop) { json.number("height", drop.height); }
 
 DropRequirement readDrop(const JsonValue& requirement) {
-    requirement.requireObject({"outcome", "kind", "height"});
+    requirement.requireObject({"outcome", "kind", "height"}, {"hole"});
     return {.height = requirement["height"].number()};
 }
 
@@ -25,14 +25,14 @@ void writeEvent(JsonWriter& json, const HitRequirement& hit) {
 }
 
 HitRequirement readHit(const JsonValue& requirement) {
-    requirement.requireObject({"outcome", "kind", "mass", "speed"});
+    requirement.requireObject({"outcome", "kind", "mass", "speed"}, {"hole"});
     return {.mass = requirement["mass"].number(), .speed = requirement["speed"].number()};
 }
 
 void writeEvent(JsonWriter& json, const ImpulseRequirement& impact) { json.number("impulse", impact.impulse); }
 
 ImpulseRequirement readImpulse(const JsonValue& requirement) {
-    requirement.requireObject({"outcome", "kind", "impulse"});
+    requirement.requireObject({"outcome", "kind", "impulse"}, {"hole"});
     return {.impulse = requirement["impulse"].number()};
 }
 
@@ -59,6 +59,7 @@ CutAtImpact readCutAtImpact(const JsonValue& value) {
 
 void writeRequirementMembers(JsonWriter& json, const StrengthRequirement& requirement) {
     json.text("outcome", kOutcomes[static_cast<std::size_t>(requirement.outcome)]);
+    if (requirement.outcome == RequirementOutcome::HoleAtMost) json.number("hole", requirement.hole);
     json.text("kind", kEvents[requirement.event.index()]);
     std::visit([&](const auto& event) { writeEvent(json, event); }, requirement.event);
 }
@@ -70,9 +71,17 @@ void writeRequirement(JsonWriter& json, const StrengthRequirement& requirement) 
 }
 
 StrengthRequirement readRequirement(const JsonValue& value) {
-    value.requireObject({"outcome", "kind"}, {"height", "mass", "speed", "impulse"});
-    return {.outcome = static_cast<RequirementOutcome>(value["outcome"].oneOf(kOutcomes)),
-            .event = readEvent(value["kind"].oneOf(kEvents), value)};
+    value.requireObject({"outcome", "kind"}, {"hole", "height", "mass", "speed", "impulse"});
+    StrengthRequirement read{.outcome = static_cast<RequirementOutcome>(value["outcome"].oneOf(kOutcomes)),
+                             .event = readEvent(value["kind"].oneOf(kEvents), value)};
+    const JsonValue hole = value["hole"];
+    if (read.outcome == RequirementOutcome::HoleAtMost) {
+        value.requireKeys({"hole"});
+        if (hole.isPresent()) read.hole = hole.number();
+    } else if (hole.isPresent()) {
+        hole.fail("belongs to the outcome \"holeAtMost\" only");
+    }
+    return read;
 }
 
 }  // namespace rubble

@@ -137,14 +137,23 @@ Result<TouchingBodies> bodiesOf(const Project& project, const PlayAsset& asset,
 
 }  // namespace
 
+bool isHeldInPlace(const Project& project, const Asset& asset, const Instance& instance) {
+    if (instance.isFixed || asset.breakAs == BreakAs::Whole || project.damage.isThesis) return instance.isFixed;
+    const auto isAnchor = [](const BondStroke& stroke) {
+        return stroke.brush == BondBrush::Anchor && !stroke.isErasing;
+    };
+    return instance.isAnchored || std::ranges::any_of(asset.bonding.strokes, isAnchor);
+}
+
 Support supportOf(const Project& project, const Asset& asset, const StrengthRequirement& requirement) {
     if (!std::holds_alternative<HitRequirement>(requirement.event)) return Support::Free;
     const auto isBreakable = [&](const Instance& instance) {
         return instance.asset == asset.id && !instance.isUnbreakable;
     };
-    const auto fixed = [&](const Instance& instance) { return isBreakable(instance) && instance.isFixed; };
-    const auto free = [&](const Instance& instance) { return isBreakable(instance) && !instance.isFixed; };
-    if (std::ranges::none_of(project.instances, fixed)) return Support::Free;
+    const auto isHeld = [&](const Instance& instance) { return isHeldInPlace(project, asset, instance); };
+    const auto held = [&](const Instance& instance) { return isBreakable(instance) && isHeld(instance); };
+    const auto free = [&](const Instance& instance) { return isBreakable(instance) && !isHeld(instance); };
+    if (std::ranges::none_of(project.instances, held)) return Support::Free;
     const bool areMixed = std::ranges::any_of(project.instances, free);
     return areMixed && requirement.outcome == RequirementOutcome::Breaks ? Support::Free : Support::Fixed;
 }

@@ -7,11 +7,15 @@ namespace rubble {
 /// How an asset is held when a body hits it.
 enum class Support {
     Free,   // it gives way, which takes impulse off the hit
-    Fixed,  // its instances are fixed: it gives way nowhere
+    Fixed,  // its instances are held in place: it gives way nowhere
 };
 
-/// The support that decides an event: Fixed for a hit if all instances of the asset that can break are fixed, and
-/// otherwise Free. Where some of them are fixed, the one that demands more: Fixed to survive, Free to break. Drops are
+/// Whether an instance of an asset is held in place: it is fixed, or breaks along bonds and is anchored or has painted
+/// anchors.
+bool isHeldInPlace(const Project& project, const Asset& asset, const Instance& instance);
+
+/// The support that decides an event: Fixed for a hit if all instances of the asset that can break are held in place,
+/// and otherwise Free. Where some of them are, the one that demands more: Fixed to survive, Free to break. Drops are
 /// always Free.
 Support supportOf(const Project& project, const Asset& asset, const StrengthRequirement& requirement);
 

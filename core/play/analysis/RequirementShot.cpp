@@ -83,7 +83,8 @@ const Instance* instanceToTry(const Project& project, const Asset& asset, const 
                               Id preferred) {
     const bool isFixed = supportOf(project, asset, requirement) == Support::Fixed;
     const auto rank = [&](const Instance& one) {
-        const bool isHeldSo = one.isFixed == isFixed || !std::holds_alternative<HitRequirement>(requirement.event);
+        const bool isHeldSo =
+            isHeldInPlace(project, asset, one) == isFixed || !std::holds_alternative<HitRequirement>(requirement.event);
         return (isHeldSo ? 4 : 0) + (one.threshold ? 0 : 2) + (one.id == preferred ? 1 : 0);
     };
     const Instance* best = nullptr;

@@ -4,9 +4,10 @@
 #include "core/asset/strength/BondStrength.h"
 #include "core/base/Assert.h"
 #include "core/base/MessageText.h"
+#include "core/geometry/hull/Diameter.h"
+#include "core/play/analysis/HitForecast.h"
 #include "core/play/analysis/RequirementImpulse.h"
 #include "core/play/scene/PlayStructure.h"
-#include "core/structure/rule/SimpleRule.h"
 
 #include <cmath>
 
@@ -20,7 +21,7 @@ std::string figureText(double value) { return value < 1e4 ? roundedText(value, 4
 
 void restrict(ThresholdInterval& interval, RequirementOutcome outcome, std::uint32_t requirement) {
     const double impulse = interval.impulses[requirement];
-    if (outcome == RequirementOutcome::Survives && impulse > interval.low) {
+    if (outcome != RequirementOutcome::Breaks && impulse > interval.low) {
         interval.low = impulse;
         interval.lowRequirement = requirement;
     }
@@ -30,19 +31,53 @@ void restrict(ThresholdInterval& interval, RequirementOutcome outcome, std::uint
     }
 }
 
-std::string eventText(RequirementOutcome outcome, const DropRequirement& drop) {
-    return (outcome == RequirementOutcome::Survives ? "survives a drop of " : "breaks in a drop of ") +
-           messageText(drop.height) + " m";
+/// The outcome of a requirement as text, with a space behind it: for events "survives a drop", or with the words for
+/// one that happens to it, "survives being hit".
+std::string outcomeText(const StrengthRequirement& requirement, const char* survives, const char* breaks) {
+    switch (requirement.outcome) {
+        case RequirementOutcome::Survives: return survives;
+        case RequirementOutcome::Breaks: return breaks;
+        case RequirementOutcome::HoleAtMost: break;
+    }
+    const std::string_view event = breaks;
+    return "gets a hole of at most " + messageText(requirement.hole) + " m" +
+           std::string(event.substr(event.find(' ')));
 }
 
-std::string eventText(RequirementOutcome outcome, const HitRequirement& hit) {
-    return (outcome == RequirementOutcome::Survives ? "survives being hit by " : "breaks when hit by ") +
-           messageText(hit.mass) + " kg at " + messageText(hit.speed) + " m/s";
+std::string eventText(const StrengthRequirement& requirement, const DropRequirement& drop) {
+    return outcomeText(requirement, "survives a drop of ", "breaks in a drop of ") + messageText(drop.height) + " m";
 }
 
-std::string eventText(RequirementOutcome outcome, const ImpulseRequirement& impact) {
-    return (outcome == RequirementOutcome::Survives ? "survives an impulse of " : "breaks at an impulse of ") +
+std::string eventText(const StrengthRequirement& requirement, const HitRequirement& hit) {
+    return outcomeText(requirement, "survives being hit by ", "breaks when hit by ") + messageText(hit.mass) +
+           " kg at " + messageText(hit.speed) + " m/s";
+}
+
+std::string eventText(const StrengthRequirement& requirement, const ImpulseRequirement& impact) {
+    return outcomeText(requirement, "survives an impulse of ", "breaks at an impulse of ") +
            impulseText(impact.impulse);
+}
+
+/// The forecast of the event of a requirement for the structure of an asset.
+Result<HitForecast> forecastOf(const Project& project, const PlayAsset& asset,
+                               std::shared_ptr<const PlayStructure> structure, const StrengthRequirement& requirement) {
+    Result<RequirementImpact> impact = requirementImpact(project, asset, requirement);
+    if (!impact) return ofAsset(*findAsset(project, asset.bake->asset), impact.error());
+    return HitForecast(std::move(structure), std::move(*impact));
+}
+
+/// The structure of an asset; null if it does not break.
+std::shared_ptr<const PlayStructure> structureOf(const Project& project,
+                                                 const std::shared_ptr<const PlayAsset>& asset) {
+    const Asset& authored = *findAsset(project, asset->bake->asset);
+    if (asset->fractureOf(kNone) == nullptr) return nullptr;
+    return playStructure(authored, *findMaterial(project, authored.material), asset, kNone);
+}
+
+/// Whether an asset that breaks whole leaves a hole that a requirement allows.
+bool allowsBreaking(const Asset& asset, const StrengthRequirement& requirement) {
+    return requirement.outcome == RequirementOutcome::HoleAtMost &&
+           diameterOf(asset.prism.outline.outer) <= requirement.hole;
 }
 
 }  // namespace
@@ -70,7 +105,7 @@ Result<ThresholdInterval> thresholdInterval(const Project& project, const PlayAs
     for (const StrengthRequirement& requirement : authored->requirements) {
         const Result<double> impulse = requirementImpulse(project, asset, requirement);
         if (!impulse) return ofAsset(*authored, impulse.error());
-        interval.impulses.push_back(*impulse);
+        interval.impulses.push_back(allowsBreaking(*authored, requirement) ? 0.0 : *impulse);
         restrict(interval, requirement.outcome, static_cast<std::uint32_t>(interval.impulses.size() - 1));
     }
     return interval;
@@ -78,25 +113,32 @@ Result<ThresholdInterval> thresholdInterval(const Project& project, const PlayAs
 
 Result<ThresholdInterval> bondInterval(const Project& project, std::shared_ptr<const PlayAsset> asset) {
     const Asset& authored = *findAsset(project, asset->bake->asset);
-    const Material& material = *findMaterial(project, authored.material);
+    const double impulsePerArea = bondImpulseOf(authored, *findMaterial(project, authored.material));
     ThresholdInterval interval{.isPerArea = true};
-    const std::shared_ptr<const PlayStructure> bonds =
-        asset->fractureOf(kNone) != nullptr ? playStructure(authored, material, asset, kNone) : nullptr;
+    const std::shared_ptr<const PlayStructure> structure = structureOf(project, asset);
     for (const StrengthRequirement& requirement : authored.requirements) {
-        const Result<RequirementImpact> impact = requirementImpact(project, *asset, requirement);
-        if (!impact) return ofAsset(authored, impact.error());
-        double utilization = 0.0;
-        if (bonds != nullptr && !impact->points.empty()) {
-            std::vector<BondDamage> damage(bonds->initialDamage);
-            const std::vector<std::uint32_t> owners(bonds->nodeCount(), 0);
-            utilization = applyHit(bonds->graph, bonds->capacities, bonds->rule,
-                                   {.points = impact->points, .impulse = impact->impulse}, owners, 0, damage)
-                              .utilization;
+        double strength = 0.0;
+        if (structure != nullptr) {
+            const Result<HitForecast> forecast = forecastOf(project, *asset, structure, requirement);
+            if (!forecast) return forecast.error();
+            strength = requirement.outcome == RequirementOutcome::HoleAtMost ? forecast->strengthFor(requirement.hole)
+                                                                             : forecast->breaking();
         }
-        interval.impulses.push_back(bondImpulseOf(authored, material) * utilization);
+        interval.impulses.push_back(impulsePerArea * strength);
         restrict(interval, requirement.outcome, static_cast<std::uint32_t>(interval.impulses.size() - 1));
     }
     return interval;
+}
+
+Result<std::vector<std::uint32_t>> fragmentsLost(const Project& project, std::shared_ptr<const PlayAsset> asset,
+                                                 const StrengthRequirement& requirement) {
+    const std::shared_ptr<const PlayStructure> structure = structureOf(project, asset);
+    if (structure == nullptr) return std::vector<std::uint32_t>();
+    const Result<HitForecast> forecast = forecastOf(project, *asset, structure, requirement);
+    if (!forecast) return forecast.error();
+    std::vector<std::uint32_t> fragments;
+    for (const std::uint32_t node : forecast->lost(1.0)) fragments.push_back(structure->fragmentOf(node));
+    return fragments;
 }
 
 StrengthRequirement impulseRequirement(RequirementOutcome outcome, double impulse) {
@@ -107,7 +149,7 @@ StrengthRequirement impulseRequirement(RequirementOutcome outcome, double impuls
 }
 
 std::string requirementText(const StrengthRequirement& requirement) {
-    return std::visit([&](const auto& event) { return eventText(requirement.outcome, event); }, requirement.event);
+    return std::visit([&](const auto& event) { return eventText(requirement, event); }, requirement.event);
 }
 
 std::optional<std::string> conflictText(const Asset& asset, const ThresholdInterval& interval) {

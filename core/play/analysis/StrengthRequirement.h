@@ -27,25 +27,32 @@ struct ThresholdInterval {
 };
 
 /// The interval for the requirements of an asset: to survive an event, the threshold must be above its impulse; to
-/// break in it, at most the impulse. See requirementImpulse().
+/// break in it, at most the impulse. See requirementImpulse(). What breaks whole leaves a hole of its own width: one
+/// that may be as wide bounds nothing, others demand that it survives.
 ///
 /// Errors, with the asset's name: those of requirementImpulse(); BadInput for an asset that does not break at a
 /// threshold.
 Result<ThresholdInterval> thresholdInterval(const Project& project, const PlayAsset& asset);
 
 /// The same for an asset that breaks along bonds: the impulses per area, as bondImpulseOf(), with which all are
-/// satisfied. It survives where no bond breaks: a bond under the fraction f of an impulse J breaks where its capacity
-/// is at most f J, and capacities grow with the impulse per area. Anchors of instances are not looked at. `asset` has
-/// its fragments.
+/// satisfied. It survives where no bond breaks, and see HitForecast for holes. `asset` has its fragments.
 ///
 /// Errors, with the asset's name: those of requirementImpact().
 Result<ThresholdInterval> bondInterval(const Project& project, std::shared_ptr<const PlayAsset> asset);
+
+/// The fragments that come off an asset that breaks along bonds in the event of a requirement, ascending, with the
+/// strength that it has: those of HitForecast. `asset` has its fragments.
+///
+/// Errors: as above.
+Result<std::vector<std::uint32_t>> fragmentsLost(const Project& project, std::shared_ptr<const PlayAsset> asset,
+                                                 const StrengthRequirement& requirement);
 
 /// The requirement that an impact of this impulse has this outcome again, rounded to three digits towards the side that
 /// demands more.
 StrengthRequirement impulseRequirement(RequirementOutcome outcome, double impulse);
 
-/// The requirement as text: "survives a drop of 1 m", "breaks when hit by 5 kg at 12 m/s".
+/// The requirement as text: "survives a drop of 1 m", "breaks when hit by 5 kg at 12 m/s", "gets a
+/// hole of at most 0.5 m in a drop of 1 m".
 std::string requirementText(const StrengthRequirement& requirement);
 
 /// The two requirements that conflict most, and by how much, or the one that cannot be met, as a sentence; nothing if

@@ -67,7 +67,7 @@ void IntervalBar::paintEvent(QPaintEvent*) {
         painter.drawRoundedRect(QRectF(left, bar.top() + 2, right - left, kBarHeight - 4), 2, 2);
     }
     for (std::size_t k = 0; k < m_interval.impulses.size() && k < m_requirements.size(); ++k) {
-        painter.setPen(QPen(m_requirements[k].outcome == RequirementOutcome::Survives ? kSurvives : kBreaks, 2));
+        painter.setPen(QPen(m_requirements[k].outcome == RequirementOutcome::Breaks ? kBreaks : kSurvives, 2));
         const double x = positionOf(m_interval.impulses[k]);
         painter.drawLine(QPointF(x, bar.top() - 3), QPointF(x, bar.bottom() + 3));
     }

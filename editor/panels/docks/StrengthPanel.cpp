@@ -32,10 +32,11 @@ namespace rubble {
 
 namespace {
 
-enum Column { kFirst, kSecond, kRest, kPlay, kDelete, kColumns };
+enum Column { kFirst, kSecond, kRest, kSelect, kPlay, kDelete, kColumns };
 
-/// The first of the three grid rows of a requirement.
-int rowOf(std::size_t index) { return 3 * static_cast<int>(index); }
+/// The first of the four grid rows of a requirement: outcome, event if the outcome has a number, the event's numbers,
+/// figure.
+int rowOf(std::size_t index) { return 4 * static_cast<int>(index); }
 
 const FragmentSpeed& fastestOf(const SwapAudit& audit) {
     return audit.resting.speed > kCleanSpeed ? audit.resting : audit.lying;
@@ -43,8 +44,8 @@ const FragmentSpeed& fastestOf(const SwapAudit& audit) {
 
 }  // namespace
 
-StrengthPanel::StrengthPanel(Document& document, const Selection& selection, const Bakes& bakes,
-                             SwapAuditRunner& audits, QWidget* parent)
+StrengthPanel::StrengthPanel(Document& document, Selection& selection, const Bakes& bakes, SwapAuditRunner& audits,
+                             QWidget* parent)
     : QWidget(parent),
       m_document(document),
       m_selection(selection),
@@ -106,10 +107,12 @@ QToolButton* StrengthPanel::makeAddButton() {
     button->setText(tr("Add Requirement"));
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setPopupMode(QToolButton::InstantPopup);
-    button->setToolTip(tr("Add an event that the asset must survive or break in"));
+    button->setToolTip(tr("Add an event that the asset must survive, break in, or get a limited hole in"));
     auto* menu = new QMenu(button);
-    const std::pair<QString, RequirementOutcome> outcomes[] = {{tr("Must &Survive"), RequirementOutcome::Survives},
-                                                               {tr("Must &Break"), RequirementOutcome::Breaks}};
+    const std::pair<QString, RequirementOutcome> outcomes[] = {
+        {tr("Must &Survive"), RequirementOutcome::Survives},
+        {tr("Must &Break"), RequirementOutcome::Breaks},
+        {tr("Must Get at Most a &Hole"), RequirementOutcome::HoleAtMost}};
     for (const auto& [text, outcome] : outcomes) {
         QMenu* events = menu->addMenu(text);
         events->setToolTipsVisible(true);
@@ -167,7 +170,7 @@ void StrengthPanel::refresh() {
     m_bar->setInterval(shown->requirements, interval.value_or(ThresholdInterval{}), strengthOf(*shown));
     if (interval) {
         m_suggested = interval->suggested();
-        m_verdict->setText(verdict(*shown, *interval));
+        m_verdict->setText(verdict(*shown, *interval).replace("/m²", "/\u2060m²"));  // on one line
     }
     m_apply->setVisible(m_suggested.has_value());
     if (m_suggested) {
@@ -211,7 +214,7 @@ QString StrengthPanel::verdict(const Asset& asset, const ThresholdInterval& inte
         .arg(must);
 }
 
-/// Rebuilds the rows, three per requirement, if what they show has changed.
+/// Rebuilds the rows if what they show has changed.
 void StrengthPanel::refreshRows(const Asset& asset, const ThresholdInterval* interval) {
     Shown shown{.asset = asset.id,
                 .requirements = asset.requirements,
@@ -232,6 +235,7 @@ void StrengthPanel::refreshRows(const Asset& asset, const ThresholdInterval* int
     for (std::size_t k = 0; k < asset.requirements.size(); ++k) {
         addRow(k, asset.requirements[k]);
         addFigure(asset, k);
+        addSelectButton(asset, k);
         addPlayButton(asset, k);
     }
     m_grid->setColumnStretch(kRest, 1);
@@ -241,28 +245,41 @@ void StrengthPanel::refreshRows(const Asset& asset, const ThresholdInterval* int
 void StrengthPanel::addRow(std::size_t index, const StrengthRequirement& requirement) {
     addOutcomeBox(index, requirement.outcome);
     const int row = rowOf(index);
+    const bool isHole = requirement.outcome == RequirementOutcome::HoleAtMost;
+    const auto addLabel = [&](const QString& event, const QString& inEvent) {
+        if (isHole) {
+            m_grid->addWidget(new QLabel(inEvent), row + 1, kFirst, 1, kColumns);
+        } else {
+            m_grid->addWidget(new QLabel(event), row, kSecond, 1, 2);
+        }
+    };
+    if (isHole) {
+        addField(row, kSecond, index, ProjectNumber::ExpectedHole, requirement.hole, m_units.lengths(), tr("Hole"),
+                 [](StrengthRequirement& changed, double to) { changed.hole = to; });
+    }
     if (const auto* drop = std::get_if<DropRequirement>(&requirement.event)) {
-        m_grid->addWidget(new QLabel(tr("a drop of")), row, kSecond, 1, 2);
-        addField(index, kFirst, ProjectNumber::DropHeight, drop->height, m_units.lengths(), tr("Height"),
+        addLabel(tr("a drop of"), tr("in a drop of"));
+        addField(row + 2, kFirst, index, ProjectNumber::DropHeight, drop->height, m_units.lengths(), tr("Height"),
                  [](StrengthRequirement& changed, double to) { std::get<DropRequirement>(changed.event).height = to; });
     } else if (const auto* impact = std::get_if<ImpulseRequirement>(&requirement.event)) {
-        m_grid->addWidget(new QLabel(tr("an impulse of")), row, kSecond, 1, 2);
+        addLabel(tr("an impulse of"), tr("in an impulse of"));
         addField(
-            index, kFirst, ProjectNumber::Threshold, impact->impulse, Units::impulses(), tr("Impulse"),
+            row + 2, kFirst, index, ProjectNumber::Threshold, impact->impulse, Units::impulses(), tr("Impulse"),
             [](StrengthRequirement& changed, double to) { std::get<ImpulseRequirement>(changed.event).impulse = to; });
     } else {
         const auto& hit = std::get<HitRequirement>(requirement.event);
-        m_grid->addWidget(new QLabel(tr("an impact of")), row, kSecond, 1, 2);
-        addField(index, kFirst, ProjectNumber::Mass, hit.mass, Units::masses(), tr("Mass"),
+        addLabel(tr("an impact of"), tr("in an impact of"));
+        addField(row + 2, kFirst, index, ProjectNumber::Mass, hit.mass, Units::masses(), tr("Mass"),
                  [](StrengthRequirement& changed, double to) { std::get<HitRequirement>(changed.event).mass = to; });
-        addField(index, kSecond, ProjectNumber::HitSpeed, hit.speed, Units::speeds(), tr("Speed"),
+        addField(row + 2, kSecond, index, ProjectNumber::HitSpeed, hit.speed, Units::speeds(), tr("Speed"),
                  [](StrengthRequirement& changed, double to) { std::get<HitRequirement>(changed.event).speed = to; });
     }
     addDeleteButton(index);
 }
 
 void StrengthPanel::addOutcomeBox(std::size_t index, RequirementOutcome outcome) {
-    QComboBox* box = comboBox({tr("Survives"), tr("Breaks in")}, tr("Whether the asset must survive or break"));
+    QComboBox* box = comboBox({tr("Survives"), tr("Breaks in"), tr("Hole up to")},
+                              tr("Whether the asset must survive, break, or lose no more than a hole of this width"));
     box->setCurrentIndex(static_cast<int>(outcome));
     box->setAccessibleName(tr("Outcome"));
     connect(box, &QComboBox::activated, this, [this, index](int row) {
@@ -273,7 +290,7 @@ void StrengthPanel::addOutcomeBox(std::size_t index, RequirementOutcome outcome)
 }
 
 /// Connections are queued, since each change rebuilds the rows.
-void StrengthPanel::addField(std::size_t index, int column, ProjectNumber number, double value,
+void StrengthPanel::addField(int row, int column, std::size_t index, ProjectNumber number, double value,
                              const NumberFormat& format, const QString& name,
                              const std::function<void(StrengthRequirement& changed, double value)>& set) {
     auto* field = new NumberField;
@@ -287,7 +304,7 @@ void StrengthPanel::addField(std::size_t index, int column, ProjectNumber number
         change(tr("Change Requirement"), [=](Asset& changed) { set(changed.requirements[index], entered); });
     };
     connect(field, &NumberField::edited, this, apply, Qt::QueuedConnection);
-    m_grid->addWidget(field, rowOf(index) + 1, column);
+    m_grid->addWidget(field, row, column);
 }
 
 /// What the figure assumes and, for a hit on an asset that is free to move, what is left of it at a corner.
@@ -321,7 +338,7 @@ void StrengthPanel::addFigure(const Asset& asset, std::size_t index) {
                   "breaks from 1× on.")) +
         ' ' + assumptionDescription(requirement.event, isFixed));
     label->setWordWrap(true);
-    m_grid->addWidget(label, rowOf(index) + 2, kFirst, 1, kColumns);
+    m_grid->addWidget(label, rowOf(index) + 3, kFirst, 1, kColumns);
 }
 
 void StrengthPanel::addPlayButton(const Asset& asset, std::size_t index) {
@@ -357,6 +374,32 @@ void StrengthPanel::play(std::size_t index) {
     const Result<ShotAction> shot = requirementShot(m_document.project(), *m_whole, requirement, instance);
     if (!shot) return emit refused(QString::fromStdString(shot.error().message));
     emit trialRequested({.name = shotNameOf(requirement.event).toStdString(), .action = *shot});
+}
+
+void StrengthPanel::addSelectButton(const Asset& asset, std::size_t index) {
+    if (hasThreshold(m_document.project(), asset)) return;
+    QToolButton* button = panelButton("select-neighbours", tr("Select What Comes Off"),
+                                      tr("Select the fragments that come off in this event"), m_rows);
+    button->setObjectName("select-lost");
+    button->setEnabled(m_whole.has_value());
+    connect(
+        button, &QToolButton::clicked, this, [this, index] { selectLost(index); }, Qt::QueuedConnection);
+    m_grid->addWidget(button, rowOf(index), kSelect);
+}
+
+void StrengthPanel::selectLost(std::size_t index) {
+    const Asset* shown = asset();
+    const auto baked = shown != nullptr ? m_bakes.find(shown->id) : nullptr;
+    if (!baked || !baked->bake || !m_whole || index >= shown->requirements.size()) return;
+    Result<std::shared_ptr<const PlayAsset>> ready = playAsset(*shown, baked->bake, {}, FindContacts::OnBreak);
+    if (!ready) return emit refused(QString::fromStdString(ready.error().message));
+    const Result<std::vector<std::uint32_t>> lost =
+        fragmentsLost(m_document.project(), std::move(*ready), shown->requirements[index]);
+    if (!lost) return emit refused(QString::fromStdString(lost.error().message));
+    if (lost->empty()) emit refused(tr("Nothing comes off in this event."));
+    FragmentSet set(baked->bake->fragmentCount());
+    for (const std::uint32_t fragment : *lost) set[fragment] = true;
+    m_selection.setFragments(selectionOf(set, *baked->bake));
 }
 
 void StrengthPanel::addDeleteButton(std::size_t index) {

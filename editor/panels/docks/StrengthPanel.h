@@ -24,7 +24,7 @@ class IntervalBar;
 class StrengthPanel : public QWidget {
     Q_OBJECT
 public:
-    StrengthPanel(Document& document, const Selection& selection, const Bakes& bakes, SwapAuditRunner& audits,
+    StrengthPanel(Document& document, Selection& selection, const Bakes& bakes, SwapAuditRunner& audits,
                   QWidget* parent = nullptr);
 
     void setUnits(const Units& units);
@@ -42,11 +42,14 @@ private:
     void refreshRows(const Asset& asset, const ThresholdInterval* interval);
     void addRow(std::size_t index, const StrengthRequirement& requirement);
     void addOutcomeBox(std::size_t index, RequirementOutcome outcome);
-    void addField(std::size_t index, int column, ProjectNumber number, double value, const NumberFormat& format,
-                  const QString& name, const std::function<void(StrengthRequirement& changed, double value)>& set);
+    void addField(int row, int column, std::size_t index, ProjectNumber number, double value,
+                  const NumberFormat& format, const QString& name,
+                  const std::function<void(StrengthRequirement& changed, double value)>& set);
     void addFigure(const Asset& asset, std::size_t index);
     QString assumption(const Asset& asset, const StrengthRequirement& requirement) const;
     void addPlayButton(const Asset& asset, std::size_t index);
+    void addSelectButton(const Asset& asset, std::size_t index);
+    void selectLost(std::size_t index);
     void addDeleteButton(std::size_t index);
     void play(std::size_t index);
     double strengthOf(const Asset& asset) const;
@@ -64,7 +67,7 @@ private:
     Id selectedInstance() const;
 
     Document& m_document;
-    const Selection& m_selection;
+    Selection& m_selection;
     const Bakes& m_bakes;
     SwapAuditRunner& m_audits;
     QLabel* m_title;

@@ -24,11 +24,14 @@ void save(QWidget& widget, QSize size, const QString& path) {
 }
 
 /// Requirements of the first asset, one of each kind.
-void saveStrength(Document& document, const QString& path) {
+void saveStrength(Document& document, BreakAs breakAs, const QString& path) {
     Asset asset = document.project().assets[0];
+    asset.breakAs = breakAs;
     asset.requirements = {{RequirementOutcome::Survives, HitRequirement{.mass = 0.43, .speed = 20.0}},
                           {RequirementOutcome::Breaks, DropRequirement{.height = 1.0}},
                           {RequirementOutcome::Breaks, ImpulseRequirement{.impulse = 800.0}}};
+    if (breakAs == BreakAs::Bonded)
+        asset.requirements.push_back({RequirementOutcome::HoleAtMost, HitRequirement{.mass = 20.0, .speed = 10.0}});
     document.push({.text = "Require", .replacements = {Replacement<Asset>{asset.id, asset}}});
     Bakes bakes;
     if (const Result<Bake> made = bake(asset)) {
@@ -39,7 +42,7 @@ void saveStrength(Document& document, const QString& path) {
     selection.setAsset(asset.id);
     SwapAuditRunner audits(document, bakes);
     StrengthPanel panel(document, selection, bakes, audits);
-    save(panel, {300, 560}, path);
+    save(panel, {300, 620}, path);
 }
 
 }  // namespace
@@ -71,6 +74,7 @@ int main(int argc, char* argv[]) {
     save(inspector, {300, 480}, path("instances"));
     selection.setSubject(Part::Scene);
     save(inspector, {300, 480}, path("scene"));
-    saveStrength(document, path("strength"));
+    saveStrength(document, BreakAs::Whole, path("strength"));
+    saveStrength(document, BreakAs::Bonded, path("strength-bonded"));
     return 0;
 }

@@ -85,7 +85,8 @@ inline Asset fullWall() {
     wall.requirements = {
         {.outcome = RequirementOutcome::Breaks, .event = HitRequirement{.mass = 2.5, .speed = 1.0 / 3.0}},
         {.outcome = RequirementOutcome::Survives, .event = DropRequirement{.height = 1.75}},
-        {.outcome = RequirementOutcome::Survives, .event = ImpulseRequirement{.impulse = 0.375}}};
+        {.outcome = RequirementOutcome::Survives, .event = ImpulseRequirement{.impulse = 0.375}},
+        {.outcome = RequirementOutcome::HoleAtMost, .event = DropRequirement{.height = 2.5}, .hole = 0.625}};
     SurfaceTriangle triangle;
     triangle.corners = {Vec3{0.0, 0.0, 0.125}, Vec3{1.0, 0.0, 0.125}, Vec3{0.0, 1.0, 0.125}};
     triangle.uvs = {Vec2{0.0, 1.0}, Vec2{1.0, 0.1}, Vec2{-0.5, 0.0}};

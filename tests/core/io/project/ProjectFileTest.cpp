@@ -187,10 +187,15 @@ private slots:
       "intents": [
         {"outcome": "breaks", "kind": "hit", "mass": 2.5, "speed": 0.3333333333333333},
         {"outcome": "survives", "kind": "drop", "height": 1.75},
-        {"outcome": "survives", "kind": "impulse", "impulse": 0.375}
+        {"outcome": "survives", "kind": "impulse", "impulse": 0.375},
+        {"outcome": "holeAtMost", "hole": 0.625, "kind": "drop", "height": 2.5}
       ],
 )";
-        QVERIFY(projectText(fullProject()).find(lines) != std::string::npos);
+        std::string text = projectText(fullProject());
+        QVERIFY(text.find(lines) != std::string::npos);
+        text.replace(text.find("holeAtMost"), 10, "survives");
+        QVERIFY(
+            errorText(readProjectText(text)).ends_with("intents[3].hole: belongs to the outcome \"holeAtMost\" only."));
     }
     void shapingIsOnOneLineEach() {
         const char* const lines = R"(
@@ -366,8 +371,9 @@ private slots:
                             "{\"outcome\": \"breaks\", \"kind\": \"hit\", \"speed\": 3}");
         test::addWrongValue("assets[0].intents[0].kind: expected \"drop\", \"hit\" or \"impulse\", found \"push\".",
                             "/assets/0/intents/0/kind", "\"push\"");
-        test::addWrongValue("assets[0].intents[1].outcome: expected \"survives\" or \"breaks\", found \"falls\".",
-                            "/assets/0/intents/1/outcome", "\"falls\"");
+        test::addWrongValue(
+            "assets[0].intents[1].outcome: expected \"survives\", \"breaks\" or \"holeAtMost\", found \"falls\".",
+            "/assets/0/intents/1/outcome", "\"falls\"");
         test::addWrongValue("debris.mostPieces: expected a whole number from 0 to 4294967295, found -1.",
                             "/debris/mostPieces", "-1");
         test::addWrongValue("The debris: the fade is -1, but it must be from 0 to 1000000000.", "/debris/fade", "-1");

@@ -102,10 +102,36 @@ private slots:
         QTRY_VERIFY(desk.says("The impulse per area is valid"));
         QVERIFY(*desk.asset().bonding.impulsePerArea > 1e-3);
     }
+    void holesAreLimitedAndShown() {
+        Desk desk;
+        Asset asset = desk.asset();
+        asset.breakAs = BreakAs::Bonded;
+        asset.bonding.impulsePerArea = 1.0;
+        asset.requirements = {{RequirementOutcome::HoleAtMost, ImpulseRequirement{50.0}, 0.01}};
+        desk.stage.document.push({.text = "Break as bonded", .replacements = {Replacement<Asset>{asset.id, asset}}});
+        desk.stage.bake();
+        QTRY_VERIFY(desk.says("The impulse per area is not valid: it must be above"));
+        QVERIFY(desk.says("in an impulse of"));
+        desk.panel->findChild<QToolButton*>("select-lost")->click();
+        QTRY_VERIFY(!desk.selection.fragments().isEmpty());
+        desk.button("set-threshold").click();
+        QTRY_VERIFY(desk.says("The impulse per area is valid"));
+        QSignalSpy refusals(desk.panel.get(), &StrengthPanel::refused);
+        desk.panel->findChild<QToolButton*>("select-lost")->click();
+        QTRY_COMPARE(refusals.size(), 1);
+        QVERIFY(desk.selection.fragments().isEmpty());
+        auto fields = desk.panel->findChildren<NumberField*>();
+        fields[0]->setFocus();
+        fields[0]->selectAll();
+        QTest::keyClicks(fields[0], "100");
+        QTest::keyClick(fields[0], Qt::Key_Return);
+        QTRY_COMPARE(desk.asset().requirements[0].hole, 100.0);
+        QTRY_VERIFY(desk.says("The impulse per area is valid"));
+    }
     void presetsSayWhichHitTheyAssume() {
         Desk desk;
         const QMenu* menu = desk.panel->findChild<QToolButton*>("add-requirement")->menu();
-        QCOMPARE(menu->actions().size(), 2);
+        QCOMPARE(menu->actions().size(), 3);
         for (const QAction* outcome : menu->actions()) {
             QVERIFY(outcome->menu()->toolTipsVisible());
             QStringList names;
