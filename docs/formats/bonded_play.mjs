@@ -72,11 +72,13 @@ export class BondedPlay {
   add(structure, numbers, isFixed, whole) {
     this.bodies.add({structure, numbers, isFixed, handle: this.engine.add(structure, numbers, isFixed, whole)});
   }
-  /// Hits a body at points in the asset's frame, by an impulse in N s. Returns what bonds took of it, and which broke.
+  /// Hits a body at points in the asset's frame, by an impulse in N s. Returns what bonds took of it, which broke, and
+  /// the fragments of each island that came off, in the pack.
   hit(body, points, impulse) {
-    const outcome = hit(body.structure, body.numbers, points, impulse);
+    const {structure} = body, outcome = hit(structure, body.numbers, points, impulse), before = new Set(this.bodies);
     if (outcome.broken.length > 0) this.split();
-    return outcome;
+    const off = [...this.bodies].filter((one) => one.structure === structure && !one.isFixed && !before.has(one));
+    return {...outcome, islands: off.map(({numbers}) => numbers.map((number) => structure.fragments[number]))};
   }
   /// Replaces bodies by what bonds still hold together, and plans when what has lost its support comes off.
   split() {

@@ -41,6 +41,9 @@ export function loadScene(folder) {
 /// The numbers of what is anchored, ascending.
 export const standingOf = (islands) =>
   islands.filter(({isAnchored}) => isAnchored).flatMap(({numbers}) => numbers).sort((a, b) => a - b);
+/// The solids that a body collides as: an instance of which nothing has come off, `isFirst`, as the whole.
+export const solidsOf = ({instance: {pack}, fragments, all}, numbers, isFirst) =>
+  isFirst && numbers.length === all.length ? [pack.whole] : numbers.map((number) => pack.fragments[fragments[number]]);
 export const structuresOf = (scene) => scene.instances.map(({structure}) => structure).filter(Boolean);
 export const massOf = ({structure, numbers}) => numbers.reduce((sum, number) => sum + structure.masses[number], 0);
 
@@ -71,8 +74,7 @@ function addJoint({fragments, centroid, normal, capacity}, instances) {
   const halves = instances.map(({structure, position, rotation}, side) => addBond(structure, [fragments[side]], {
     centroid: unrotated(rotation, minus(centroid, position)), capacity: capacity ?? Infinity,
     normal: unrotated(rotation, times(normal, side ? -1 : 1))}));
-  if (halves.length < 2) return;
-  [halves[0].other, halves[1].other] = [halves[1], halves[0]];
+  if (halves.length > 1) [halves[0].other, halves[1].other] = [halves[1], halves[0]];
 }
 
 export const isBroken = ({structure, index, capacity}) => structure.damage[index] === BROKEN || !(capacity > 0);

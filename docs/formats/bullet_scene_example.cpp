@@ -36,12 +36,16 @@ struct Play {
         const IslandMass mass = massOf(pack, part.fragments);
         part.centre = part.isFixed ? btVector3(0, 0, 0) : bt(mass.centre);
         auto* shape = new btCompoundShape;
-        for (const std::uint32_t k : part.fragments) {
-            for (const Hull& hull : pack.fragments[k].hulls) {
+        std::vector<const Body*> solids;
+        for (const std::uint32_t k : part.fragments) solids.push_back(&pack.fragments[k]);
+        const bool isIntact = whole == nullptr && solids.size() == all.structures[part.instance].fragments.size();
+        if (isIntact) solids = {&pack.whole};
+        for (const Body* solid : solids) {
+            for (const Hull& hull : solid->hulls) {
                 auto* convex = new btConvexHullShape;
                 for (const Vec3& vertex : hull.vertices) convex->addPoint(bt(vertex));
                 convex->setMargin(btScalar(2e-5));
-                const btVector3 place = bt(pack.fragments[k].offset) - part.centre;
+                const btVector3 place = bt(solid->offset) - part.centre;
                 shape->addChildShape(btTransform(btQuaternion::getIdentity(), place), convex);
             }
         }
@@ -131,6 +135,15 @@ struct Play {
         std::cout << "{\"time\":" << step / kRate << ",\"instance\":" << scene.instances[part.instance].id
                   << ",\"taken\":" << outcome.taken << ",\"broken\":[" << outcome.broken[0];
         for (std::size_t k = 1; k < outcome.broken.size(); ++k) std::cout << ',' << outcome.broken[k];
+        std::cout << "],\"islands\":[";
+        const char* between = "";
+        for (const Island& island : islandsOf(all.structures[part.instance], damages[part.instance], part.fragments)) {
+            if (island.isAnchored) continue;
+            for (std::size_t k = 0; k < island.fragments.size(); ++k)
+                std::cout << (k == 0 ? between : ",") << (k == 0 ? "[" : "") << island.fragments[k];
+            std::cout << ']';
+            between = ",";
+        }
         std::cout << "]}\n";
         impactor.setLinearVelocity(before +
                                    normal * btScalar(outcome.taken) * impactor.getInvMass());  // pieces take the rest

@@ -2,7 +2,8 @@
 // npm install @mujoco/mujoco; node mujoco_scene_example.mjs FOLDER [THROW] [SECONDS]
 import loadMujoco from "@mujoco/mujoco";
 import {BondedPlay} from "./bonded_play.mjs";
-import {cross, dot, firstTouches, loadScene, minus, plus, rotated, throwOf, times, unrotated} from "./bonds.mjs";
+import {cross, dot, firstTouches, loadScene, minus, plus, rotated, solidsOf, throwOf, times,
+        unrotated} from "./bonds.mjs";
 
 const [, , folder, shotName, seconds = 5] = process.argv;
 const RATE = 240, FRICTION = 0.6;  // Hz; of what is thrown
@@ -13,23 +14,20 @@ const handles = [];  // of bodies, in the order in which the model has them
 let meshes = 0;
 let model, data, isCompiled = false;
 
-/// The geoms of fragments in the frame of their asset; the hulls of a fragment share its mass.
-function geomsOf(structure, numbers) {
-  const {pack} = structure.instance, {friction} = pack.materials[pack.material];
-  return numbers.flatMap((number) => {
-    const {mass, hulls, offset} = pack.fragments[structure.fragments[number]];
-    return hulls.map((hull) => {
-      hull.mesh ??= `m${++meshes}`;
-      const place = `mesh="${hull.mesh}" pos="${text(offset)}"`;
-      return {hull, more: `type="mesh" ${place} friction="${friction}" mass="${mass / hulls.length}"`};
-    });
-  });
+/// The geoms of solids in the frame of their asset; the hulls of one share its mass.
+function geomsOf({pack}, solids) {
+  const {friction} = pack.materials[pack.material];
+  return solids.flatMap(({mass, hulls, offset}) => hulls.map((hull) => {
+    hull.mesh ??= `m${++meshes}`;
+    const place = `mesh="${hull.mesh}" pos="${text(offset)}"`;
+    return {hull, more: `type="mesh" ${place} friction="${friction}" mass="${mass / hulls.length}"`};
+  }));
 }
 /// A body: with what the model says of it, and how it moves.
 function add(structure, numbers, isFixed, whole) {
   const {position, rotation} = structure.instance;
   const motion = {position, rotation, v: [0, 0, 0], w: [0, 0, 0], ...whole?.handle.motion};
-  const handle = {isFixed, geoms: geomsOf(structure, numbers), motion};
+  const handle = {isFixed, geoms: geomsOf(structure.instance, solidsOf(structure, numbers, !whole)), motion};
   handles.push(handle);
   isCompiled = false;
   return handle;
@@ -114,9 +112,9 @@ for (let k = 1; k <= seconds * RATE; ++k) {
   step();
   for (const {handle, points, n, impulse} of impactor ? impactsOf(impactor, before) : []) {
     const body = [...play.bodies].find((one) => one.handle === handle), {position, rotation} = handle.motion;
-    const {taken, broken} = play.hit(body, points.map((point) => unrotated(rotation, minus(point, position))), impulse);
+    const {taken, broken, islands} = play.hit(body, points.map((point) => unrotated(rotation, minus(point, position))), impulse);
     if (broken.length === 0) continue;
-    console.log(JSON.stringify({time: k / RATE, instance: body.structure.instance.id, taken, broken}));
+    console.log(JSON.stringify({time: k / RATE, instance: body.structure.instance.id, taken, broken, islands}));
     impactor.motion.v = plus(before, times(n, taken / shot.action.mass));  // the pieces take the rest
     break;
   }

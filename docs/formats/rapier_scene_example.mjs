@@ -2,7 +2,7 @@
 // npm install @dimforge/rapier3d-compat; node rapier_scene_example.mjs FOLDER [THROW] [SECONDS]
 import RAPIER from "@dimforge/rapier3d-compat";
 import {BondedPlay} from "./bonded_play.mjs";
-import {cross, dot, firstTouches, loadScene, minus, plus, throwOf, times, unrotated} from "./bonds.mjs";
+import {cross, dot, firstTouches, loadScene, minus, plus, solidsOf, throwOf, times, unrotated} from "./bonds.mjs";
 
 const [, , folder, shotName, seconds = 5] = process.argv;
 const RATE = 240, FRICTION = 0.6;  // Hz; of what is thrown
@@ -13,14 +13,13 @@ const list = ({x, y, z}) => [x, y, z], four = ({x, y, z, w}) => [x, y, z, w];
 const world = new RAPIER.World(xyz(scene.gravity));
 world.timestep = 1 / RATE;
 
-/// Fragments as one body with the frame of their asset; the first collider of each has all of its mass.
+/// Fragments as one body with the frame of their asset; the first collider of each solid has all of its mass.
 function add(structure, numbers, isFixed, whole) {
   const {pack, position, rotation} = structure.instance, material = pack.materials[pack.material];
   const pose = whole ? [list(whole.handle.translation()), four(whole.handle.rotation())] : [position, rotation];
   const kind = isFixed ? RAPIER.RigidBodyDesc.fixed() : RAPIER.RigidBodyDesc.dynamic();
   const added = world.createRigidBody(kind.setTranslation(...pose[0]).setRotation(xyzw(pose[1])));
-  for (const number of numbers) {
-    const {mass, centreOfMass, hulls, offset, principal} = pack.fragments[structure.fragments[number]];
+  for (const {mass, centreOfMass, hulls, offset, principal} of solidsOf(structure, numbers, !whole)) {
     for (const hull of hulls) {
       const shape = RAPIER.ColliderDesc.convexHull(new Float32Array(hull.vertices.flat())).setTranslation(...offset)
         .setFriction(material.friction).setRestitution(material.restitution).setDensity(0)
@@ -91,9 +90,9 @@ for (let step = 1; step <= seconds * RATE; ++step) {
   for (const body of impactor ? [...play.bodies] : []) {
     const {impulse, points, n} = impactOn(body, impactor, minus(before, list(body.handle.linvel())));
     if (points.length === 0) continue;
-    const {taken, broken} = play.hit(body, points, impulse);
+    const {taken, broken, islands} = play.hit(body, points, impulse);
     if (broken.length === 0) continue;
-    console.log(JSON.stringify({time: step / RATE, instance: body.structure.instance.id, taken, broken}));
+    console.log(JSON.stringify({time: step / RATE, instance: body.structure.instance.id, taken, broken, islands}));
     impactor.setLinvel(xyz(plus(before, times(n, taken * impactor.invMass()))), true);  // the pieces take the rest
     break;
   }

@@ -9,7 +9,7 @@ import {fileURLToPath} from "node:url";
 import {installed} from "./packages.mjs";
 
 const kRate = 240;      // Hz
-const kRest = 1;        // s
+const kRest = Number(process.env.RUBBLE_REST ?? 1);  // s
 const kSame = 0.8;      // of the bonds that break in one of both: what touches first may be another fragment
 const kPackages = {rapier: "@dimforge/rapier3d-compat", mujoco: "@mujoco/mujoco"};
 /// Throws by demo. Those that land on the ground before, or hit several instances at once, break others of the bonds.
@@ -50,14 +50,22 @@ function firstInEditor(demo, shot) {
   if (played.status !== 0) throw new Error(played.stderr);
   const events = linesOf(readFileSync(file, "utf8"));
   const first = events.find(({kind, impulse}) => kind === "bonds" && impulse > 0);
-  const broken = events.filter(({kind, step}) => kind === "damaged" && step === first.step);
-  return {time: first.step / kRate, broken: new Map(broken.map(({instance, broken: bonds}) => [instance, bonds]))};
+  const inStep = (name) => events.filter(({kind, step}) => kind === name && step === first.step);
+  const broken = new Map(inStep("damaged").map(({instance, broken: bonds}) => [instance, bonds]));
+  return {time: first.step / kRate, broken, islands: inStep("detached").filter(({fixed}) => !fixed).map(({fragments}) => fragments)};
 }
 
 function expect(is, what) {
   console.log(`${is ? "  " : "  FAULT: "}${what}`);
   if (!is) process.exitCode = 1;
 }
+/// Islands as paths of fragments, in any order.
+function islandsHere(demo, {instance, islands}) {
+  const read = (file) => JSON.parse(readFileSync(join(folder, demo, file), "utf8"));
+  const {fragments} = read(`${read("scene.json").instances.find(({id}) => id === instance).pack}/pack.json`);
+  return islands.map((island) => island.map((fragment) => fragments[fragment].id.split("/").slice(1).join("/")));
+}
+const sorted = (islands) => JSON.stringify(islands.map((island) => [...island].sort()).sort());
 for (const [demo, throws] of Object.entries(kThrows)) {
   console.log(`${engine}, ${demo}`);
   expect(playHere(demo, "", kRest).at(-1).free === 0, "nothing comes off by itself");
@@ -66,6 +74,8 @@ for (const [demo, throws] of Object.entries(kThrows)) {
     const bonds = new Set(editor.broken.get(here.instance) ?? []);
     const both = here.broken.filter((bond) => bonds.has(bond)).length;
     const same = both / (bonds.size + here.broken.length - both), late = Math.abs(here.time - editor.time) * kRate;
+    if (same === 1)
+      expect(sorted(islandsHere(demo, here)) === sorted(editor.islands), `${shot}: the same islands come off`);
     expect(late < (isDirect ? 1.5 : 3.5) && bonds.size > 0 && (!isDirect || same >= kSame),
            `${shot}: at ${here.time.toFixed(4)} s, in the editor ${editor.time.toFixed(4)}; ${here.broken.length} bonds, ` +
            `of ${bonds.size} in the editor ${both}`);

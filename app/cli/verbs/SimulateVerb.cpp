@@ -28,9 +28,12 @@ are metres, kilograms, seconds and radians; y is up. The instances of a project 
 
 Output:
   {"steps":N,"bodies":[{"name":s,"position":[x,y,z],"orientation":[w,x,y,z],"asleep":false},...],
-   "counts":{"bodies":n,"pairs":n,"contactPoints":n},"swaps":n,"breaks":[...],"largestPenetration":d,"hash":"..."}
+   "counts":{"bodies":n,"pairs":n,"contactPoints":n},"swaps":n,"breaks":[...],"splits":[...],
+   "largestPenetration":d,"hash":"..."}
 Counts are means over the last 120 steps; the penetration is exact, of the final poses. A break is
   {"step":k,"body":s,"impact":J,"threshold":J,"point":[x,y,z],"fragments":n}, with --timings also "swapMilliseconds".
+Where bonds break, which bonded assets do instead, a split is
+  {"step":k,"body":s,"impulse":J,"point":[x,y,z],"bonds":n,"area":A,"freed":n}.
 The bodies of a project are its instances, then projectiles and fragments in order of creation. The result does
 not depend on the number of threads: equal inputs give equal hashes. --events writes one JSON object a line, or CSV
 into FILE.csv; see docs/formats/events.md.

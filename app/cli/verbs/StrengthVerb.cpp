@@ -18,8 +18,8 @@ constexpr const char* kStrengthFooter =
 a height onto level ground in its own orientation, or when a body of a given mass and speed hits the centre of its front
 squarely: off-centre hits do less. An asset is free to move, or held in place where its instances are. Prints the
 impulse of each requirement, and for each asset the thresholds that satisfy all of them. If two requirements conflict,
-prints both and the gap between them. Of an asset that breaks along bonds, prints the impulse per area of bonds instead, from
-which on none breaks, or no hole is wider. Exits with 3 if requirements conflict or are not satisfied.
+prints both and the gap between them. Of an asset that breaks along bonds, prints the impulse per area of bonds instead,
+from which on none breaks, or no hole is wider. Exits with 3 if requirements conflict or are not satisfied.
 
 Examples:
   rubble-cli strength house.rubble

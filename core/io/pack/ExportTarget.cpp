@@ -20,10 +20,11 @@ remove it and add its fragments (those from `firstChild` on) at position + rotat
 of that point of the whole. The impact is J = (1 + e) · v · m with the velocities before the solver. Never add bodies
 of two levels at once.
 
-An asset whose `pack.json` has `bonding` has no threshold: an impact breaks the bonds around its point, and only what is
-no longer connected to an anchor comes off, as bodies of one fragment or several. `anchors` and `joints` in `scene.json`
-say what holds each instance. `applyHit()`, `breakMortar()` and `islandsOf()` of `rubble_pack.hpp` do this in C++;
-`pack.md` and `scene.md` of Rubble's documentation say how in any language.
+Where the `pack.json` of an asset has `bonding`, its `threshold` does not count: an impact breaks the bonds around its
+point, and only what is no longer connected to an anchor comes off, as bodies of one fragment or several, and after
+`collapseDelay` what is too far from one. `anchors` and `joints` in `scene.json` say what holds each instance.
+`applyHit()`, `breakMortar()`, `islandsOf()` and `unsupported()` of `rubble_pack.hpp` do this in C++; `pack.md` and
+`scene.md` of Rubble's documentation say how in any language.
 
 Fragments keep still when they take the place of the whole, since their collision hulls are inset by 0.1 mm. Where the
 engine adds a margin around shapes, set it below that.

@@ -17,7 +17,7 @@ private slots:
             const std::string text = readmeFor(static_cast<ExportTarget>(k), GlbKind::Plain);
             QVERIFY(text.starts_with("# Destructible assets for "));
             QVERIFY(text.find("`scene.json`") != std::string::npos && text.ends_with(".\n"));
-            QVERIFY(text.find("has `bonding` has no threshold") != std::string::npos);  // else all would be removed
+            QVERIFY(text.find("has `bonding`, its `threshold` does not count") != std::string::npos);  // else all would be removed
             texts.insert(text);
         }
         QCOMPARE(texts.size(), kExportTargets.size());
