@@ -35,7 +35,8 @@ const char* nameOf(DiagnosticCode code) {
                                           "ReplayMismatch",
                                           "RepeatedPoint",
                                           "IdleMortar",
-                                          "BeyondSpan"};
+                                          "BeyondSpan",
+                                          "WeakBonds"};
     static_assert(kNames.size() == kDiagnosticCodes);
     return kNames[static_cast<std::size_t>(code)];
 }

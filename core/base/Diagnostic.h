@@ -42,8 +42,9 @@ enum class DiagnosticCode {
     RepeatedPoint,      // of an outline in a file: equal to the one before, which is kept
     IdleMortar,         // joins nothing that is anchored
     BeyondSpan,         // bonded fragments that are farther from an anchor than the span before anything is hit
+    WeakBonds,          // bonds or mortar that take less than the weight that hangs on them before anything is hit
 };
-inline constexpr int kDiagnosticCodes = 30;
+inline constexpr int kDiagnosticCodes = 31;
 
 /// The code's name in JSON, messages and lists: "DuplicateSeed".
 const char* nameOf(DiagnosticCode code);
@@ -79,8 +80,8 @@ struct Diagnostic {
     std::string message;  // one sentence that names the place
     /// The measured value: m² for Gap, ThinPiece, MergedPiece, DroppedSeed and VanishedPiece; m for LooseCut,
     /// OverlappingPieces, CloseHulls and BeyondSpan; seeds for NoRoom; aspect ratio for Sliver; m³ for TinyPiece;
-    /// hulls for ManyHulls; N·s for UnknownStrength; m/s for PushedPiece; points for RepeatedPoint; relative to that
-    /// of the whole for SwapDrift and GapVolume.
+    /// hulls for ManyHulls; N·s for UnknownStrength; N for WeakBonds; m/s for PushedPiece; points for RepeatedPoint;
+    /// relative to that of the whole for SwapDrift and GapVolume.
     double value = 0.0;
     double limit = 0.0;  // of the value; 0: none
     bool operator==(const Diagnostic&) const = default;

@@ -3,6 +3,7 @@
 #include "core/asset/project/Ranges.h"
 #include "core/play/queries/FragmentAt.h"
 #include "core/play/queries/WouldFall.h"
+#include "core/play/scene/SupportProblems.h"
 #include "core/play/session/PlayTestRun.h"
 
 #include <algorithm>
@@ -106,9 +107,6 @@ Result<std::unique_ptr<PlayEngine>> PlayEngine::create(const std::shared_ptr<con
 PlayEngine::PlayEngine(const std::shared_ptr<const PlayScene>& scene, Timeline timeline,
                        std::vector<std::uint64_t> hashes)
     : m_scene(scene), m_timeline(std::move(timeline)), m_builder(scene), m_hashes(std::move(hashes)) {
-    const auto isOfSupport = [](const Diagnostic& one) {
-        return one.code == DiagnosticCode::IdleMortar || one.code == DiagnosticCode::BeyondSpan;
-    };
     std::ranges::copy_if(scene->diagnostics, std::back_inserter(m_update.diagnostics), isOfSupport);
 }
 

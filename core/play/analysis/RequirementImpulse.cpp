@@ -137,14 +137,6 @@ Result<TouchingBodies> bodiesOf(const Project& project, const PlayAsset& asset,
 
 }  // namespace
 
-bool isHeldInPlace(const Project& project, const Asset& asset, const Instance& instance) {
-    if (instance.isFixed || asset.breakAs == BreakAs::Whole || project.damage.isThesis) return instance.isFixed;
-    const auto isAnchor = [](const BondStroke& stroke) {
-        return stroke.brush == BondBrush::Anchor && !stroke.isErasing;
-    };
-    return instance.isAnchored || std::ranges::any_of(asset.bonding.strokes, isAnchor);
-}
-
 Support supportOf(const Project& project, const Asset& asset, const StrengthRequirement& requirement) {
     if (!std::holds_alternative<HitRequirement>(requirement.event)) return Support::Free;
     const auto isBreakable = [&](const Instance& instance) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/play/scene/PlayAsset.h"
+#include "core/play/scene/PlayStructure.h"
 
 namespace rubble {
 
@@ -9,10 +9,6 @@ enum class Support {
     Free,   // it gives way, which takes impulse off the hit
     Fixed,  // its instances are held in place: it gives way nowhere
 };
-
-/// Whether an instance of an asset is held in place: it is fixed, or breaks along bonds and is anchored or has painted
-/// anchors.
-bool isHeldInPlace(const Project& project, const Asset& asset, const Instance& instance);
 
 /// The support that decides an event: Fixed for a hit if all instances of the asset that can break are held in place,
 /// and otherwise Free. Where some of them are, the one that demands more: Fixed to survive, Free to break. Drops are

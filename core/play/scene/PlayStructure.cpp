@@ -53,6 +53,14 @@ std::vector<Bond> touchedAnchors(const PlayStructure& whole, const Instance& ins
 
 }  // namespace
 
+bool isHeldInPlace(const Project& project, const Asset& asset, const Instance& instance) {
+    if (instance.isFixed || asset.breakAs == BreakAs::Whole || project.damage.isThesis) return instance.isFixed;
+    const auto isAnchor = [](const BondStroke& stroke) {
+        return stroke.brush == BondBrush::Anchor && !stroke.isErasing;
+    };
+    return instance.isAnchored || std::ranges::any_of(asset.bonding.strokes, isAnchor);
+}
+
 Pose poseOf(const Instance& instance) { return {instance.pose.position, glm::normalize(instance.pose.orientation)}; }
 
 Vec3 upIn(const Pose& frame, Vec3 gravity) {

@@ -74,6 +74,10 @@ struct PlayStructure {
 std::shared_ptr<const PlayStructure> playStructure(const Asset& asset, const Material& material,
                                                    std::shared_ptr<const PlayAsset> ready, std::uint32_t parent);
 
+/// Whether an instance of an asset is held in place: it is fixed, or breaks along bonds and is anchored or has painted
+/// anchors.
+bool isHeldInPlace(const Project& project, const Asset& asset, const Instance& instance);
+
 /// Where the frame of an instance is in the world.
 Pose poseOf(const Instance& instance);
 

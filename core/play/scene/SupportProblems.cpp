@@ -2,10 +2,12 @@
 
 #include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
+#include "core/play/scene/HangingLoads.h"
 #include "core/structure/graph/Islands.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace rubble {
@@ -52,6 +54,33 @@ Diagnostic problemOf(const PlayStructure& structure, const Instance& instance,
     return problem;
 }
 
+/// The problem of bonds of an instance that take less than hangs on them; nothing if none do.
+std::optional<Diagnostic> weakBondsOf(const PlayStructure& structure, const Instance& instance,
+                                      std::span<const HangingLoad> loads) {
+    const auto isOver = [](const HangingLoad& one) { return one.load > one.strength; };
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(loads, isOver));
+    if (count == 0) return std::nullopt;
+    const HangingLoad& worst = *std::ranges::max_element(
+        loads, {}, [](const HangingLoad& one) { return one.strength > 0.0 ? one.load / one.strength : 1e300; });
+    const std::uint32_t fragment = structure.fragmentOf(worst.node);
+    const Vec3& centre = structure.graph.centres[worst.node];
+    const std::string id = structure.asset->bake->fragmentId(fragment);
+    std::string sentence = "Instance " + quotedName(instance.name) + ": ";
+    sentence += count == 1 ? "fragment " + id + " hangs"
+                           : countText(count, "fragment", "fragments") + " hang, of which fragment " + id + " most,";
+    sentence += std::string(" on ") + (worst.mortar > 0.5 ? "mortar that takes " : "bonds that take ") +
+                quantityText(QuantityKind::Force, worst.strength) + " of the " +
+                quantityText(QuantityKind::Force, worst.load) +
+                " there, by an estimate. Play does not break bonds by weight; raise the impulse per area, or support "
+                "it from below.";
+    return diagnostic(DiagnosticCode::WeakBonds,
+                      {.asset = instance.asset,
+                       .fragment = fragment,
+                       .path = structure.asset->bake->fragmentPath(fragment),
+                       .point = DiagnosticPlace::Point{centre.x, centre.y}},
+                      std::move(sentence), worst.load, worst.strength);
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> nodesBeyondSpan(const PlayStructure& structure) {
@@ -71,20 +100,29 @@ std::vector<std::uint32_t> nodesBeyondSpan(const PlayStructure& structure) {
 
 std::vector<Diagnostic> supportProblems(const PlayScene& scene) {
     std::vector<Diagnostic> problems;
+    const std::vector<HangingLoad> loads = hangingLoads(scene);
     for (const Instance& instance : scene.project.instances) {
         const auto found = scene.structures.find(instance.id);
         if (found == scene.structures.end()) continue;
         const std::vector<std::uint32_t> beyond = nodesBeyondSpan(*found->second);
         if (!beyond.empty()) problems.push_back(problemOf(*found->second, instance, beyond));
+        const auto own = std::ranges::equal_range(loads, instance.id, {}, &HangingLoad::instance);
+        if (auto problem = weakBondsOf(*found->second, instance, own)) problems.push_back(std::move(*problem));
     }
     return problems;
 }
 
+bool isOfSupport(const Diagnostic& diagnostic) {
+    using enum DiagnosticCode;
+    return diagnostic.code == IdleMortar || diagnostic.code == BeyondSpan || diagnostic.code == WeakBonds;
+}
+
 bool mayHaveSceneProblems(const Project& project) {
-    const auto hasSpan = [](const Asset& asset) {
-        return asset.breakAs == BreakAs::Bonded && asset.bonding.span > 0.0;
+    const auto isHeldBonded = [&](const Instance& instance) {
+        const Asset* asset = findAsset(project, instance.asset);
+        return asset->breakAs == BreakAs::Bonded && isHeldInPlace(project, *asset, instance);
     };
-    return !project.mortars.empty() || std::ranges::any_of(project.assets, hasSpan);
+    return !project.mortars.empty() || std::ranges::any_of(project.instances, isHeldBonded);
 }
 
 std::vector<Diagnostic> sceneProblems(const Project& project, const AssetBakes& bakes, const TaskContext& task) {
@@ -92,9 +130,7 @@ std::vector<Diagnostic> sceneProblems(const Project& project, const AssetBakes& 
     const Result<std::shared_ptr<const PlayScene>> scene = playScene(project, bakes, task, FindContacts::OnBreak);
     if (!scene) return {};
     std::vector<Diagnostic> problems = (*scene)->diagnostics;
-    std::erase_if(problems, [](const Diagnostic& one) {
-        return one.code != DiagnosticCode::IdleMortar && one.code != DiagnosticCode::BeyondSpan;
-    });
+    std::erase_if(problems, std::not_fn(isOfSupport));
     return problems;
 }
 

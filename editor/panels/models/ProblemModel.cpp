@@ -26,6 +26,7 @@ QString textOf(DiagnosticCode kind) {
         case DiagnosticCode::ManyHulls: return ProblemModel::tr("Many collision hulls");
         case DiagnosticCode::UnknownStrength: return ProblemModel::tr("Unknown strength");
         case DiagnosticCode::BeyondSpan: return ProblemModel::tr("Beyond the span");
+        case DiagnosticCode::WeakBonds: return ProblemModel::tr("Weak bonds");
         default: break;  // notes are no problems
     }
     return {};
@@ -125,6 +126,7 @@ QString ProblemModel::valueText(const Diagnostic& problem, double value) const {
         case DiagnosticCode::ManyHulls: return tr("%Ln hull(s)", nullptr, static_cast<int>(value));
         case DiagnosticCode::NoRoom: return tr("%Ln seed(s)", nullptr, static_cast<int>(value));
         case DiagnosticCode::BeyondSpan: return localizedQuantity(QuantityKind::Length, value, m_units);
+        case DiagnosticCode::WeakBonds: return localizedQuantity(QuantityKind::Force, value, m_units);
         case DiagnosticCode::UnknownStrength: return localizedQuantity(QuantityKind::Impulse, value);
         case DiagnosticCode::Gap:
         case DiagnosticCode::ThinPiece:

@@ -17,7 +17,8 @@ private slots:
             const std::string text = readmeFor(static_cast<ExportTarget>(k), GlbKind::Plain);
             QVERIFY(text.starts_with("# Destructible assets for "));
             QVERIFY(text.find("`scene.json`") != std::string::npos && text.ends_with(".\n"));
-            QVERIFY(text.find("has `bonding`, its `threshold` does not count") != std::string::npos);  // else all would be removed
+            // else all would be removed
+            QVERIFY(text.find("has `bonding`, its `threshold` does not count") != std::string::npos);
             texts.insert(text);
         }
         QCOMPARE(texts.size(), kExportTargets.size());
