@@ -1066,9 +1066,24 @@ inline void deriveVersion2(Body& body) {
     }
 }
 
-/// Adds what version 1 does not say: levels, children, principal inertia and bounds. Returns false if the fragments of
-/// a body are not consecutive.
-inline bool deriveVersion2(Pack& pack) {
+/// Whether the children of each body are the fragments whose parent it is, in that order: `bodyOf` gives the fragments,
+/// of which there are `count`, and of kNone the whole. So there are no cycles either.
+template <class BodyOf>
+bool hasConsecutiveChildren(std::uint32_t count, BodyOf bodyOf) {
+    std::vector<std::uint32_t> found(count);  // of the children of each fragment
+    std::uint32_t foundOfWhole = 0;
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const std::uint32_t parent = bodyOf(k).parent;
+        std::uint32_t& before = parent == kNone ? foundOfWhole : found[parent];
+        if (bodyOf(parent).firstChild + before++ != k) return false;
+    }
+    for (std::uint32_t k = 0; k < count; ++k)
+        if (found[k] != bodyOf(k).childCount) return false;
+    return foundOfWhole == bodyOf(kNone).childCount;
+}
+
+/// Adds what version 1 does not say: levels, children, principal inertia and bounds.
+inline void deriveVersion2(Pack& pack) {
     deriveVersion2(pack.whole);
     for (std::uint32_t k = 0; k < pack.fragments.size(); ++k) {
         Body& fragment = pack.fragments[k];
@@ -1076,9 +1091,8 @@ inline bool deriveVersion2(Pack& pack) {
         Body& parent = fragment.parent == kNone ? pack.whole : pack.fragments[fragment.parent];
         fragment.level = fragment.parent == kNone ? 0 : parent.level + 1;
         if (parent.childCount == 0) parent.firstChild = k;
-        if (parent.firstChild + parent.childCount++ != k) return false;
+        ++parent.childCount;
     }
-    return true;
 }
 
 /// Adds centroids and normals to the contacts of the larger of two fragments, which are written at the smaller.
@@ -1503,11 +1517,13 @@ public:
         read.fragments = at(root, "fragments", [&](const Value& value) {
             return list(value, [&](const Value& element) { return body(element, element.number, count); });
         });
+        if (fault.empty() && m_version < 2) deriveVersion2(read);
+        const auto bodyOf = [&](std::uint32_t index) -> const Body& { return read.body(index); };
+        if (fault.empty() && !hasConsecutiveChildren(static_cast<std::uint32_t>(count), bodyOf))
+            refuse(root, "the fragments of a body are not consecutive");
         if (const std::optional<Value> bonds = fault.empty() ? find(root, "bonding") : std::nullopt)
             read.bonding = bonding(*bonds, read.fragments);
-        if (!fault.empty()) return read;
-        if (m_version < 2 && !deriveVersion2(read)) refuse(root, "the fragments of a body are not consecutive");
-        mirrorContacts(read);
+        if (fault.empty()) mirrorContacts(read);
         return read;
     }
 
@@ -2404,12 +2420,16 @@ private:
             if (body.id >= pack.texts.size() || body.name >= pack.texts.size()) return "A text does not exist.";
             if (!(body.mass > 0.0 && body.volume > 0.0)) return "A body has no mass or no volume.";
         }
+        const auto bodyOf = [&](std::uint32_t k) { return k == kNone ? pack.whole() : pack.fragment(k); };
+        if (!hasConsecutiveChildren(pack.fragmentCount(), bodyOf))
+            return "The fragments of a body are not consecutive.";
         for (std::size_t k = 0; k < pack.hulls.size(); ++k) {
             if (const char* fault = hullFault(pack, pack.hulls[k])) return fault;
         }
         for (std::size_t k = 0; k < pack.contacts.size(); ++k) {
             const BinaryContact contact = pack.contacts[k];
-            if (contact.first >= contact.second || contact.second >= count)
+            if (contact.first >= contact.second || contact.second >= count ||
+                pack.fragment(contact.first).parent != pack.fragment(contact.second).parent)
                 return "The fragments of a contact are wrong.";
         }
         return nullptr;

@@ -2,6 +2,7 @@
 // binary part of docs/formats/rubble_pack.hpp.
 #include "core/base/Random.h"
 #include "core/io/pack/PackBinary.h"
+#include "core/io/pack/PackBinaryFormat.h"
 #include "core/io/pack/PackFile.h"
 #include "docs/formats/rubble_pack.hpp"
 #include "tests/support/TestProgram.h"
@@ -11,7 +12,11 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <functional>
+#include <span>
 
 using namespace rubble;
 
@@ -34,6 +39,21 @@ std::string withFittingChecksum(std::string bytes) {
     const std::uint64_t checksum = contentHash(bytes).low;
     bytes.append(reinterpret_cast<const char*>(&checksum), sizeof(checksum));
     return bytes;
+}
+
+/// What the header says of a file after a change of its records of a kind; nothing if it opens it.
+template <class Record>
+std::string faultAfter(std::string bytes, BinarySection kind, const std::function<void(std::span<Record>)>& change) {
+    BinarySectionEntry entry;
+    std::memcpy(&entry, bytes.data() + sizeof(BinaryHead) + (static_cast<std::size_t>(kind) - 1) * sizeof(entry),
+                sizeof(entry));
+    std::vector<Record> records(entry.count);
+    std::memcpy(records.data(), bytes.data() + entry.offset, entry.count * sizeof(Record));
+    change(records);
+    std::memcpy(bytes.data() + entry.offset, records.data(), entry.count * sizeof(Record));
+    rubble_pack::BinaryPack pack;
+    std::string fault;
+    return rubble_pack::openBinary(withFittingChecksum(bytes), pack, fault) ? "" : fault;
 }
 
 }  // namespace
@@ -123,6 +143,21 @@ private slots:
         }
         for (std::size_t size = 0; size < bytes.size(); ++size)
             QVERIFY(!readPackBinary(std::string_view(bytes).substr(0, size)));
+    }
+    void childrenAreTheFragmentsOfTheirParents() {
+        const std::string bytes = binaryOf(bondedRing());
+        const auto faultOf = [&](const std::function<void(std::span<BinaryBody>)>& change) {
+            return faultAfter<BinaryBody>(bytes, BinarySection::Bodies, change);
+        };
+        const std::string fault = "The fragments of a body are not consecutive.";
+        QCOMPARE(faultOf([](std::span<BinaryBody>) {}), std::string());
+        QCOMPARE(faultOf([](std::span<BinaryBody> bodies) { --bodies[0].childCount; }), fault);
+        QCOMPARE(faultOf([](std::span<BinaryBody> bodies) { ++bodies[0].firstChild; }), fault);
+        QCOMPARE(faultOf([](std::span<BinaryBody> bodies) { bodies.back().childCount = 1; }), fault);
+        QCOMPARE(faultOf([](std::span<BinaryBody> bodies) { bodies.back().parent = kNone; }), fault);
+        const auto joinLevels = [](std::span<BinaryContact> contacts) { contacts[0].second = contacts.back().second; };
+        QCOMPARE(faultAfter<BinaryContact>(bytes, BinarySection::Contacts, joinLevels),
+                 std::string("The fragments of a contact are wrong."));
     }
     /// With checksums that fit: what is accepted has all of its indices in range.
     void damagedFilesAreReadOrRefused() {

@@ -282,6 +282,22 @@ private slots:
         const nlohmann::json json = nlohmann::json::parse(packOf(twoLevelRing()));
         QCOMPARE(headerFault(test::withWrongValue(json)), std::string(QTest::currentDataTag()));
     }
+    /// Bonds are between children, which engines walk through: neither may leave the pack or end where it began.
+    void childrenAreTheFragmentsOfTheirParents() {
+        const nlohmann::json json = nlohmann::json::parse(packOf(bondedRing()));
+        QVERIFY(headerFault(json.dump()).empty());
+        const std::string last = std::to_string(json["fragments"].size() - 1);
+        const std::pair<std::string, const char*> changes[] = {{"/whole/childCount", "0"},
+                                                               {"/whole/childCount", "2"},
+                                                               {"/whole/firstChild", "1"},
+                                                               {"/fragments/0/childCount", "0"},
+                                                               {"/fragments/" + last + "/childCount", "1"},
+                                                               {"/fragments/" + last + "/parent", "null"}};
+        for (const auto& [pointer, value] : changes) {
+            QCOMPARE(headerFault(test::changedText(json, pointer, value)),
+                     std::string("The document: the fragments of a body are not consecutive."));
+        }
+    }
     void invalidJsonIsRejected() {
         const std::string json = packOf(boxAsset(3, 4, PlacedSeeds{}));
         for (std::size_t size = 0; size + 2 < json.size(); ++size)
