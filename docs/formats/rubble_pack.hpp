@@ -2406,10 +2406,18 @@ private:
                               static_cast<std::size_t>(section.elementSize));
         return true;
     }
+    /// Whether an array has enough elements for all that take of it, so that none is shared: then what is made of a
+    /// file is not much larger than the file.
+    template <class Array>
+    static bool take(std::uint64_t count, std::uint64_t& taken, const Array& array) {
+        taken += count;
+        return taken <= array.size();
+    }
     static const char* indexFault(const BinaryPack& pack) {
         if (pack.bodies.size() == 0) return "It has no bodies.";
         if (pack.texts.empty() || pack.texts.back() != '\0') return "Its texts do not end.";
         const std::uint64_t count = pack.bodies.size() - 1;
+        std::uint64_t hulls = 0, letters = 0;
         for (std::size_t k = 0; k < pack.bodies.size(); ++k) {
             const BinaryBody body = pack.bodies[k];
             if (body.parent != kNone && (k == 0 || body.parent >= k - 1))
@@ -2417,15 +2425,16 @@ private:
             if (std::uint64_t{body.firstChild} + body.childCount > count) return "The children of a body do not exist.";
             if (std::uint64_t{body.firstHull} + body.hullCount > pack.hulls.size() || body.hullCount == 0)
                 return "The hulls of a body do not exist.";
+            if (!take(body.hullCount, hulls, pack.hulls)) return "Two bodies have the same hull.";
             if (body.id >= pack.texts.size() || body.name >= pack.texts.size()) return "A text does not exist.";
+            for (const std::uint32_t start : {body.id, body.name})
+                if (!take(pack.text(start).size() + 1, letters, pack.texts)) return "Two bodies have the same text.";
             if (!(body.mass > 0.0 && body.volume > 0.0)) return "A body has no mass or no volume.";
         }
         const auto bodyOf = [&](std::uint32_t k) { return k == kNone ? pack.whole() : pack.fragment(k); };
         if (!hasConsecutiveChildren(pack.fragmentCount(), bodyOf))
             return "The fragments of a body are not consecutive.";
-        for (std::size_t k = 0; k < pack.hulls.size(); ++k) {
-            if (const char* fault = hullFault(pack, pack.hulls[k])) return fault;
-        }
+        if (const char* fault = hullFault(pack)) return fault;
         for (std::size_t k = 0; k < pack.contacts.size(); ++k) {
             const BinaryContact contact = pack.contacts[k];
             if (contact.first >= contact.second || contact.second >= count ||
@@ -2434,20 +2443,29 @@ private:
         }
         return nullptr;
     }
-    static const char* hullFault(const BinaryPack& pack, const BinaryHull& hull) {
-        if (std::uint64_t{hull.firstVertex} + hull.vertexCount > pack.vertices.size())
-            return "The vertices of a hull do not exist.";
-        std::uint64_t at = hull.firstLoop;
-        for (std::uint32_t face = 0; face < hull.faceCount; ++face) {
-            const std::uint64_t corners = at < pack.loops.size() ? pack.loops[static_cast<std::size_t>(at)] : 0;
-            if (corners < 3 || at + corners >= pack.loops.size()) return "The faces of a hull do not exist.";
-            for (std::uint64_t k = 1; k <= corners; ++k) {
-                if (pack.loops[static_cast<std::size_t>(at + k)] >= hull.vertexCount)
-                    return "A vertex of a face does not exist.";
+    static const char* hullFault(const BinaryPack& pack) {
+        std::uint64_t vertices = 0, numbers = 0;
+        for (std::size_t k = 0; k < pack.hulls.size(); ++k) {
+            const BinaryHull hull = pack.hulls[k];
+            if (std::uint64_t{hull.firstVertex} + hull.vertexCount > pack.vertices.size())
+                return "The vertices of a hull do not exist.";
+            if (!take(hull.vertexCount, vertices, pack.vertices)) return "Two hulls have the same vertex.";
+            std::uint64_t at = hull.firstLoop;
+            for (std::uint32_t face = 0; face < hull.faceCount; ++face) {
+                const std::uint64_t corners = at < pack.loops.size() ? pack.loops[static_cast<std::size_t>(at)] : 0;
+                if (corners < 3 || at + corners >= pack.loops.size()) return "The faces of a hull do not exist.";
+                if (!take(corners + 1, numbers, pack.loops)) return "Two hulls have the same face.";
+                if (!hasCorners(pack, hull, at, corners)) return "A vertex of a face does not exist.";
+                at += corners + 1;
             }
-            at += corners + 1;
         }
         return nullptr;
+    }
+    static bool hasCorners(const BinaryPack& pack, const BinaryHull& hull, std::uint64_t at, std::uint64_t corners) {
+        for (std::uint64_t k = 1; k <= corners; ++k) {
+            if (pack.loops[static_cast<std::size_t>(at + k)] >= hull.vertexCount) return false;
+        }
+        return true;
     }
 
     std::string_view m_bytes;

@@ -159,6 +159,32 @@ private slots:
         QCOMPARE(faultAfter<BinaryContact>(bytes, BinarySection::Contacts, joinLevels),
                  std::string("The fragments of a contact are wrong."));
     }
+    /// Else some kilobytes could make a pack of many gigabytes.
+    void nothingIsShared() {
+        const std::string bytes = binaryOf(bondedRing());
+        const auto shareHulls = [](std::span<BinaryBody> bodies) { bodies.back().firstHull = 0; };
+        const auto shareMoreHulls = [](std::span<BinaryBody> bodies) {
+            bodies.back().hullCount += bodies.back().firstHull;
+            bodies.back().firstHull = 0;
+        };
+        QCOMPARE(faultAfter<BinaryBody>(bytes, BinarySection::Bodies, shareHulls), std::string());
+        QCOMPARE(faultAfter<BinaryBody>(bytes, BinarySection::Bodies, shareMoreHulls),
+                 std::string("Two bodies have the same hull."));
+        const auto joinTexts = [](std::span<char> texts) {
+            std::ranges::replace(texts.first(texts.size() - 1), '\0', '-');
+        };
+        QCOMPARE(faultAfter<char>(bytes, BinarySection::Texts, joinTexts),
+                 std::string("Two bodies have the same text."));
+        const auto shareVertices = [](std::span<BinaryHull> hulls) {
+            hulls.back().vertexCount += hulls.back().firstVertex;
+            hulls.back().firstVertex = 0;
+        };
+        QCOMPARE(faultAfter<BinaryHull>(bytes, BinarySection::Hulls, shareVertices),
+                 std::string("Two hulls have the same vertex."));
+        const auto shareFace = [](std::span<BinaryHull> hulls) { ++hulls[0].faceCount; };  // the first of the next
+        QCOMPARE(faultAfter<BinaryHull>(bytes, BinarySection::Hulls, shareFace),
+                 std::string("Two hulls have the same face."));
+    }
     /// With checksums that fit: what is accepted has all of its indices in range.
     void damagedFilesAreReadOrRefused() {
         constexpr std::uint64_t kSeed = 20261127;
