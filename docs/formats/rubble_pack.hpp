@@ -1188,11 +1188,11 @@ public:
             child = value.document->nodes[child].end;
         }
     }
-    /// An array, each element by `read`.
+    /// An array, each element by `read`. Reserves little: the elements may be short texts in place of large objects.
     template <class Read>
     auto list(const Value& value, Read read) {
         std::vector<decltype(read(value))> elements;
-        elements.reserve(value->count);
+        elements.reserve(std::min(value->count, 256u));
         forEach(value, [&](const Value& element) { elements.push_back(read(element)); });
         return elements;
     }

@@ -8,6 +8,11 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <fstream>
 
 using namespace rubble;
@@ -306,6 +311,29 @@ private slots:
                                  "[\"\\ud800\"]", "[\"\n\"]", "nul", "[1] 2", "[1e999]", "[\"\\u12\"]"})
             QVERIFY2(headerFault(text).starts_with("The text is not JSON at byte "), text);
         QVERIFY(headerFault(std::string(100000, '[')).ends_with("expected fewer levels."));
+    }
+    /// Of a text with numbers in place of fragments, which take a hundred times their size.
+    void wrongElementsTakeLittleMemory() {
+#if defined(__SANITIZE_ADDRESS__)
+        QSKIP("The sanitizer reserves terabytes of address space.");
+#endif
+        constexpr std::size_t kElements = 3000000;
+        constexpr rlim_t kMemory = rlim_t{1} << 30;  // bytes; the nodes of the text take a quarter
+        std::string json = packOf(boxAsset(3, 4, PlacedSeeds{})), numbers;
+        for (std::size_t k = 0; k < kElements; ++k) numbers += "0,";
+        json.insert(json.find('[', json.find("\"fragments\":")) + 1, numbers);
+        const pid_t child = ::fork();
+        if (child == 0) {
+            std::size_t pages = 0;
+            std::ifstream("/proc/self/statm") >> pages;
+            const rlim_t limit = pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) + kMemory;
+            const rlimit memory{limit, limit};
+            ::setrlimit(RLIMIT_AS, &memory);
+            ::_exit(headerFault(json) == "fragments[0]: expected an object." ? 0 : 1);
+        }
+        int status = 0;
+        QCOMPARE(::waitpid(child, &status, 0), child);
+        QCOMPARE(status, 0);
     }
     void errorDoesNotChangeThePack() {
         rubble_pack::Pack pack;
