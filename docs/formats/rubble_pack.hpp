@@ -937,12 +937,13 @@ private:
         const std::size_t point = std::min(digits.find('.'), e);
         const std::size_t first = digits.find_first_of("123456789");
         if (first >= e) return true;
-        long exponent = 0;
+        std::int64_t exponent = 0;
         for (const char digit : digits.substr(e)) {
-            if (digit >= '0' && digit <= '9') exponent = std::min(10 * exponent + (digit - '0'), 1000000000L);
+            if (digit >= '0' && digit <= '9')
+                exponent = std::min(10 * exponent + (digit - '0'), std::int64_t{1000000000});
         }
         if (digits.find('-', e) != digits.npos) exponent = -exponent;
-        return exponent + static_cast<long>(point) - static_cast<long>(first) <= 0;
+        return exponent + static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first) <= 0;
     }
 
     std::string_view m_text;

@@ -226,6 +226,7 @@ private slots:
                                                           {"-1.5E-400", 0.0},
                                                           {"0." + zeros + "1", 0.0},
                                                           {"0." + zeros + "1e401", 1.0},
+                                                          {"1e-9999999999999999999", 0.0},
                                                           {"0e9999999999999999999", 0.0}};
         for (const auto& [digits, value] : numbers) {
             std::string changed = json;
