@@ -3012,17 +3012,17 @@ inline bool loadEvents(const std::string& path, EventLog& log, std::string& faul
 namespace detail {
 
 /// The path of the fragment that one is part of; empty for the whole.
-inline std::string parentOf(const std::string& path) {
+inline std::string_view parentOf(std::string_view path) {
     const std::size_t slash = path.rfind('/');
-    return slash == path.npos ? std::string() : path.substr(0, slash);
+    return slash == path.npos ? std::string_view() : path.substr(0, slash);
 }
 
 /// Takes a fragment out of a body; what it is part of falls apart into its fragments.
 inline void takeFragment(const EventLog& log, EventBody& body, const std::string& path) {
     std::vector<std::string>& own = body.fragments;
-    const auto placeOf = [&](const std::string& one) { return std::lower_bound(own.begin(), own.end(), one); };
-    const auto has = [&](const std::string& one) { return std::binary_search(own.begin(), own.end(), one); };
-    std::string whole = path;
+    const auto placeOf = [&](std::string_view one) { return std::lower_bound(own.begin(), own.end(), one); };
+    const auto has = [&](std::string_view one) { return std::binary_search(own.begin(), own.end(), one); };
+    std::string_view whole = path;
     while (!has(whole)) {
         if (whole.empty()) return;
         whole = parentOf(whole);
@@ -3031,7 +3031,7 @@ inline void takeFragment(const EventLog& log, EventBody& body, const std::string
     const auto asset = std::find_if(log.assets.begin(), log.assets.end(), isIt);
     while (!has(path) && asset != log.assets.end()) {
         own.erase(placeOf(whole));
-        std::string next = path;
+        std::string_view next = path;
         while (parentOf(next) != whole) next = parentOf(next);
         for (const std::string& one : asset->fragments)
             if (!one.empty() && parentOf(one) == whole) own.push_back(one);
@@ -3085,21 +3085,16 @@ inline void addDamage(const EventDamage& added, EventDamage& damage) {
     if (!added.cut.empty()) damage = {{}, {}, added.cut};
     damage.broken.insert(damage.broken.end(), added.broken.begin(), added.broken.end());
     std::sort(damage.broken.begin(), damage.broken.end());
-    for (const auto& one : added.weakened) {
-        const auto isIt = [&](const auto& known) { return known.first == one.first; };
-        const auto known = std::find_if(damage.weakened.begin(), damage.weakened.end(), isIt);
-        if (known == damage.weakened.end()) {
-            damage.weakened.push_back(one);
-        } else {
-            known->second = one.second;
-        }
+    using Weakened = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+    Weakened all = std::move(damage.weakened), left;
+    all.insert(all.end(), added.weakened.begin(), added.weakened.end());
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const bool isLatest = k + 1 == all.size() || all[k + 1].first != all[k].first;
+        if (isLatest && !std::binary_search(damage.broken.begin(), damage.broken.end(), all[k].first))
+            left.push_back(all[k]);
     }
-    const auto isBroken = [&](const auto& one) {
-        return std::binary_search(damage.broken.begin(), damage.broken.end(), one.first);
-    };
-    damage.weakened.erase(std::remove_if(damage.weakened.begin(), damage.weakened.end(), isBroken),
-                          damage.weakened.end());
-    std::sort(damage.weakened.begin(), damage.weakened.end());
+    damage.weakened = std::move(left);
 }
 
 }  // namespace detail

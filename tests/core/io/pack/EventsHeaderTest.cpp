@@ -218,6 +218,37 @@ private slots:
         for (const auto& [number, body] : state.bodies) born += body.from == broken->body ? 1 : 0;
         QCOMPARE(born, broken->count);
     }
+    /// Of each bond the last damage is kept, and none of those that are broken.
+    void damagesOfEventsAddUp() {
+        rubble_pack::EventLog log;
+        log.events.resize(3);
+        for (rubble_pack::Event& event : log.events) event.kind = rubble_pack::EventKind::Damaged;
+        log.events[0].damage = {{7}, {{3, 10}, {5, 20}, {3, 30}}, {}};
+        log.events[1].damage = {{5}, {{2, 1}, {3, 40}}, {}};
+        log.events[2].damage = {{}, {{7, 8}}, {}};
+        rubble_pack::EventState state = rubble_pack::startOf(log);
+        rubble_pack::playTo(log, 0, state);
+        const rubble_pack::EventDamage& damage = state.damages.at(0);
+        QVERIFY((damage.broken == std::vector<std::uint32_t>{5, 7}));
+        QVERIFY((damage.weakened == std::vector<std::pair<std::uint32_t, std::uint32_t>>{{2, 1}, {3, 40}}));
+    }
+    /// A file of a few megabytes must not take hours.
+    void longDamagesAndPathsArePlayedAtOnce() {
+        constexpr std::uint32_t kMany = 3000000;
+        rubble_pack::EventLog log;
+        log.assets.resize(1);
+        log.assets[0].fragments = {"a"};
+        log.bodies.resize(1);
+        log.events.resize(2);
+        log.events[0].kind = rubble_pack::EventKind::Damaged;
+        for (std::uint32_t bond = 0; bond < kMany; ++bond) log.events[0].damage.weakened.push_back({bond, 1});
+        log.events[1].kind = rubble_pack::EventKind::Removed;
+        log.events[1].fragments = {std::string(kMany, '/')};
+        rubble_pack::EventState state = rubble_pack::startOf(log);
+        rubble_pack::playTo(log, 0, state);
+        QCOMPARE(state.damages.at(0).weakened.size(), std::size_t{kMany});
+        QVERIFY((state.bodies.at(0).fragments == std::vector<std::string>{"a"}));
+    }
     void kindsOfVersion2NeedItsFirstLine() {
         QCOMPARE(eventsFault("{\"step\":1,\"kind\":\"born\",\"body\":2}"),
                  std::string("Line 1: The document: the kind is of version 2, which begins with a line for the whole "
