@@ -50,6 +50,9 @@ std::vector<Format> formatsOf(const std::filesystem::path& importer, const std::
 std::vector<Format> jsonFormats();
 /// Replays with seals, and manifests of packs with hashes, that are made anew after a change.
 std::vector<Format> sealedFormats(const std::filesystem::path& folder);
+/// What rubble_pack.hpp reads beside packs: scenes with their packs, pack.bin and events, which are then used as
+/// engines do.
+std::vector<Format> engineFormats(const std::filesystem::path& folder);
 /// PNG files, and what the importer's process returns.
 std::vector<Format> binaryFormats();
 /// Meshes of each format, which are read by `importer` in a child process.

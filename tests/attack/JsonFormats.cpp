@@ -5,7 +5,7 @@
 #include "core/io/json/JsonWriter.h"
 #include "core/io/play/PlayInputJson.h"
 #include "core/io/system/AtomicFile.h"
-#include "docs/formats/rubble_pack.hpp"
+#include "tests/attack/EngineUse.h"
 #include "tests/attack/Format.h"
 #include "tests/attack/Mutator.h"
 #include "tests/attack/Sessions.h"
@@ -128,29 +128,17 @@ Verdict checkInputs(std::string_view bytes, Random&) {
     return verdict;
 }
 
-/// Hits a fracture of a pack by the header.
-void hitStructure(const rubble_pack::Pack& pack, std::size_t fracture) {
-    const rubble_pack::Structure structure = rubble_pack::structureOf(pack, fracture);
-    std::vector<rubble_pack::Damage> damage(structure.bonds.size());
-    rubble_pack::applyHit(structure, *pack.bonding, {{{0.5, 0.5, 0.0}}, 100.0}, structure.fragments, damage);
-    rubble_pack::islandsOf(structure, damage, structure.fragments);
-    rubble_pack::unsupported(structure, damage, structure.fragments, pack.bonding->span, {0.0, 1.0, 0.0});
-}
-
 /// A pack is read by the program and by the header that engines use. What is a right pack to the first is one to the
 /// second.
-Verdict checkPack(std::string_view bytes, Random&) {
+Verdict checkPack(std::string_view bytes, Random& random) {
     Verdict verdict{.fault = test::packFault(bytes)};
     const Result<Pack> pack = readPack(bytes);
     verdict.isAccepted = pack.hasValue();
     rubble_pack::Pack read;
-    std::string fault;
-    const bool isRead = rubble_pack::parse(bytes, read, fault);
+    const bool isRead = isReadBy(rubble_pack::parse, bytes, read, verdict.fault);
     if (verdict.fault) return verdict;
-    if (!isRead && fault.empty()) verdict.fault = "The header refuses the pack without a word.";
-    if (!isRead && pack && !verifyPack(*pack)) verdict.fault = "The header refuses a right pack: " + fault;
-    for (std::uint32_t k = 0; isRead && k < read.fragments.size(); ++k) static_cast<void>(read.piecesOf(k));
-    for (std::size_t k = 0; isRead && read.bonding && k < read.bonding->fractures.size(); ++k) hitStructure(read, k);
+    if (!isRead && pack && !verifyPack(*pack)) verdict.fault = "The header refuses a right pack.";
+    if (isRead) verdict.fault = packUseFault(read, random);
     return verdict;
 }
 
