@@ -97,7 +97,7 @@ struct Play {
             return split(time);
         }
     }
-    /// Hits a part where a impactor touches it first, and within 5 mm behind, with J = v m from before the step.
+    /// Hits a part where a impactor touches it first, and within 5 mm behind, with J from before the step.
     void strike(const btPersistentManifold& contact, Part& part, btRigidBody& impactor, const btVector3& before,
                 int step) {
         const bool isFirst = contact.getBody0() == part.body;
@@ -124,7 +124,8 @@ struct Play {
             if (touch.distance > first + btScalar(0.005)) continue;
             const btScalar inverse = impactor.computeImpulseDenominator(touch.at, touch.n) +
                                      part.body->computeImpulseDenominator(touch.at, touch.n);
-            if (touch.speed / inverse > hardest) hardest = touch.speed / inverse, normal = touch.n;
+            const btScalar impact = btScalar(packOf(part.instance).impactOf(touch.speed, 1.0 / inverse, 0.0));
+            if (impact > hardest) hardest = impact, normal = touch.n;
             hit.points.push_back(vec(frameOf(part).invXform(touch.at)));
         }
         hit.impulse = double(hardest);
@@ -197,8 +198,9 @@ int main(int count, char** arguments) {
              islandsOf(play.all.structures[k], play.damages[k], play.all.structures[k].fragments))
             play.add({k, island.fragments, island.isAnchored}, pose, nullptr);
     }
-    auto* ground = new btRigidBody(0, nullptr, new btStaticPlaneShape({0, 1, 0}, btScalar(play.scene.groundHeight)));
-    if (play.scene.hasGround) world.addRigidBody(ground);
+    auto* ground = new btRigidBody(
+        0, nullptr, new btStaticPlaneShape({0, 1, 0}, btScalar(play.scene.ground ? play.scene.ground->height : 0.0)));
+    if (play.scene.ground) world.addRigidBody(ground);
     const auto shot = std::find_if(play.scene.shots.begin(), play.scene.shots.end(), [&](const SceneShot& one) {
         return count > 2 && one.name == arguments[2] && one.kind == SceneShotKind::Throw;
     });

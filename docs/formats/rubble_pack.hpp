@@ -239,6 +239,13 @@ struct Pack {
         const Body& one = fragments[body];
         return one.threshold > 0.0 ? one.threshold : threshold * std::pow(one.volume / whole.volume, 2.0 / 3.0);
     }
+    /// The impact J of a contact on one of its bodies, N·s, that breaks it or is that of a hit: (1 + e) times speed and
+    /// mass; 0 where it is too slow to count. `speed`: m/s, of the approach before the contact is solved; `mass`: kg,
+    /// the effective one of both bodies, as pack.md has it; `restitution`: of the other body.
+    double impactOf(double speed, double mass, double restitution) const {
+        if (!(speed > leastSpeed)) return 0.0;
+        return (1.0 + (speed > restitutionSpeed ? std::max(material.restitution, restitution) : 0.0)) * speed * mass;
+    }
     /// The body with an index in `fragments`; kNone: the whole.
     const Body& body(std::uint32_t index) const { return index == kNone ? whole : fragments[index]; }
     /// The fragments of a body; kNone: of the whole. Empty if it does not break.
@@ -411,12 +418,17 @@ struct SceneShot {
     double radius = 0.0;                      // m; of a hammer 0: follows from the impulse
 };
 
+/// The plane y = height.
+struct SceneGround {
+    double height = 0.0;  // m
+    double friction = 0.0;
+    double restitution = 0.0;
+};
+
 /// The packs of a project as they stand: see scene.md.
 struct Scene {
     Vec3 gravity;  // m/s^2
-    bool hasGround = false;
-    double groundHeight = 0.0;  // m
-    double groundFriction = 0.0, groundRestitution = 0.0;
+    std::optional<SceneGround> ground;
     std::vector<ScenePack> packs;
     std::vector<SceneInstance> instances;
     std::vector<SceneJoint> joints;
@@ -1647,10 +1659,8 @@ public:
         });
         read.gravity = vectorAt(root, "gravity");
         if (const std::optional<Value> ground = fault.empty() ? find(root, "ground") : std::nullopt) {
-            read.hasGround = true;
-            read.groundHeight = numberAt(*ground, "height");
-            read.groundFriction = numberAt(*ground, "friction");
-            read.groundRestitution = numberAt(*ground, "restitution");
+            read.ground = SceneGround{numberAt(*ground, "height"), numberAt(*ground, "friction"),
+                                      numberAt(*ground, "restitution")};
         }
         read.packs = listAt(root, "packs", [&](const Value& value) { return scenePack(value); });
         read.instances = listAt(root, "instances", [&](const Value& value) { return instance(value, read.packs); });

@@ -1,5 +1,8 @@
 // Tests docs/formats/rubble_pack.hpp and pack_example.cpp.
+#include "core/physics/world/World.h"
+#include "core/play/scene/Projectile.h"
 #include "docs/formats/rubble_pack.hpp"
+#include "tests/support/Closeness.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/LayeredBox.h"
 #include "tests/support/asset/Packs.h"
@@ -124,6 +127,31 @@ private slots:
         QCOMPARE(pack.thresholdOf(1), 3.25);
     }
     /// Turning a point and converting it is converting both.
+    /// As those of a cube that falls on the ground in a world.
+    void impactsAreThoseOfAWorld() {
+        rubble_pack::Pack pack;
+        for (const double speed : {0.3, 0.5, 0.6, 0.9, 1.1, 12.0}) {
+            for (const double restitution : {0.0, 0.1, 0.4}) {
+                World world({.gravity = Vec3(0.0)});
+                const Polytope cube = projectileHull({.size = Vec3(1.0)});
+                const std::shared_ptr<const Shape> shape = makeShape({&cube, 1}).value();
+                const BodyId falling = world
+                                           .addBody({.shape = shape,
+                                                     .pose = {.position = {0.0, 1.0, 0.0}},
+                                                     .velocity = {0.0, -speed, 0.0},
+                                                     .density = 1000.0,
+                                                     .restitution = 0.2})
+                                           .value();
+                QVERIFY(world.addBody({.shape = shape, .kind = BodyKind::Static, .restitution = restitution}));
+                world.collide(1e-4);
+                double impulse = 0.0;
+                for (const Impact& impact : world.impacts())
+                    if (impact.first == falling || impact.second == falling) impulse = impact.impulse();
+                pack.material.restitution = 0.2;
+                QVERIFY2(isNear(pack.impactOf(speed, 1000.0, restitution), impulse, 1e-5), QByteArray::number(speed));
+            }
+        }
+    }
     void conversionsKeepRotations() {
         using rubble_pack::Quaternion;
         const auto rotated = [](const Quaternion& q, const rubble_pack::Vec3& v) {

@@ -63,7 +63,8 @@ private slots:
         }
         QCOMPARE(scene.instances[0].threshold, 123.0);
         QCOMPARE(scene.instances[1].threshold, thresholdOf(project, *findAsset(project, project.instances[1].asset)));
-        QVERIFY(scene.hasGround && scene.gravity.y == -9.81);
+        QVERIFY(scene.ground && scene.gravity.y == -9.81);
+        QCOMPARE(scene.ground->friction, project.ground.friction);
         QCOMPARE(scene.shots.size(), project.shots.size());
         QCOMPARE(scene.shots[0].speed, std::get<Throw>(project.shots[0].action).speed);
         QCOMPARE(scene.shots[0].mass, std::get<Throw>(project.shots[0].action).mass);
