@@ -7,6 +7,7 @@
 #include "tests/support/asset/Dam.h"
 #include "tests/support/asset/House.h"
 #include "tests/support/asset/Pane.h"
+#include "tests/support/asset/RockFace.h"
 #include "tests/support/asset/TwoStoreyHouse.h"
 #include "tests/support/asset/WallWithOpenings.h"
 
@@ -27,6 +28,7 @@ private slots:
         QTest::newRow("house") << "house.rubble" << test::house();
         QTest::newRow("joined house") << "joined-house.rubble" << test::joinedHouse();
         QTest::newRow("pane") << "pane.rubble" << test::pane();
+        QTest::newRow("rock face") << "rock-face.rubble" << test::rockFace();
         QTest::newRow("two-storey house") << "two-storey-house.rubble" << test::twoStoreyHouse();
         QTest::newRow("wall with openings") << "wall-with-openings.rubble" << test::wallWithOpenings();
     }

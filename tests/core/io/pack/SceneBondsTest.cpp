@@ -155,8 +155,11 @@ std::optional<std::string> faultOfHit(const ExportedScene& one, std::size_t k, R
     }
     const double impulse = std::pow(10.0, random.between(0.0, 5.0));
     const std::vector<std::uint32_t> owners(structure.nodeCount(), 1);
+    const HeldClusters held{
+        structure.clusterLevels,
+        breakingLevel(structure.graph, structure.capacities, structure.clusterLevels, played, structure.allNodes())};
     const HitOutcome outcome = applyHit(structure.graph, structure.capacities, structure.rule,
-                                        {.points = points, .impulse = impulse}, owners, 1, played);
+                                        {.points = points, .impulse = impulse, .held = held}, owners, 1, played);
     const rubble_pack::Structure& own = one.read.structures[k];
     const rubble_pack::Bonding& bonding = *one.packs[one.scene.instances[k].pack].bonding;
     const rubble_pack::HitOutcome same =
@@ -184,7 +187,8 @@ class SceneBondsTest : public QObject {
 private slots:
     void initTestCase_data() {
         QTest::addColumn<QString>("name");
-        for (const char* name : {"two-storey-house.rubble", "arcade.rubble", "dam.rubble", "joined-house.rubble"})
+        for (const char* name :
+             {"two-storey-house.rubble", "arcade.rubble", "dam.rubble", "joined-house.rubble", "rock-face.rubble"})
             QTest::newRow(name) << name;
     }
     void structuresAreThosePlayed() {
