@@ -239,8 +239,8 @@ struct Pack {
         const Body& one = fragments[body];
         return one.threshold > 0.0 ? one.threshold : threshold * std::pow(one.volume / whole.volume, 2.0 / 3.0);
     }
-    /// The impact J of a contact on one of its bodies, N·s, that breaks it or is that of a hit: (1 + e) times speed and
-    /// mass; 0 where it is too slow to count. `speed`: m/s, of the approach before the contact is solved; `mass`: kg,
+    /// The impact J of a contact on one of its bodies, N·s, which breaks it or is that of a hit: (1 + e) times speed
+    /// and mass; 0 where it is too slow to count. `speed`: m/s, of the approach before the contact is solved; `mass`: kg,
     /// the effective one of both bodies, as pack.md has it; `restitution`: of the other body.
     double impactOf(double speed, double mass, double restitution) const {
         if (!(speed > leastSpeed)) return 0.0;
