@@ -240,8 +240,8 @@ struct Pack {
         return one.threshold > 0.0 ? one.threshold : threshold * std::pow(one.volume / whole.volume, 2.0 / 3.0);
     }
     /// The impact J of a contact on one of its bodies, N·s, which breaks it or is that of a hit: (1 + e) times speed
-    /// and mass; 0 where it is too slow to count. `speed`: m/s, of the approach before the contact is solved; `mass`: kg,
-    /// the effective one of both bodies, as pack.md has it; `restitution`: of the other body.
+    /// and mass; 0 where it is too slow to count. `speed`: m/s, of the approach before the contact is solved;
+    /// `mass`: kg, the effective one of both bodies, as pack.md has it; `restitution`: of the other body.
     double impactOf(double speed, double mass, double restitution) const {
         if (!(speed > leastSpeed)) return 0.0;
         return (1.0 + (speed > restitutionSpeed ? std::max(material.restitution, restitution) : 0.0)) * speed * mass;
