@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <ostream>
 
 namespace rubble {
 namespace {
@@ -54,9 +55,18 @@ Status proposeClusters(const ClustersOptions& options, VerbReport& report, const
         const Result<std::size_t> made = propose(asset, static_cast<std::uint32_t>(options.level), target, context);
         if (!made) return made.error();
         count = *made;
+        if (count == 0) {
+            return Error{ErrorCode::BadInput,
+                         "The clusters would have one fragment each, which is none at all; ask for "
+                         "fewer, or for larger ones."};
+        }
         return success();
     });
     if (!saved) return saved;
+    if (options.count && count < target.value) {
+        context.err << "There are " << countText(count, "cluster", "clusters")
+                    << " only, since one of a single fragment is none.\n";
+    }
     return printSummary(quotedName(options.asset) + " has " + countText(count, "cluster", "clusters") + " of level " +
                             std::to_string(options.level) + ".\nSaved " + options.project + "\n",
                         report, context);

@@ -19,7 +19,8 @@ a height onto level ground in its own orientation, or when a body of a given mas
 squarely: off-centre hits do less. An asset is free to move, or held in place where its instances are. Prints the
 impulse of each requirement, and for each asset the thresholds that satisfy all of them. If two requirements conflict,
 prints both and the gap between them. Of an asset that breaks along bonds, prints the impulse per area of bonds instead,
-from which on none breaks, or no hole is wider. Exits with 3 if requirements conflict or are not satisfied.
+from which on none breaks, or no hole is wider, at the first contact. Exits with 3 if requirements conflict or are not
+satisfied.
 
 Examples:
   rubble-cli strength house.rubble
@@ -74,8 +75,10 @@ std::string verdictOn(const StrengthReport& report) {
     if (interval.isEmpty()) return strength + "; the requirements conflict\n";
     if (interval.contains(report.strength))
         return strength + ", satisfied: it must be " + intervalText(interval) + "\n";
+    const std::optional<double> suggested = interval.suggested();
     return strength + ", not satisfied: it must be " + intervalText(interval) + "; " +
-           impulseText(*interval.suggested(), interval.isPerArea) + " would satisfy all\n";
+           (suggested ? impulseText(*suggested, interval.isPerArea) + " would satisfy all\n"
+                      : "that is out of range\n");
 }
 
 std::string textOf(const StrengthReport& report) {

@@ -74,7 +74,8 @@ std::optional<std::string> playFault(const Asset& asset) {
         const std::string requirement = owner + ": requirement " + std::to_string(k);
         const auto fault = [&](const auto& event) { return eventFault(requirement, event); };
         if (Sentence found = std::visit(fault, asset.requirements[k].event)) return found;
-        if (Sentence found = rangeFault(requirement, {{ProjectNumber::ExpectedHole, asset.requirements[k].hole}}))
+        if (Sentence found =
+                rangeFault(requirement, {{ProjectNumber::ExpectedHole, asset.requirements[k].hole, "hole"}}))
             return found;
     }
     return std::nullopt;

@@ -3,11 +3,15 @@
 #include "core/io/json/JsonWriter.h"
 #include "core/io/project/StrengthRequirementJson.h"
 
+#include <cmath>
+#include <optional>
+
 namespace rubble {
 namespace {
 
 void writeBound(JsonWriter& json, std::string_view key, double impulse, std::uint32_t requirement) {
-    json.number(key, requirement != kNone ? std::optional<double>(impulse) : std::nullopt);
+    const bool isBound = requirement != kNone && std::isfinite(impulse);
+    json.number(key, isBound ? std::optional<double>(impulse) : std::nullopt);
 }
 
 void writeRequirements(JsonWriter& json, const StrengthReport& report) {
@@ -17,7 +21,9 @@ void writeRequirements(JsonWriter& json, const StrengthReport& report) {
         json.openObject({}, JsonLayout::Inline);
         writeRequirementMembers(json, requirement);
         json.text("sentence", requirementText(requirement));
-        json.number(report.interval.isPerArea ? "impulsePerArea" : "impulse", report.interval.impulses[k]);
+        const double impulse = report.interval.impulses[k];
+        json.number(report.interval.isPerArea ? "impulsePerArea" : "impulse",
+                    std::isfinite(impulse) ? std::optional(impulse) : std::nullopt);
         json.close();
     }
     json.close();

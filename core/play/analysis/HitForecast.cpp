@@ -3,7 +3,9 @@
 #include "core/play/session/StandingParts.h"
 #include "core/structure/graph/Islands.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace rubble {
@@ -11,6 +13,8 @@ namespace {
 
 constexpr double kWeakest = 1e-6;    // of breaking(): what a hit leaves of weaker bonds does not differ
 constexpr double kPrecision = 1e-6;  // of a strength that is looked for
+constexpr double kFineStep = 1.01, kCoarseStep = 1.05, kCoarseBelow = 0.01;
+constexpr double kQuickNodes = 2000.0;
 
 double volumeOf(const PlayStructure& structure, const Island& island) {
     double volume = 0.0;
@@ -72,8 +76,15 @@ double HitForecast::hole(double strength) const {
 }
 
 double HitForecast::strengthFor(double width) const {
-    double holds = m_breaking, fails = kWeakest * m_breaking;
-    if (!(m_breaking > 0.0) || hole(fails) <= width) return 0.0;
+    if (hole(std::numeric_limits<double>::infinity()) > width) return std::numeric_limits<double>::infinity();
+    if (!(m_breaking > 0.0)) return 0.0;
+    const double nodes = std::max(1.0, m_structure->nodeCount() / kQuickNodes);
+    double holds = m_breaking, fails = m_breaking;
+    while (hole(fails) <= width) {
+        holds = fails;
+        fails /= std::pow(fails > kCoarseBelow * m_breaking ? kFineStep : kCoarseStep, nodes);
+        if (fails < kWeakest * m_breaking) return 0.0;
+    }
     while (holds > fails * (1.0 + kPrecision)) {
         const double middle = std::sqrt(holds) * std::sqrt(fails);
         (hole(middle) <= width ? holds : fails) = middle;

@@ -32,12 +32,16 @@ Vec2 nearestOnRing(const Ring& ring, Vec2 point, Vec2 nearest) {
     return nearest;
 }
 
-/// The point itself if it lies in the outline, else the nearest point of the outline.
+/// The point itself if it lies in the outline, else one a little behind the nearest point of the outline, since what
+/// is on the very edge can be missed.
 Vec2 hitPoint(const Polygon& outline, Vec2 point) {
+    constexpr double kInward = 1e-4;  // of the outline's shorter side
     if (containment(outline, point) != Containment::Outside) return point;
     Vec2 nearest = nearestOnRing(outline.outer, point, outline.outer[0]);
     for (const Ring& hole : outline.holes) nearest = nearestOnRing(hole, point, nearest);
-    return nearest;
+    const Vec2 size = boundsOf(outline.outer).size();
+    const Vec2 inward = nearest + kInward * std::min(size.x, size.y) * glm::normalize(nearest - point);
+    return containment(outline, inward) == Containment::Inside ? inward : nearest;
 }
 
 /// The asset as a body in the prism's frame.

@@ -1,6 +1,7 @@
 #include "core/play/analysis/StrengthRequirement.h"
 
 #include "core/asset/bake/FractureResult.h"
+#include "core/asset/project/Ranges.h"
 #include "core/asset/strength/BondStrength.h"
 #include "core/base/Assert.h"
 #include "core/base/MessageText.h"
@@ -40,7 +41,7 @@ std::string outcomeText(const StrengthRequirement& requirement, const char* surv
         case RequirementOutcome::HoleAtMost: break;
     }
     const std::string_view event = breaks;
-    return "gets a hole of at most " + messageText(requirement.hole) + " m" +
+    return "gets a hole of at most " + roundedText(requirement.hole, 4) + " m" +
            std::string(event.substr(event.find(' ')));
 }
 
@@ -89,8 +90,10 @@ bool hasThreshold(const Project& project, const Asset& asset) {
 std::optional<double> ThresholdInterval::suggested() const {
     if (isEmpty() || (lowRequirement == kNone && highRequirement == kNone)) return std::nullopt;
     if (lowRequirement == kNone) return high / kMargin;
-    if (highRequirement == kNone) return low * kMargin;
-    return std::sqrt(low) * std::sqrt(high);
+    const double margin = highRequirement == kNone ? low * kMargin : std::sqrt(low) * std::sqrt(high);
+    if (!rangeOf(isPerArea ? ProjectNumber::BondImpulse : ProjectNumber::Threshold).contains(margin))
+        return std::nullopt;
+    return margin;
 }
 
 Result<ThresholdInterval> thresholdInterval(const Project& project, const PlayAsset& asset) {
@@ -154,9 +157,15 @@ std::string requirementText(const StrengthRequirement& requirement) {
 
 std::optional<std::string> conflictText(const Asset& asset, const ThresholdInterval& interval) {
     if (!interval.isEmpty()) return std::nullopt;
-    const std::string breaks = '"' + requirementText(asset.requirements[interval.highRequirement]) + '"';
-    if (interval.high == 0.0) return breaks + " cannot be met: such a slow contact does no damage.";
-    const std::string survives = '"' + requirementText(asset.requirements[interval.lowRequirement]) + '"';
+    const auto quoted = [&](std::uint32_t requirement) {
+        return requirement == kNone ? "" : '"' + requirementText(asset.requirements[requirement]) + '"';
+    };
+    const std::string breaks = quoted(interval.highRequirement);
+    if (interval.highRequirement != kNone && interval.high == 0.0)
+        return breaks + " cannot be met: " +
+               (interval.isPerArea ? "no bond breaks in this event." : "such a slow contact does no damage.");
+    const std::string survives = quoted(interval.lowRequirement);
+    if (std::isinf(interval.low)) return survives + " cannot be met: as much is loose before anything is hit.";
     const double apart = interval.low - interval.high;
     const auto text = [&](double impulse) { return impulseText(impulse, interval.isPerArea); };
     return survives + " needs " + (interval.isPerArea ? "an impulse per area above " : "a threshold above ") +
@@ -172,6 +181,7 @@ std::string intervalText(const ThresholdInterval& interval) {
 }
 
 std::string impulseText(double impulse, bool isPerArea) {
+    if (std::isinf(impulse)) return "none";
     return figureText(impulse) + (isPerArea ? " N·s/m²" : " N·s");
 }
 

@@ -62,7 +62,7 @@ std::optional<std::string> conflictText(const Asset& asset, const ThresholdInter
 /// The interval as text: "above 734.5 N·s and at most 980 N·s"; "any" without bounds.
 std::string intervalText(const ThresholdInterval& interval);
 
-/// The impulse as text: "734.5 N·s"; per area "734.5 N·s/m²".
+/// The impulse as text: "734.5 N·s"; per area "734.5 N·s/m²"; "none" for an infinite one.
 std::string impulseText(double impulse, bool isPerArea = false);
 
 }  // namespace rubble

@@ -66,13 +66,15 @@ std::optional<Diagnostic> weakBondsOf(const PlayStructure& structure, const Inst
     const Vec3& centre = structure.graph.centres[worst.node];
     const std::string id = structure.asset->bake->fragmentId(fragment);
     std::string sentence = "Instance " + quotedName(instance.name) + ": ";
-    sentence += count == 1 ? "fragment " + id + " hangs"
-                           : countText(count, "fragment", "fragments") + " hang, of which fragment " + id + " most,";
-    sentence += std::string(" on ") + (worst.mortar > 0.5 ? "mortar that takes " : "bonds that take ") +
-                quantityText(QuantityKind::Force, worst.strength) + " of the " +
+    sentence += count == 1 ? "fragment " + id + " hangs on less than its weight needs, "
+                           : countText(count, "fragment", "fragments") +
+                                 " hang on less than their weight needs; the worst, fragment " + id + ", ";
+    const bool isMortar = worst.mortar > 0.5;
+    sentence += std::string("on ") + (isMortar ? "mortar that takes " : "bonds that take ") +
+                quantityText(QuantityKind::Force, worst.strength) + " of " +
                 quantityText(QuantityKind::Force, worst.load) +
-                " there, by an estimate. Play does not break bonds by weight; raise the impulse per area, or support "
-                "it from below.";
+                ", by an estimate. Play does not break bonds by weight alone; raise the impulse per area" +
+                (isMortar ? " of the mortar" : "") + ", or add support from below.";
     return diagnostic(DiagnosticCode::WeakBonds,
                       {.asset = instance.asset,
                        .fragment = fragment,

@@ -323,7 +323,7 @@ QString StrengthPanel::assumption(const Asset& asset, const StrengthRequirement&
 /// The impulse of the event, its ratio to the threshold, and what they assume.
 void StrengthPanel::addFigure(const Asset& asset, std::size_t index) {
     QString text = m_shown.assumptions[static_cast<int>(index)];
-    if (!m_shown.impulses.empty()) {
+    if (!m_shown.impulses.empty() && std::isfinite(m_shown.impulses[index])) {
         const double impulse = m_shown.impulses[index];
         text =
             tr("%1 = %2×: %3").arg(shownStrength(asset, impulse), roundedText(impulse / m_shown.threshold, {}), text);

@@ -2,6 +2,7 @@
 #include "core/play/analysis/HitForecast.h"
 
 #include "core/play/analysis/RequirementShot.h"
+#include "core/play/analysis/StrengthRequirement.h"
 #include "core/play/session/StandingParts.h"
 #include "tests/support/Closeness.h"
 #include "tests/support/TestProgram.h"
@@ -67,6 +68,39 @@ private slots:
             QVERIFY2(forecast.hole(strength * (1.0 - 1e-5)) > width, QByteArray::number(seed));
             QVERIFY2(forecast.lost(1.01 * forecast.breaking()).empty(), QByteArray::number(seed));
         }
+    }
+    /// A stronger structure can lose a wider part than a weaker one, where another part is the heaviest then.
+    void noStrengthAboveLeavesAWiderHole() {
+        int widened = 0;
+        for (std::uint64_t seed = 0; seed < 20; ++seed) {
+            Random random(seed);
+            Project project = randomWall(random, 2 * seed);
+            project.assets[0].bonding.radius = random.between(0.5, 4.0);
+            const HitForecast forecast = forecastOf(project, {kHole, ImpulseRequirement{1000.0}});
+            const double width = random.between(0.5, 4.5), strength = forecast.strengthFor(width);
+            double earlier = 1e300;
+            for (double tried = 1e-4 * forecast.breaking(); tried < 1.1 * forecast.breaking(); tried *= 1.013) {
+                const double hole = forecast.hole(tried);
+                widened += hole > earlier + 1e-9 ? 1 : 0;
+                earlier = hole;
+                QVERIFY2(tried < strength || hole <= width, QByteArray::number(seed));
+            }
+        }
+        qInfo("%d holes are wider than those of a weaker wall", widened);
+        QVERIFY(widened > 0);
+    }
+    void looseFragmentsAreAHoleOfAnyStrength() {
+        Project project = test::bondedWall(60);
+        project.assets[0].bonding.heightStrengths = {{0.0, 1.0}, {1.5, 1.0}, {1.6, 0.0}};
+        const StrengthRequirement requirement{kHole, ImpulseRequirement{10.0}, 0.5};
+        QVERIFY(std::isinf(forecastOf(project, requirement).strengthFor(0.5)));
+        project.assets[0].requirements = {requirement};
+        const auto asset = test::playSceneOf(project)->assets.begin()->second;
+        const ThresholdInterval interval = bondInterval(project, asset).value();
+        QVERIFY(interval.isEmpty() && !interval.suggested());
+        QCOMPARE(conflictText(project.assets[0], interval).value(),
+                 std::string("\"gets a hole of at most 0.5 m at an impulse of 10 N·s\" cannot be met: as much is "
+                             "loose before anything is hit."));
     }
     void playLeavesTheSameHoles() {
         int agreeing = 0, tried = 0;
