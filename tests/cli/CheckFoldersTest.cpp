@@ -1,8 +1,10 @@
 // Tests app/cli/verbs/CheckVerb.cpp and core/io/output/ExportFolder.cpp: folders of packs, names and links in them.
 #include "app/cli/Cli.h"
+#include "core/io/pack/OutputFolder.h"
 #include "core/io/pack/PackExport.h"
 #include "core/io/pack/SceneFile.h"
 #include "core/io/project/ProjectFile.h"
+#include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
 #include "tests/support/files/FileBytes.h"
@@ -77,6 +79,18 @@ private slots:
             QCOMPARE(run.exit, 3);
             QVERIFY2(run.err.contains("is of another export than the scene"), qPrintable(run.err));
         }
+    }
+    void editedScenesAreTold() {
+        Project project = boxProject(UniformScatter{.count = 3});
+        project.instances.push_back({.id = project.nextId++, .name = "box 1", .asset = project.assets[0].id});
+        const auto exported = exportPacks(project, std::vector{project.assets[0].id}, m_packs, {});
+        QVERIFY(exported && finishExport({.folder = m_packs, .project = "box.rubble"}, project, *exported, {}));
+        QVERIFY(!check(m_packs).err.contains("was changed"));
+        const std::string scene = readFile(m_packs / kSceneName).value();
+        write(m_packs / kSceneName, QByteArray::fromStdString(scene) + "\n");
+        const CheckRun run = check(m_packs);
+        QCOMPARE(run.exit, 0);
+        QVERIFY2(run.err.contains("scene.json: It was changed after the export."), qPrintable(run.err));
     }
     void namesThatAreTooLongAreWarnedOf() {
         Project project = boxProject(UniformScatter{.count = 3});

@@ -14,6 +14,7 @@
 #include "core/base/QuantityText.h"
 #include "core/io/json/JsonWriter.h"
 #include "core/io/output/ExportCheck.h"
+#include "core/io/output/ExportIndex.h"
 #include "core/io/pack/PackBinary.h"
 #include "core/io/pack/PackExport.h"
 #include "core/io/pack/PackFile.h"
@@ -372,6 +373,18 @@ std::optional<CheckResult> checkScene(const fs::path& folder, std::span<const fs
     return faulty("InvalidScene", {.file = path.string()}, path.string() + ": " + *fault);
 }
 
+/// A warning where the scene is not as it was written, by the index beside it.
+std::optional<Finding> editedScene(const fs::path& folder) {
+    const Result<std::optional<ExportIndex>> index = readExportIndex(folder);
+    if (!index || !*index) return std::nullopt;
+    const auto listed = std::ranges::find((*index)->files, kSceneName, &ManifestEntry::name);
+    if (listed == (*index)->files.end()) return std::nullopt;
+    const Result<ManifestEntry> now = manifestEntryOfFile(folder, kSceneName);
+    if (!now || *now == *listed) return std::nullopt;
+    const std::string path = (folder / kSceneName).string();
+    return Finding{Severity::Warning, "EditedScene", {.file = path}, path + ": It was changed after the export."};
+}
+
 void checkPath(const std::string& given, const CheckArguments& arguments, VerbReport& report, const CliContext& context,
                std::vector<CheckResult>& all) {
     std::error_code ignored;  // reading the path will report the error
@@ -393,6 +406,8 @@ void checkPath(const std::string& given, const CheckArguments& arguments, VerbRe
         results[index] = isCancelled ? cannotCheck(TaskContext::cancelled(), given) : checkPack((*packs)[index]);
     });
     std::optional<CheckResult> scene = checkScene(folder, *packs, results);
+    if (std::optional<Finding> edited = editedScene(folder); edited && !scene)
+        results.front().warnings.push_back(std::move(*edited));
     for (CheckResult& result : results) addResult(std::move(result));
     if (scene) addResult(std::move(*scene));
 }
