@@ -140,13 +140,28 @@ int run(const Verb& verb, const std::string& name, const CliContext& context) {
                            .err = nowhere,
                            .programFolder = context.programFolder,
                            .cancel = context.cancel};
-    Status status = orOutOfMemory("running rubble-cli " + name,
-                                  [&] { return verb.action(report, report.isQuiet ? quiet : context); });
+    Status status = checkFileUses(verb.command.fileUses());
+    if (status) {
+        status = orOutOfMemory("running rubble-cli " + name,
+                               [&] { return verb.action(report, report.isQuiet ? quiet : context); });
+    }
     if (report.isJson) {
         const Status printed = printText(reportJson(report, name, status), context);
         if (status) status = printed;
     }
     return finish(status, report, context);
+}
+
+/// Adds all verbs, in the order of the help.
+std::vector<Verb> addVerbs(CLI::App& program) {
+    std::vector<Verb> verbs = {addNew(program),       addImport(program),   addSeeds(program),    addClusters(program),
+                               addFracture(program),  addExport(program),   addCheck(program),    addDraw(program),
+                               addRender(program),    addVideo(program),    addSimulate(program), addReplay(program),
+                               addTest(program),      addStrength(program), addAudit(program),    addMaterials(program),
+                               addDiff(program),      addSheet(program),    addQuery(program),    addDamage(program),
+                               addCompletion(program)};
+    for (Verb& verb : verbs) verb.command.addCommonFlags();
+    return verbs;
 }
 
 }  // namespace
@@ -160,13 +175,7 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
     program.require_subcommand(0, 1);  // a missing verb is reported below
     program.get_formatter()->column_width(34);
     program.get_formatter()->label("SUBCOMMAND", "VERB");
-    std::vector<Verb> verbs = {addNew(program),       addImport(program),   addSeeds(program),    addClusters(program),
-                               addFracture(program),  addExport(program),   addCheck(program),    addDraw(program),
-                               addRender(program),    addVideo(program),    addSimulate(program), addReplay(program),
-                               addTest(program),      addStrength(program), addAudit(program),    addMaterials(program),
-                               addDiff(program),      addSheet(program),    addQuery(program),    addDamage(program),
-                               addCompletion(program)};
-    for (Verb& verb : verbs) verb.command.addCommonFlags();
+    std::vector<Verb> verbs = addVerbs(program);
     try {
         program.parse(
             std::vector<std::string>(present.rbegin(), present.rend()));  // CLI11 expects them in reverse order
@@ -187,6 +196,16 @@ int runCli(const std::vector<std::string>& arguments, const CliContext& context)
         return kExitUsage;
     }
     return run(*selected, program.get_subcommands().front()->get_name(), context);
+}
+
+std::vector<WrittenOption> writtenOptions() {
+    CLI::App program;
+    std::vector<WrittenOption> written;
+    for (const Verb& verb : addVerbs(program)) {
+        for (const std::string& option : verb.command.writtenOptions())
+            written.push_back({verb.command.name(), option});
+    }
+    return written;
 }
 
 }  // namespace rubble

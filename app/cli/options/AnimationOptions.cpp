@@ -10,6 +10,7 @@ void addAnimationOptions(Command& command, AnimationOptions& options) {
         command
             .option("--animation", options.file,
                     "Write the motion of all fragments, for any 3D program: FILE.glb or FILE.usda")
+            .writes({".glb", ".usda"})
             .valueName("FILE");
     command.option("--every", options.every, "Steps between the frames of the animation (default: 1)")
         .wholeInRange(ProjectNumber::Steps)

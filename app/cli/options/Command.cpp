@@ -92,6 +92,19 @@ CommandOption CommandOption::convert(std::function<std::string(std::string&)> co
     return *this;
 }
 
+CommandOption CommandOption::uses(FileRole role, std::vector<std::string> extensions) const {
+    m_files->push_back({m_option, role, std::move(extensions)});
+    return *this;
+}
+
+CommandOption CommandOption::reads() const { return uses(FileRole::Read, {}); }
+
+CommandOption CommandOption::changes() const { return uses(FileRole::Changed, {}); }
+
+CommandOption CommandOption::writes(std::vector<std::string> extensions) const {
+    return uses(FileRole::Written, std::move(extensions));
+}
+
 CommandOption CommandOption::needs(CommandOption other) const {
     m_option->needs(other.m_option);
     return *this;
@@ -119,16 +132,16 @@ CommandOption Command::argument(const std::string& name, Value& value, const std
 
 template <class Value>
 CommandOption Command::option(const std::string& name, Value& value, const std::string& help) {
-    return CommandOption(m_app->add_option(name, value, help));
+    return {m_app->add_option(name, value, help), m_files};
 }
 
 CommandOption Command::callback(const std::string& name, std::function<void(const std::string&)> apply,
                                 const std::string& help) {
-    return CommandOption(m_app->add_option_function<std::string>(name, apply, help));
+    return {m_app->add_option_function<std::string>(name, apply, help), m_files};
 }
 
 CommandOption Command::flag(const std::string& name, bool& value, const std::string& help) {
-    return CommandOption(m_app->add_flag(name, value, help));
+    return {m_app->add_flag(name, value, help), m_files};
 }
 
 void Command::addCommonFlags() {
@@ -154,7 +167,27 @@ void Command::requireOne(CommandOption first, CommandOption second) {
     });
 }
 
-CommandOption Command::operator[](const std::string& name) const { return CommandOption(m_app->get_option(name)); }
+std::vector<FileUse> Command::fileUses() const {
+    std::vector<FileUse> uses;
+    for (const FileOption& file : *m_files) {
+        for (const std::string& path : file.option->results()) {
+            if (path.empty() || path == "-") continue;  // a stream
+            uses.push_back({path, file.role, file.option->get_name(), file.extensions});
+        }
+    }
+    return uses;
+}
+
+std::vector<std::string> Command::writtenOptions() const {
+    std::vector<std::string> names;
+    for (const FileOption& file : *m_files)
+        if (file.role == FileRole::Written) names.push_back(file.option->get_name());
+    return names;
+}
+
+std::string Command::name() const { return m_app->get_name(); }
+
+CommandOption Command::operator[](const std::string& name) const { return {m_app->get_option(name), m_files}; }
 
 std::string versionText() { return std::string("rubble-cli ") + programVersion(); }
 

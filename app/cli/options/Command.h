@@ -1,8 +1,12 @@
 #pragma once
 
+#include "core/io/output/FileUse.h"
+
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CLI {
@@ -18,10 +22,19 @@ struct NumberRange;
 /// The name of the check of CommandOption::oneOf() is this, and then the words, separated by spaces.
 inline constexpr const char* kWordsPrefix = "words ";
 
+/// An option whose values are files that the verb uses.
+struct FileOption {
+    CLI::Option* option = nullptr;
+    FileRole role = FileRole::Read;
+    std::vector<std::string> extensions;  // see FileUse
+};
+using FileOptions = std::vector<FileOption>;
+
 /// An option, a flag or a positional argument of a command, which owns it. Each function returns the option itself.
 class CommandOption {
 public:
-    explicit CommandOption(CLI::Option* option) : m_option(option) {}
+    CommandOption(CLI::Option* option, std::shared_ptr<FileOptions> files)
+        : m_option(option), m_files(std::move(files)) {}
 
     CommandOption required() const;
     /// Sets the name of the value in --help, which then mentions no other property of the option.
@@ -47,12 +60,21 @@ public:
     /// Replaces the text by means of `convert`, which returns an error for an invalid one.
     CommandOption convert(std::function<std::string(std::string& text)> convert) const;
 
+    /// Its values are files that the verb reads, changes or writes: see checkFileUses(). `extensions`: lower case, of
+    /// what is written; none: any.
+    CommandOption reads() const;
+    CommandOption changes() const;
+    CommandOption writes(std::vector<std::string> extensions) const;
+
     CommandOption needs(CommandOption other) const;
     CommandOption excludes(CommandOption other) const;
 
 private:
     friend class Command;
+    CommandOption uses(FileRole role, std::vector<std::string> extensions) const;
+
     CLI::Option* m_option;
+    std::shared_ptr<FileOptions> m_files;  // of the command
 };
 
 /// The command line of a verb: its options, arguments and help. CLI11, which takes seconds to compile, is included by
@@ -88,11 +110,18 @@ public:
     /// Requires at least one of two options.
     void requireOne(CommandOption first, CommandOption second);
 
+    /// The files that were given.
+    std::vector<FileUse> fileUses() const;
+    /// The names of the options whose values are written: "--out", "FOLDER".
+    std::vector<std::string> writtenOptions() const;
+    std::string name() const;
+
     /// Returns the option that was added with a name.
     CommandOption operator[](const std::string& name) const;
 
 private:
     CLI::App* m_app;
+    std::shared_ptr<FileOptions> m_files = std::make_shared<FileOptions>();
     bool m_hasReport = false;
 };
 

@@ -34,7 +34,7 @@ std::string joinedText(const std::vector<std::string>& words) {
 }
 
 void addProjectArgument(Command& command, std::string& file) {
-    command.argument("FILE", file, "The project").required();
+    command.argument("FILE", file, "The project").required().reads();
 }
 
 void addJsonOption(Command& command, bool& isJson) { command.flag("--json", isJson, "Print JSON instead of text"); }

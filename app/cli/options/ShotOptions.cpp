@@ -13,6 +13,7 @@ namespace rubble {
 void addShotOptions(Command& command, ShotOptions& options) {
     command.option("--shot", options.names, "Fire this shot of the project; repeatable").repeatable().valueName("NAME");
     command.option("--shots", options.file, "Also fire the shots of a file: a JSON array of shots as in projects")
+        .reads()
         .valueName("FILE");
 }
 

@@ -181,13 +181,15 @@ Verb addDamage(CLI::App& program) {
         .required()
         .oneOf({"write", "apply", "merge", "compare"})
         .valueName(" ");
-    command.argument("FILE", options->files, "Damages, as write writes them");
-    command.option("--project", options->project, "The project of the instances").valueName("FILE");
+    command.argument("FILE", options->files, "Damages, as write writes them").reads();
+    command.option("--project", options->project, "The project of the instances").reads().valueName("FILE");
     command.option("--instance", options->instances, "The name of an instance; repeatable")
         .repeatable()
         .valueName("NAME");
-    command.option("--state", options->state, "The state to begin with (default: the start)").valueName("FILE");
-    command.option("-o,--out", options->out, "The file to write").valueName("FILE");
+    command.option("--state", options->state, "The state to begin with (default: the start)").reads().valueName("FILE");
+    command.option("-o,--out", options->out, "The file to write")
+        .writes({".rubbledamage", ".rubblestate"})
+        .valueName("FILE");
     addThreadsOption(command, options->threads);
     return {command,
             [options](VerbReport& report, const CliContext& context) { return damage(*options, report, context); }};

@@ -78,7 +78,9 @@ Verb addDraw(CLI::App& program) {
     const auto options = std::make_shared<DrawOptions>();
     addProjectArgument(command, options->file);
     addAssetOption(command, options->assets);
-    command.option("-o,--out", options->out, "The picture to write (default: -, standard output)").valueName("FILE");
+    command.option("-o,--out", options->out, "The picture to write (default: -, standard output)")
+        .writes({".svg"})
+        .valueName("FILE");
     command.option("--show", options->shown, "What to draw: cells, triangles, seeds (default: all)")
         .separatedBy(',')
         .oneOf({"cells", "triangles", "seeds"})

@@ -104,6 +104,21 @@ OutputRequest requestOf(const ExportArguments& arguments) {
             .edited = editedFiles(arguments)};
 }
 
+/// Refuses a dependency file that is one of the export: in the output folder with a name that the export uses, or in a
+/// folder of it.
+Status checkDepfile(const ExportArguments& arguments, const Project& project) {
+    if (arguments.depfile.empty() || arguments.depfile == "-") return success();
+    std::error_code ignored;
+    const fs::path folder = fs::weakly_canonical(fs::absolute(arguments.out, ignored), ignored);
+    const fs::path file = fs::weakly_canonical(fs::absolute(arguments.depfile, ignored), ignored);
+    const fs::path inside = file.lexically_relative(folder);
+    if (inside.empty() || *inside.begin() == "..") return success();
+    const Names names = outputFileNames(requestOf(arguments), project);
+    if (!inside.has_parent_path() && std::ranges::find(names, inside.string()) == names.end()) return success();
+    return Error{ErrorCode::BadInput, "--depfile: " + quotedName(arguments.depfile) +
+                                          " is a file of this export. Nothing was written; give another name."};
+}
+
 /// Removes stale folders.
 std::vector<PrunedFolder> prune(const ExportArguments& arguments, const Names& stale, const CliContext& context) {
     std::vector<PrunedFolder> pruned;
@@ -159,6 +174,7 @@ Status exportAssets(ExportArguments arguments, VerbReport& report, const CliCont
     if (!project) return project.error();
     const Result<std::vector<Id>> selected = selectedAssets(*project, arguments.assets);
     if (!selected) return selected.error();
+    if (const Status checked = checkDepfile(arguments, *project); !checked) return checked.error();
     const Result<std::optional<ExportIndex>> earlier = readExportIndex(arguments.out);
     if (!earlier) return earlier.error();
     Result<ExportOutcome> outcome = exportOrPlan(arguments, *project, *selected, context);
@@ -273,6 +289,7 @@ Verb addExport(CLI::App& program) {
                  "Cut names at 32 bytes, for Blender's names and Windows's paths");
     addFolderOptions(command, *arguments);
     command.option("--depfile", arguments->depfile, "Write the dependencies of the packs for Make and Ninja")
+        .writes({".d", ".dep", ".deps", ".mk", ".make"})
         .valueName("FILE");
     command.addReportFlag();
     addThreadsOption(command, arguments->threads);

@@ -42,7 +42,7 @@ Status fracture(const FractureOptions& options, const CliContext& context) {
 Verb addFracture(CLI::App& program) {
     Command command(program, "fracture", "Cut an outline into Voronoi cells, from JSON to JSON", kFractureFooter);
     const auto options = std::make_shared<FractureOptions>();
-    command.argument("FILE", options->input, "The input (default: -, standard input)");
+    command.argument("FILE", options->input, "The input (default: -, standard input)").reads();
     command.option("--method", options->method, "exact (default), or thesis, the reference method with its errors")
         .oneOf({"exact", "thesis"})
         .valueName("exact|thesis");

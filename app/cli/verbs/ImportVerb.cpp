@@ -197,8 +197,9 @@ Status import(const ImportVerbOptions& options, VerbReport& report, const CliCon
 Verb addImport(CLI::App& program) {
     Command command(program, "import", "Import the objects of a mesh file as assets", kImportFooter);
     const auto options = std::make_shared<ImportVerbOptions>();
-    command.argument("FILE", options->mesh, "The mesh file").required();
+    command.argument("FILE", options->mesh, "The mesh file").required().reads();
     command.option("-i,--into", options->project, "The project to import into, created if missing")
+        .changes()
         .valueName("PROJECT");
     addUnitOption(command, options->metresPerUnit);
     command.option("--up", options->up, "The up axis of the file (default: y)").oneOf({"y", "z"}).valueName("y|z");

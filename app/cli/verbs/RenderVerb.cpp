@@ -134,6 +134,7 @@ Verb addRender(CLI::App& program) {
     const auto options = std::make_shared<RenderOptions>();
     addProjectArgument(command, options->file);
     command.option("-o,--out", options->out, "The picture to write; - for standard output")
+        .writes({".png"})
         .required()
         .valueName("FILE");
     command.option("-a,--asset", options->assets, "Render this asset instead of the scene").single().valueName("NAME");

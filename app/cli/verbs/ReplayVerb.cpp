@@ -115,8 +115,8 @@ Status verifyReplay(const ReplayOptions& options, VerbReport& report, const CliC
 Verb addReplay(CLI::App& program) {
     Command command(program, "replay", "Replay a recorded simulation and compare every step", kReplayFooter);
     const auto options = std::make_shared<ReplayOptions>();
-    command.argument("REPLAY", options->file, "The recording, written by simulate --record").required();
-    command.argument("PROJECT", options->project, "The project that was recorded").required();
+    command.argument("REPLAY", options->file, "The recording, written by simulate --record").required().reads();
+    command.argument("PROJECT", options->project, "The project that was recorded").required().reads();
     addAnimationOptions(command, options->animation);
     addThreadsOption(command, options->threads);
     return {command, [options](VerbReport& report, const CliContext& context) {

@@ -193,8 +193,9 @@ Status addSeeds(const SeedsOptions& options, VerbReport& report, const CliContex
 
 /// Adds --density and the options of its layer.
 void addDensityOptions(Command& command, SeedsOptions& options) {
-    const CommandOption picture =
-        command.option("--density", options.picture, "Add seeds that follow this PNG picture").valueName("PICTURE");
+    const CommandOption picture = command.option("--density", options.picture, "Add seeds that follow this PNG picture")
+                                      .reads()
+                                      .valueName("PICTURE");
     command.option("--layer", options.layer, "Give the picture to this density image instead of a new layer")
         .wholeUpTo(std::numeric_limits<Id>::max())
         .valueName("N");
@@ -216,8 +217,8 @@ Verb addSeeds(CLI::App& program) {
     Command command(program, "seeds", "Place seeds at the vertices of a mesh, or by the greys of a picture",
                     kSeedsFooter);
     const auto options = std::make_shared<SeedsOptions>();
-    command.argument("FILE", options->mesh, "The mesh file");
-    command.option("-i,--into", options->project, "The project of the asset").required().valueName("PROJECT");
+    command.argument("FILE", options->mesh, "The mesh file").reads();
+    command.option("-i,--into", options->project, "The project of the asset").required().changes().valueName("PROJECT");
     command.option("-a,--asset", options->asset, "The asset").required().valueName("NAME");
     addUnitOption(command, options->view.metresPerUnit);
     command.option("--along", options->along, "The axis of the file to project along (default: z)")

@@ -147,7 +147,7 @@ Verb addSheet(CLI::App& program) {
     const auto options = std::make_shared<SheetOptions>();
     addProjectArgument(command, options->file);
     command.option("-a,--asset", options->asset, "The asset").required().valueName("NAME");
-    command.option("-o,--out", options->out, "The picture to write").required().valueName("FILE");
+    command.option("-o,--out", options->out, "The picture to write").required().writes({".png"}).valueName("FILE");
     command.option("--variants", options->recipe.count, "The number of variants, including the asset (default: 12)")
         .wholeInRange(ProjectNumber::Variants)
         .valueName("N");
@@ -160,6 +160,7 @@ Verb addSheet(CLI::App& program) {
         .needs(shot)
         .valueName("STEP");
     command.option("--state", options->state, "Start from a saved state, in which the asset is intact")
+        .reads()
         .needs(shot)
         .valueName("FILE");
     command.option("--sort", options->sort, "Sort by one of " + joinedText(measureNames()))

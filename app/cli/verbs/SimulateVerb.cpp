@@ -177,38 +177,49 @@ Status simulate(const SimulateOptions& options, const CliContext& context) {
 Verb addSimulate(CLI::App& program) {
     Command command(program, "simulate", "Simulate a project or a scene of bodies", kSimulateFooter);
     const auto options = std::make_shared<SimulateOptions>();
-    command.argument("FILE", options->input, "The project or scene (default: -, standard input)");
+    command.argument("FILE", options->input, "The project or scene (default: -, standard input)").reads();
     command.option("-n,--steps", options->steps, "The number of steps to simulate; 0 prints the start")
         .required()
         .wholeInRange(ProjectNumber::Step)
         .valueName("N");
     addPlayOptions(command, options->play);
-    command.option("--record", options->record, "Write a recording for rubble-cli replay").valueName("FILE");
+    command.option("--record", options->record, "Write a recording for rubble-cli replay")
+        .writes({".replay", ".json"})
+        .valueName("FILE");
     const CommandOption events =
         command
             .option("--events", options->events,
                     "Write which bodies there are, and what hit, broke and slid: JSON lines, or FILE.csv")
+            .writes({".jsonl", ".json", ".csv"})
             .valueName("FILE");
     command
         .option("--events-version", options->eventsVersion, "The version of JSON lines of events, 1 or 2 (default: 2)")
         .needs(events)
         .oneOf({"1", "2"})
         .valueName("N");
-    command.option("--wav", options->wav, "Write the sound of impacts and breaks").valueName("FILE.wav");
+    command.option("--wav", options->wav, "Write the sound of impacts and breaks")
+        .writes({".wav"})
+        .valueName("FILE.wav");
     addAnimationOptions(command, options->animation);
     const CommandOption state =
         command.option("--state", options->state, "Start from a saved state; times of shots count from there")
+            .reads()
             .valueName("FILE");
     command.option("--remap", options->remapped, "Take only the damage of the state, which is of this earlier version")
+        .reads()
         .needs(state)
         .valueName("FILE.rubble");
     const CommandOption saved =
-        command.option("--save-state", options->savedState, "Write the state after the last step").valueName("FILE");
+        command.option("--save-state", options->savedState, "Write the state after the last step")
+            .writes({".rubblestate"})
+            .valueName("FILE");
     command.flag("--small", options->isSmall, "Save damage and resting poses only").needs(saved);
     addThreadsOption(command, options->threads);
     command.flag("--no-sleep", options->play.isSleepless, "Do not let bodies at rest sleep");
     for (const char* name : {"--dt", "--no-destruction", "--record", "--no-sleep"}) state.excludes(command[name]);
-    command.option("--trace", options->trace, "Write counts and energies (J) of each step").valueName("FILE.csv");
+    command.option("--trace", options->trace, "Write counts and energies (J) of each step")
+        .writes({".csv"})
+        .valueName("FILE.csv");
     command.flag("--timings", options->isTimed, "Add the durations of steps and of their stages to the trace");
     return {command, [options](VerbReport&, const CliContext& context) { return simulate(*options, context); }};
 }

@@ -196,7 +196,7 @@ Verb addTest(CLI::App& program) {
     const auto options = std::make_shared<TestOptions>();
     addProjectArgument(command, options->file);
     command.option("--test", options->names, "Run only this test; repeatable").repeatable().valueName("NAME");
-    command.option("--junit", options->junit, "Write a report as JUnit XML").valueName("FILE.xml");
+    command.option("--junit", options->junit, "Write a report as JUnit XML").writes({".xml"}).valueName("FILE.xml");
     command.option("--pictures", options->pictures, "Render the moment of each failure into this folder")
         .valueName("FOLDER");
     command.addReportFlag();

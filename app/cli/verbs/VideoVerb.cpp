@@ -131,6 +131,7 @@ Verb addVideo(CLI::App& program) {
     const auto options = std::make_shared<VideoOptions>();
     addProjectArgument(command, options->file);
     command.argument("FOLDER", options->output, "The folder for the pictures, or the video to write: VIDEO.mp4")
+        .writes({".mp4", ".webm", ".mkv", ".mov"})
         .required();
     command.option("--from", options->first, "The step of the first picture (default: 0)")
         .wholeInRange(ProjectNumber::Step)

@@ -11,8 +11,10 @@
 #include "core/base/Version.h"
 #include "core/io/output/ExportCheck.h"
 #include "core/io/output/ExportIndex.h"
+#include "core/io/pack/ExportTarget.h"
 #include "core/io/pack/PackBinary.h"
 #include "core/io/pack/PackFile.h"
+#include "core/io/pack/SceneFile.h"
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/CreatedDirectories.h"
 #include "core/io/system/FileName.h"
@@ -176,7 +178,8 @@ std::map<AssetVariant, PackNames> packNames(const Project& project, const PackOp
     // Assets come before variants: a variant "wall_1" of a wall leaves the name to an asset of that name.
     std::vector<AssetVariant> used = usedVariants(project);
     std::ranges::stable_sort(used, {}, [](const AssetVariant& one) { return one.variant != 0; });
-    std::vector<std::string> words{kIndexName};  // which is not of a pack
+    std::vector<std::string> words{kIndexName, kSceneName, kReadmeName, kUnrealScriptName};  // not those of packs
+    const std::size_t first = words.size();
     for (const auto& [id, variant] : used)
         words.push_back(meshName(nameOfVariant(findAsset(project, id)->name, variant)));
     const std::vector<std::string> folders =
@@ -184,7 +187,7 @@ std::map<AssetVariant, PackNames> packNames(const Project& project, const PackOp
     std::map<AssetVariant, PackNames> names;
     for (std::size_t k = 0; k < used.size(); ++k) {
         const std::string& base = findAsset(project, used[k].asset)->name;
-        names[used[k]] = {nameOfVariant(base, used[k].variant), base, used[k].variant, folders[k + 1]};
+        names[used[k]] = {nameOfVariant(base, used[k].variant), base, used[k].variant, folders[first + k]};
     }
     return names;
 }

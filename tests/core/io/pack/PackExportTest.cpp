@@ -1,5 +1,6 @@
 #include "core/io/output/ExportCheck.h"
 #include "core/io/output/ExportFolder.h"
+#include "core/io/pack/OutputFolder.h"
 #include "core/io/pack/PackExport.h"
 
 #include "core/io/system/AtomicFile.h"
@@ -264,6 +265,16 @@ private slots:
         const auto assets = exportPacks(project, allAssets(project), m_out, {}).value();
         QCOMPARE(assets[0].folder, m_out / "export.json-2");
         QCOMPARE(assets[1].folder, m_out / "Export.JSON-3");
+    }
+    void noFolderHasTheNameOfAFileBesideThePacks() {
+        const Project project = projectOf({"scene.json", "readme.md", "import_into_unreal.py", "wall"});
+        const auto assets = exportPacks(project, allAssets(project), m_out, {}).value();
+        for (const std::size_t k : {0u, 1u, 2u}) QVERIFY(assets[k].folder.filename().string().ends_with("-2"));
+        QCOMPARE(assets[3].folder, m_out / "wall");
+        QVERIFY(finishExport({.folder = m_out, .project = "p.rubble", .target = ExportTarget::Unreal}, project, assets,
+                             {}));
+        for (const char* name : {"README.md", "import_into_unreal.py"})
+            QVERIFY2(fs::is_regular_file(m_out / name), name);
     }
     void foldersDependOnAllAssetsOfTheProject() {
         const Project project = projectOf({"a/b", "a:B"});
