@@ -90,9 +90,9 @@ function filesIn(folder) {
 const folder = mkdtempSync(join(tmpdir(), "rubble-random-"));
 const kinds = {
   plain: ["--format", "both"],
-  physics: ["--glb-physics", "--format", "glb", "--usd", "--mjcf"],
-  compact: ["--glb-compact", "--format", "glb"],
-  named: ["--glb-ucx", "--format", "glb"],
+  physics: ["--glb", "physics", "--format", "glb", "--usd", "--mjcf"],
+  compact: ["--glb", "compact", "--format", "glb"],
+  named: ["--glb", "ucx", "--format", "glb"],
 };
 const readers = {
   plain: [["assimp.mjs", assimp]],

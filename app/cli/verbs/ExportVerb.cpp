@@ -48,9 +48,6 @@ struct ExportArguments {
     std::vector<std::string> assets;
     std::optional<ExportTarget> target;
     Formats formats = Formats::Default;
-    bool hasGlbPhysics = false;
-    bool hasNamedHulls = false;
-    bool isGlbCompact = false;
     PackOptions pack;
     bool isWithoutScene = false;
     bool isOverwriting = false;
@@ -167,9 +164,6 @@ Status exportAssets(ExportArguments arguments, VerbReport& report, const CliCont
         arguments.pack.meshes.obj = arguments.formats == Formats::Obj || arguments.formats == Formats::Both;
         arguments.pack.meshes.glb = arguments.formats == Formats::Glb || arguments.formats == Formats::Both;
     }
-    if (arguments.hasGlbPhysics) arguments.pack.meshes.glbKind = GlbKind::Physics;
-    if (arguments.hasNamedHulls) arguments.pack.meshes.glbKind = GlbKind::Named;
-    if (arguments.isGlbCompact) arguments.pack.meshes.glbKind = GlbKind::Compact;
     const Result<Project> project = openProject(arguments.project, context);
     if (!project) return project.error();
     const Result<std::vector<Id>> selected = selectedAssets(*project, arguments.assets);
@@ -216,15 +210,12 @@ void addMeshKinds(Command& command, ExportArguments& arguments) {
     MeshOptions& meshes = arguments.pack.meshes;
     command.flag("--usd", meshes.usd, "Write the whole and the fragments as USD with physics, too");
     command.flag("--mjcf", meshes.mjcf, "Write the fragments as a model of MuJoCo, too");
-    const CommandOption physics =
-        command.flag("--glb-physics", arguments.hasGlbPhysics, "Write rigid bodies and their colliders into GLB files");
-    const CommandOption named =
-        command.flag("--glb-ucx", arguments.hasNamedHulls, "Write hulls into GLB files as meshes UCX_..., for Unreal")
-            .excludes(physics);
-    command
-        .flag("--glb-compact", arguments.isGlbCompact, "Write small GLB files that are drawn at once, without physics")
-        .excludes(physics)
-        .excludes(named);
+    addEnumOption<GlbKind>(command, "--glb", "What GLB files hold (default: plain, or what --for needs)",
+                           {{"plain", GlbKind::Plain},
+                            {"physics", GlbKind::Physics},
+                            {"ucx", GlbKind::Named},
+                            {"compact", GlbKind::Compact}},
+                           meshes.glbKind);
 }
 
 /// Adds the options for the output folder.
