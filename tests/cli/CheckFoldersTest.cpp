@@ -80,6 +80,17 @@ private slots:
             QVERIFY2(run.err.contains("is of another export than the scene"), qPrintable(run.err));
         }
     }
+    void gapsThatLeaveNothingAreFaults() {
+        Project project = boxProject(UniformScatter{.count = 30});
+        const fs::path file = m_place->filePath("box.rubble").toStdString();
+        for (const auto& [gap, exit] : {std::pair(0.001, 0), {50.0, 3}}) {
+            project.assets[0].shaping.gap = gap;
+            QVERIFY(saveProject(file, project));
+            const CheckRun run = check(file);
+            QCOMPARE(run.exit, exit);
+            QCOMPARE(run.err.contains("The gap between fragments leaves none of them"), exit == 3);
+        }
+    }
     void editedScenesAreTold() {
         Project project = boxProject(UniformScatter{.count = 3});
         project.instances.push_back({.id = project.nextId++, .name = "box 1", .asset = project.assets[0].id});

@@ -95,6 +95,10 @@ CheckResult checkAsset(const std::string& file, const Asset& asset, KeepBake kee
         return {.fault = findingOf(baked.error(), place)};
     }
     if (const auto found = verifyBake(*baked, asset)) return faulty("InvalidBake", place, *found);
+    if (baked->fragmentCount() == 0 && asset.shaping.gap > 0.0) {
+        return faulty("NoFragments", place,
+                      shownName(asset.name) + ": The gap between fragments leaves none of them; make it narrower.");
+    }
     if (task.isCancelled()) return cannotCheck(TaskContext::cancelled(), file);
     if (const auto found = verifyMeshes(*baked, asset)) return faulty("InvalidMesh", place, *found);
     CheckResult result{.item = CheckedItem{"asset", file, asset.name, baked->fragmentCount(), baked->whole.volume}};

@@ -74,9 +74,11 @@ private:
         const std::size_t end = std::min(m_rest.find_first_of("\r\n"), m_rest.size());
         std::string_view line = m_rest.substr(0, end);
         m_rest.remove_prefix(std::min(end + (m_rest.substr(end).starts_with("\r\n") ? 2 : 1), m_rest.size()));
+        m_isBehindEnd = false;
         while (!(line = trimmed(line)).empty()) readWords(line);
     }
-    /// Several keywords may share a line.
+    /// Several keywords may share a line. Other words behind the end of a loop or facet are skipped: some programs
+    /// write comments there.
     void readWords(std::string_view& line) {
         const std::string_view whole = line;
         const std::string_view word = takeWord(line);
@@ -87,13 +89,16 @@ private:
             skipNormal(line);
         } else if (isSameWord(word, "endfacet")) {
             addPolygon(whole);
+            m_isBehindEnd = true;
+        } else if (isSameWord(word, "endloop")) {
+            m_isBehindEnd = true;
         } else if (isSameWord(word, "solid")) {
             m_objects.push_back({.name = solidName(line)});
             line = {};
         } else if (isSameWord(word, "endsolid") || isSameWord(word, "end") || word.starts_with('#')) {
             line = {};
-        } else if (!isSameWord(word, "outer") && !isSameWord(word, "loop") && !isSameWord(word, "endloop")) {
-            if (!isSameWord(word, "color")) failLine(whole, "is invalid");
+        } else if (!isSameWord(word, "outer") && !isSameWord(word, "loop")) {
+            if (!isSameWord(word, "color") && !m_isBehindEnd) failLine(whole, "is invalid");
             line = {};
         }
     }
@@ -136,6 +141,7 @@ private:
     std::vector<SourceObject> m_objects;
     std::vector<Vec3> m_polygon;
     bool m_isInFacet = false;
+    bool m_isBehindEnd = false;  // of a loop or a facet, in the same line
     std::size_t m_line = 0;
     std::size_t m_count = 0;
 };

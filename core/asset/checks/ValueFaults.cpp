@@ -134,6 +134,7 @@ std::optional<std::string> faultOf(const Instance& instance) {
     if (Sentence fault = rangeFault(owner, ProjectNumber::InstancePosition, instance.pose.position)) return fault;
     const double length = glm::length(instance.pose.orientation);
     if (!(std::abs(length - 1.0) <= kUnitLengthTolerance)) {
+        if (!std::isfinite(length)) return owner + ": the orientation is too long; its length must be 1.";
         return owner + ": the orientation has the length " + messageText(length) + ", but it must be 1.";
     }
     return rangeFault(owner, {{ProjectNumber::Threshold, instance.threshold.value_or(1.0)},

@@ -572,6 +572,7 @@ def stl():
     build("tabs.stl", plain.replace(" ", "\t"))
     build("blank lines between.stl", plain.replace("\n", "\n\n"))
     build("one line a facet.stl", plain.replace("\n    ", " ").replace("\n  endfacet", " endfacet"))
+    build("words behind ends.stl", plain.replace("endfacet", "endfacet 7 of it").replace("endloop", "endloop here"))
     build("without end.stl", plain.replace("endsolid Wall\n", ""))
     build("without a name.stl", plain.replace(" Wall", ""), [asset("without a name", (0, 0, 0))])
     build("name with spaces.stl", plain.replace("Wall", "wall left"), [asset("wall left", (0, 0, 0))])

@@ -171,6 +171,9 @@ private slots:
         row("Instance 5 \"left\": the orientation has the length 2, but it must be 1.", [](Project& p) {
             p.instances[0].pose.orientation = Quat{2.0, 0.0, 0.0, 0.0};
         });
+        row("Instance 5 \"left\": the orientation is too long; its length must be 1.", [](Project& p) {
+            p.instances[0].pose.orientation = {1e308, 1e308, 0.0, 0.0};
+        });
         row("Instance 6 \"right\": the threshold is 0, but it must be from 1e-09 to 1e+24.",
             [](Project& p) { p.instances[1].threshold = 0.0; });
         row("The ground: the restitution is 2, but it must be from 0 to 1.",
