@@ -1,21 +1,18 @@
 #include "core/play/scene/HangingLoads.h"
 
 #include "core/asset/strength/Threshold.h"
+#include "core/base/DisjointSets.h"
+#include "core/structure/graph/Support.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <numeric>
-#include <queue>
 
 namespace rubble {
 namespace {
 
-constexpr double kStandsOn = 0.5;         // the least cosine between a normal and up
-constexpr double kCorbel = 0.5773502692;  // tan 30°
-constexpr double kLeastLength = 1e-6;     // m, of a spring
-constexpr double kRise = 1e-3;            // of the length of a step upward, so that what stands is farther
+constexpr double kLeastLength = 1e-6;  // m, of a spring
+constexpr double kStands = 0.1;        // of its load: what gives as much to what it stands on stands
 
 /// A bond from a node to its neighbour, or to an anchor.
 struct Hold {
@@ -75,16 +72,6 @@ public:
         }
         return holds;
     }
-    /// How much farther from an anchor a node is than the one that holds it, m. `along`: as of its hold.
-    double stepTo(std::uint32_t number, std::uint32_t holder, double along) const {
-        const Part& part = partOf(number);
-        const Vec3 apart = worldCentre(number) - worldCentre(holder);
-        const Vec3 up = poseOf(*part.instance).orientation * part.up;
-        const double rise = glm::dot(apart, up), length = std::sqrt(glm::dot(apart, apart));
-        const double side = std::sqrt(std::max(0.0, length * length - rise * rise));
-        if (along <= -kStandsOn) return std::max(0.0, side - kCorbel * rise) + kRise * length;
-        return along >= kStandsOn ? length : side + kRise * length;
-    }
     /// Whether a structure stays in place without anchors.
     bool isHeldAnyway(std::uint32_t number) const { return partOf(number).structure->holdsHeaviest; }
 
@@ -119,37 +106,18 @@ private:
 
 using Holds = std::vector<std::vector<Hold>>;
 
-/// The way of each node from an anchor, m; infinite where none holds it. Dijkstra's search.
-std::vector<double> waysFromAnchors(const SceneNodes& nodes, const Holds& holds) {
-    std::vector<double> ways(nodes.count(), std::numeric_limits<double>::infinity());
-    using Entry = std::pair<double, std::uint32_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+/// Of each node, whether bonds connect it with an anchor, or with what stays in place without one.
+std::vector<bool> heldNodes(const SceneNodes& nodes, const Holds& holds) {
+    DisjointSets sets(nodes.count() + 1);
+    const std::uint32_t anchor = nodes.count();
     for (std::uint32_t number = 0; number < nodes.count(); ++number) {
-        const bool isAnchored = std::ranges::find(holds[number], kNone, &Hold::node) != holds[number].end();
-        if (!isAnchored && !nodes.isHeldAnyway(number)) continue;
-        ways[number] = 0.0;
-        queue.push({0.0, number});
+        if (nodes.isHeldAnyway(number)) sets.merge(number, anchor);
+        for (const Hold& hold : holds[number]) sets.merge(number, hold.node == kNone ? anchor : hold.node);
     }
-    while (!queue.empty()) {
-        const auto [way, number] = queue.top();
-        queue.pop();
-        if (way > ways[number]) continue;
-        for (const Hold& hold : holds[number]) {
-            if (hold.node == kNone) continue;
-            const double longer = way + nodes.stepTo(hold.node, number, -hold.along);
-            if (!(longer < ways[hold.node])) continue;
-            ways[hold.node] = longer;
-            queue.push({longer, hold.node});
-        }
-    }
-    return ways;
-}
-
-/// Whether a node hangs: it stands on nothing that is nearer to an anchor.
-bool hangs(std::uint32_t number, const Holds& holds, std::span<const double> ways) {
-    return std::ranges::none_of(holds[number], [&](const Hold& hold) {
-        return isBelow(hold) && (hold.node == kNone || ways[hold.node] < ways[number]);
-    });
+    std::vector<bool> held(nodes.count());
+    for (std::uint32_t number = 0; number < nodes.count(); ++number)
+        held[number] = sets.rootOf(number) == sets.rootOf(anchor);
+    return held;
 }
 
 /// How far nodes sink under their weights, as if their bonds were springs, in N/m per metre of stiffness. Anchors and
@@ -158,11 +126,11 @@ bool hangs(std::uint32_t number, const Holds& holds, std::span<const double> way
 /// diagonal.
 class Sinking {
 public:
-    Sinking(const SceneNodes& nodes, const Holds& holds, std::span<const double> ways)
+    Sinking(const SceneNodes& nodes, const Holds& holds, const std::vector<bool>& held)
         : m_holds(holds), m_isFree(nodes.count()), m_diagonal(nodes.count()), m_depths(nodes.count(), 0.0) {
         std::vector<double> rest(nodes.count(), 0.0);
         for (std::uint32_t number = 0; number < nodes.count(); ++number) {
-            m_isFree[number] = std::isfinite(ways[number]) && !nodes.isHeldAnyway(number);
+            m_isFree[number] = held[number] && !nodes.isHeldAnyway(number);
             for (const Hold& hold : holds[number]) m_diagonal[number] += hold.stiffness;
             if (m_isFree[number]) rest[number] = nodes.weightOf(number);
         }
@@ -226,22 +194,23 @@ std::vector<HangingLoad> hangingLoads(const PlayScene& scene) {
     const SceneNodes nodes(scene);
     Holds holds;
     for (std::uint32_t number = 0; number < nodes.count(); ++number) holds.push_back(nodes.holdsOf(number));
-    const std::vector<double> ways = waysFromAnchors(nodes, holds);
-    const Sinking sinking(nodes, holds, ways);
+    const std::vector<bool> held = heldNodes(nodes, holds);
+    const Sinking sinking(nodes, holds, held);
     std::vector<HangingLoad> hanging;
     for (std::uint32_t number = 0; number < nodes.count(); ++number) {
-        if (!std::isfinite(ways[number]) || nodes.isHeldAnyway(number) || !hangs(number, holds, ways)) continue;
+        if (!held[number] || nodes.isHeldAnyway(number)) continue;
         HangingLoad one{nodes.instanceOf(number), nodes.nodeOf(number)};
-        double mortar = 0.0;
+        double mortar = 0.0, below = 0.0;  // N
         for (const Hold& hold : holds[number]) {
             const double force = sinking.force(number, hold);
             if (!(force > 0.0)) continue;
             one.load += force;
             one.strength += hold.strength;
             mortar += hold.isMortar ? force : 0.0;
+            below += isBelow(hold) ? force : 0.0;
         }
         one.mortar = one.load > 0.0 ? mortar / one.load : 0.0;
-        if (std::isfinite(one.strength)) hanging.push_back(one);
+        if (below < kStands * one.load && std::isfinite(one.strength)) hanging.push_back(one);
     }
     return hanging;
 }

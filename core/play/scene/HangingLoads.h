@@ -19,8 +19,8 @@ struct HangingLoad {
 /// strong bonds are left out. None without gravity.
 ///
 /// An estimate: all that anchors hold sinks under its weight as if bonds were springs, as stiff as their area divided
-/// by the distance that they span, which gives the force in each. A fragment hangs if it stands on no neighbour that
-/// is nearer to an anchor: standing needs no bond. Leverage is left out. O(n^1.5) in the bonds.
+/// by the distance that they span, which gives the force in each. A fragment that gives a tenth of its load or more to
+/// what it stands on stands, which needs no bond; others hang. Leverage is left out. O(n^1.5) in the bonds.
 std::vector<HangingLoad> hangingLoads(const PlayScene& scene);
 
 }  // namespace rubble
