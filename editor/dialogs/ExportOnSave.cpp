@@ -15,17 +15,18 @@ void ExportOnSave::start() {
     m_folder = options->folder;
     m_export = std::make_shared<const ExportJob>(exportJob(m_workspace, *options));
     m_job.start([job = m_export](const TaskContext& task) { return runExport(*job, task); },
-                [this](const Result<ExportRun>& run) { deliver(run); });
+                [this](const Result<OutputExport>& run) { deliver(run); });
 }
 
 void ExportOnSave::complete(QWidget* parent) {
     if (!isRunning()) return;
     cancel();
     TaskDialog dialog(tr("Exporting…"), parent);
-    deliver(dialog.run<Result<ExportRun>>([job = m_export](const TaskContext& task) { return runExport(*job, task); }));
+    deliver(
+        dialog.run<Result<OutputExport>>([job = m_export](const TaskContext& task) { return runExport(*job, task); }));
 }
 
-void ExportOnSave::deliver(const Result<ExportRun>& run) {
+void ExportOnSave::deliver(const Result<OutputExport>& run) {
     emit finished(addMessages(m_messages, run, m_folder).sentence);
 }
 

@@ -26,7 +26,7 @@ signals:
     void finished(const QString& sentence);
 
 private:
-    void deliver(const Result<ExportRun>& run);
+    void deliver(const Result<OutputExport>& run);
 
     Workspace& m_workspace;
     Messages& m_messages;

@@ -78,12 +78,12 @@ OutputRequest outputRequest(Workspace& workspace, const ExportOptions& options) 
 bool isEdited(const Status& status) { return !status && status.error().code == ErrorCode::Edited; }
 
 /// Asks whether to replace the folders that hold files changed after their export.
-bool confirmReplacing(const ExportRun& run, const QString& folder, QWidget* parent) {
+bool confirmReplacing(const Result<OutputExport>& run, const QString& folder, QWidget* parent) {
     QStringList folders;
-    for (const AssetExport& asset : run.packs) {
+    for (const AssetExport& asset : run ? run->packs : std::vector<AssetExport>()) {
         if (isEdited(asset.status)) folders.append('"' + fileNameText(fromPath(asset.folder)) + '"');
     }
-    if (isEdited(run.finished)) folders.append('"' + fileNameText(folder) + '"');
+    if (isEdited(run ? run->finished : Status(run.error()))) folders.append('"' + fileNameText(folder) + '"');
     if (folders.isEmpty()) return false;
     const QString changed = ExportTexts::tr("Files in the %n folder(s) %1 were changed after the last export.", nullptr,
                                             static_cast<int>(folders.size()))
@@ -94,7 +94,7 @@ bool confirmReplacing(const ExportRun& run, const QString& folder, QWidget* pare
 
 /// Adds a message for each asset that failed or was kept, and returns the summary of the others. Files that the user
 /// keeps are no failure.
-ExportSummary summaryOf(const ExportRun& run, const QString& folder, Messages& messages) {
+ExportSummary summaryOf(const OutputExport& run, const QString& folder, Messages& messages) {
     ExportSummary summary;
     int written = 0, unchanged = 0, kept = 0;
     const auto keep = [&](const Error& edited, Id asset) {
@@ -172,18 +172,11 @@ ExportJob exportJob(Workspace& workspace, const ExportOptions& options) {
     return {outputRequest(workspace, options), project, assetsToExport(options, project)};
 }
 
-Result<ExportRun> runExport(const ExportJob& job, const TaskContext& task) {
-    const auto& [request, project, assets] = job;
-    const Result<std::optional<ExportIndex>> earlier = readExportIndex(request.folder);
-    if (!earlier) return earlier.error();
-    Result<std::vector<AssetExport>> packs =
-        exportPacks(project, assets, request.folder, request.options, request.edited, task);
-    if (!packs) return packs.error();
-    const Status finished = finishExport(request, project, *packs, *earlier, task);
-    return ExportRun{std::move(*packs), finished};
+Result<OutputExport> runExport(const ExportJob& job, const TaskContext& task) {
+    return exportToFolder(job.request, job.project, job.assets, task);
 }
 
-ExportSummary addMessages(Messages& messages, const Result<ExportRun>& run, const QString& folder) {
+ExportSummary addMessages(Messages& messages, const Result<OutputExport>& run, const QString& folder) {
     if (run) {
         ExportSummary summary = summaryOf(*run, folder, messages);
         messages.add({.text = summary.sentence});
@@ -201,10 +194,10 @@ ExportSummary exportProject(Workspace& workspace, const ExportOptions& options, 
     ExportJob job = exportJob(workspace, options);
     const auto run = [&] {
         TaskDialog dialog(ExportTexts::tr("Exporting…"), parent);
-        return dialog.run<Result<ExportRun>>([&](const TaskContext& task) { return runExport(job, task); });
+        return dialog.run<Result<OutputExport>>([&](const TaskContext& task) { return runExport(job, task); });
     };
-    Result<ExportRun> outcome = run();
-    if (outcome && confirmReplacing(*outcome, options.folder, parent)) {
+    Result<OutputExport> outcome = run();
+    if (confirmReplacing(outcome, options.folder, parent)) {
         job.request.edited = EditedFiles::Replaced;
         outcome = run();
     }

@@ -40,14 +40,8 @@ struct ExportJob {
 };
 ExportJob exportJob(Workspace& workspace, const ExportOptions& options);
 
-/// What an export did: with the packs, and with the scene and the index beside them.
-struct ExportRun {
-    std::vector<AssetExport> packs;
-    Status finished = success();
-};
-/// Errors: those of exportPacks() and readExportIndex(). Those of single assets, and of what is beside the packs, are
-/// in the result.
-Result<ExportRun> runExport(const ExportJob& job, const TaskContext& task);
+/// Errors: those of exportToFolder(). Those of single assets, and of what is beside the packs, are in the result.
+Result<OutputExport> runExport(const ExportJob& job, const TaskContext& task);
 
 /// What an export did, for the user.
 struct ExportSummary {
@@ -58,7 +52,7 @@ struct ExportSummary {
 };
 /// Returns the summary of an export to a folder, and adds it to `messages` after a message for each asset that failed,
 /// or whose files were changed and kept.
-ExportSummary addMessages(Messages& messages, const Result<ExportRun>& run, const QString& folder);
+ExportSummary addMessages(Messages& messages, const Result<OutputExport>& run, const QString& folder);
 
 /// Exports the project with a progress dialog and stores the options as its last ones. Errors are shown in a message
 /// box, and everything is added to `messages`.

@@ -39,6 +39,9 @@ public:
     /// The same for a project that is in no file, such as a restored backup.
     void replaceUnsaved(Project project);
 
+    /// Sets the project's identity, which is no edit and no change.
+    void setIdentity(const std::string& identity) { m_project.identity = identity; }
+
     /// Whether the project differs from the saved file.
     bool isModified() const { return !m_undoStack.isClean() || m_isUnsaved; }
     /// Marks the current state as saved.

@@ -3,6 +3,7 @@
 #include "core/base/OutOfMemory.h"
 #include "core/base/Utf8.h"
 #include "core/io/project/ProjectFile.h"
+#include "core/io/project/ProjectIdentity.h"
 #include "core/io/project/ProjectLock.h"
 #include "core/io/system/AtomicFile.h"
 #include "editor/document/FilePath.h"
@@ -129,7 +130,19 @@ Status DocumentFile::saveAs(const QString& path, const ProjectAccess& access) {
     return saved;
 }
 
+/// Gives the project an identity where it has none, and another where it is saved beside its file as a copy. Returns
+/// the former one.
+std::string DocumentFile::identifyFor(const QString& path) {
+    std::error_code ignored;  // another file, or none
+    const std::string former = m_document.project().identity;
+    const bool isCopy =
+        !m_path.isEmpty() && path != m_path && !std::filesystem::equivalent(toPath(path), toPath(m_path), ignored);
+    if (former.empty() || isCopy) m_document.setIdentity(newIdentity());
+    return former;
+}
+
 Status DocumentFile::write(const QString& path) {
+    const std::string formerIdentity = identifyFor(path);
     ContentHash written;
     const Status saved = orOutOfMemory("saving the project", [&]() -> Status {
         written = contentHash(projectText(m_document.project()));
@@ -137,7 +150,10 @@ Status DocumentFile::write(const QString& path) {
     });
     if (!saved) {  // the file may be in place, but not flushed: that is no change by another program
         const Result<std::optional<ContentHash>> onDisk = hashOnDisk(path);
-        if (path != m_path || !onDisk || *onDisk != written) return saved;
+        if (path != m_path || !onDisk || *onDisk != written) {
+            m_document.setIdentity(formerIdentity);
+            return saved;
+        }
         expect(written);
         emit originChanged({m_path, m_base});
         return saved;

@@ -98,6 +98,7 @@ private:
     Result<Faults> restore(const Backup& backup, const BackupOrigin& origin, const ProjectAccess& access);
     void expect(const std::optional<ContentHash>& content);
     void setFile(const BackupOrigin& origin, const ProjectAccess& access);
+    std::string identifyFor(const QString& path);
     Status write(const QString& path);
     void watch();
     void checkForChange();

@@ -94,8 +94,8 @@ private slots:
     void editedScenesAreTold() {
         Project project = boxProject(UniformScatter{.count = 3});
         project.instances.push_back({.id = project.nextId++, .name = "box 1", .asset = project.assets[0].id});
-        const auto exported = exportPacks(project, std::vector{project.assets[0].id}, m_packs, {});
-        QVERIFY(exported && finishExport({.folder = m_packs, .project = "box.rubble"}, project, *exported, {}));
+        const std::vector assets{project.assets[0].id};
+        QVERIFY(exportToFolder({.folder = m_packs, .project = "box.rubble"}, project, assets)->finished);
         QVERIFY(!check(m_packs).err.contains("was changed"));
         const std::string scene = readFile(m_packs / kSceneName).value();
         write(m_packs / kSceneName, QByteArray::fromStdString(scene) + "\n");

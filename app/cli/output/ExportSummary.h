@@ -1,24 +1,19 @@
 #pragma once
 
 #include "app/cli/output/VerbReport.h"
-#include "core/io/pack/PackExport.h"
+#include "core/io/pack/OutputFolder.h"
 
 #include <string>
 #include <vector>
 
 namespace rubble {
 
-/// A folder that no asset of the project has any more.
-struct PrunedFolder {
-    std::filesystem::path folder;
-    Status status = success();  // an error if it is not removed
-};
-
 /// What an export did, or would do.
 struct ExportOutcome {
     bool isPlanned = false;  // nothing was written
     std::vector<AssetExport> packs;
     std::vector<PrunedFolder> pruned;
+    Status finished = success();  // an error if what is beside the packs could not be written
 };
 
 /// Returns why a pack is refused, with the option that overwrites it.

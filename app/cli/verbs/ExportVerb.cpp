@@ -94,6 +94,7 @@ Error refusal(const Error& error) {
 OutputRequest requestOf(const ExportArguments& arguments) {
     return {.folder = arguments.out,
             .project = indexName(arguments.project),
+            .isPruning = arguments.isPruning,
             .options = arguments.pack,
             .target = arguments.target,
             .hasAllAssets = arguments.assets.empty(),
@@ -116,18 +117,6 @@ Status checkDepfile(const ExportArguments& arguments, const Project& project) {
                                           " is a file of this export. Nothing was written; give another name."};
 }
 
-/// Removes stale folders.
-std::vector<PrunedFolder> prune(const ExportArguments& arguments, const Names& stale, const CliContext& context) {
-    std::vector<PrunedFolder> pruned;
-    for (const std::string& name : stale) {
-        PrunedFolder folder{fs::path(arguments.out) / name};
-        folder.status = arguments.isDryRun ? checkRemovable(folder.folder)
-                                           : removeExportFolder(folder.folder, {.cancel = context.cancel});
-        pruned.push_back(std::move(folder));
-    }
-    return pruned;
-}
-
 /// Writes that the manifests of all exported packs depend on the project.
 Status writeDepfile(const ExportArguments& arguments, const ExportOutcome& outcome, const CliContext& context) {
     Names targets;
@@ -138,25 +127,38 @@ Status writeDepfile(const ExportArguments& arguments, const ExportOutcome& outco
     return text ? writeOutput(arguments.depfile, *text, context) : text.error();
 }
 
-/// Writes what is beside the packs, and the dependency file.
-Status writeLists(const ExportArguments& arguments, const Project& project, const ExportOutcome& outcome,
-                  const std::optional<ExportIndex>& earlier, const CliContext& context) {
-    const Status finished =
-        finishExport(requestOf(arguments), project, outcome.packs, earlier, {.cancel = context.cancel});
-    if (!finished) return refusal(finished.error());
-    return arguments.depfile.empty() ? success() : writeDepfile(arguments, outcome, context);
+/// What an export would do.
+Result<ExportOutcome> plan(const ExportArguments& arguments, const Project& project, std::span<const Id> assets,
+                           const TaskContext& task) {
+    const Result<std::optional<ExportIndex>> earlier = readExportIndex(arguments.out);
+    if (!earlier) return earlier.error();
+    Result<std::vector<AssetExport>> packs =
+        planPacks(project, assets, arguments.out, arguments.pack, editedFiles(arguments), task);
+    if (!packs) return packs.error();
+    ExportOutcome outcome{.isPlanned = true, .packs = std::move(*packs), .pruned = {}};
+    if (!arguments.isPruning) return outcome;
+    for (const std::string& name : stalePacks(requestOf(arguments), project, *earlier)) {
+        const fs::path folder = fs::path(arguments.out) / name;
+        outcome.pruned.push_back({folder, checkRemovable(folder)});
+    }
+    return outcome;
 }
 
 Result<ExportOutcome> exportOrPlan(const ExportArguments& arguments, const Project& project, std::span<const Id> assets,
                                    const CliContext& context) {
-    const EditedFiles edited = editedFiles(arguments);
     ProgressLine line(context, "Exporting");
     const TaskContext task{context.cancel, [&](double fraction) { line.show(fraction); }, arguments.threads};
-    const auto run = arguments.isDryRun ? planPacks : exportPacks;
-    Result<std::vector<AssetExport>> packs = run(project, assets, arguments.out, arguments.pack, edited, task);
+    if (arguments.isDryRun) {
+        Result<ExportOutcome> planned = plan(arguments, project, assets, task);
+        line.clear();
+        return planned;
+    }
+    Result<OutputExport> exported = exportToFolder(requestOf(arguments), project, assets, task);
     line.clear();
-    if (!packs) return packs.error();
-    return ExportOutcome{.isPlanned = arguments.isDryRun, .packs = std::move(*packs), .pruned = {}};
+    if (!exported) return refusal(exported.error());
+    return ExportOutcome{.packs = std::move(exported->packs),
+                         .pruned = std::move(exported->pruned),
+                         .finished = std::move(exported->finished)};
 }
 
 Status exportAssets(ExportArguments arguments, VerbReport& report, const CliContext& context) {
@@ -169,15 +171,11 @@ Status exportAssets(ExportArguments arguments, VerbReport& report, const CliCont
     const Result<std::vector<Id>> selected = selectedAssets(*project, arguments.assets);
     if (!selected) return selected.error();
     if (const Status checked = checkDepfile(arguments, *project); !checked) return checked.error();
-    const Result<std::optional<ExportIndex>> earlier = readExportIndex(arguments.out);
-    if (!earlier) return earlier.error();
-    Result<ExportOutcome> outcome = exportOrPlan(arguments, *project, *selected, context);
+    const Result<ExportOutcome> outcome = exportOrPlan(arguments, *project, *selected, context);
     if (!outcome) return outcome.error();
-    if (arguments.isPruning)
-        outcome->pruned =
-            prune(arguments,
-                  stalePacks(arguments.out, indexName(arguments.project), *project, arguments.pack, *earlier), context);
-    const Status listed = arguments.isDryRun ? success() : writeLists(arguments, *project, *outcome, *earlier, context);
+    Status listed = outcome->finished ? success() : Status(refusal(outcome->finished.error()));
+    if (listed && !outcome->isPlanned && !arguments.depfile.empty())
+        listed = writeDepfile(arguments, *outcome, context);
     const Status printed = printExport(*outcome, arguments.project, report, context);
     if (listed) return printed;
     if (printed) return listed;

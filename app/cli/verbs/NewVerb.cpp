@@ -4,6 +4,7 @@
 #include "core/base/MessageText.h"
 #include "core/io/json/JsonWriter.h"
 #include "core/io/project/ProjectFile.h"
+#include "core/io/project/ProjectIdentity.h"
 #include "core/io/project/ProjectLock.h"
 
 #include <filesystem>
@@ -39,8 +40,9 @@ Result<Project> projectFor(const NewOptions& options) {
 }
 
 Status createProject(const NewOptions& options, VerbReport& report, const CliContext& context) {
-    const Result<Project> project = projectFor(options);
+    Result<Project> project = projectFor(options);
     if (!project) return project.error();
+    project->identity = newIdentity();
     const Result<std::shared_ptr<const LockFile>> lock = waitForProjectLock(options.file, context.cancel);
     if (!lock) return lock.error();
     std::error_code ignored;  // saving will report the error

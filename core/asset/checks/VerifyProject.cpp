@@ -3,6 +3,8 @@
 #include "core/asset/checks/ValueFaults.h"
 #include "core/asset/project/Ids.h"
 #include "core/asset/project/Names.h"
+#include "core/base/Hash.h"
+#include "core/base/MessageText.h"
 #include "core/base/Utf8.h"
 
 #include <algorithm>
@@ -154,6 +156,9 @@ Sentence referenceFault(const Project& project) {
 }  // namespace
 
 std::optional<std::string> structureFault(const Project& project) {
+    const std::optional<ContentHash> identity = parseContentHash(project.identity);
+    if (!project.identity.empty() && (!identity || identity->hex() != project.identity))
+        return "The identity must have 32 hexadecimal digits, but is " + quotedName(project.identity) + ".";
     if (Sentence fault = listFault(project.materials, "Material")) return fault;
     if (Sentence fault = listFault(project.assets, "Asset")) return fault;
     if (Sentence fault = listFault(project.instances, "Instance")) return fault;

@@ -270,6 +270,8 @@ struct PlayTest {
 
 /// Everything that is edited and saved.
 struct Project {
+    /// Tells the project from others whose files have the same name; 32 hexadecimal digits. Empty: it has none yet.
+    std::string identity;
     Id nextId = 1;
     std::vector<Material> materials;  // this and the following: ascending id
     std::vector<Asset> assets;

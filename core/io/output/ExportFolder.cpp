@@ -111,11 +111,8 @@ Status checkReplaceable(const fs::path& folder, EditedFiles edited) {
                                         "elsewhere."};
 }
 
-/// Checks an earlier export and replaces it, without any other process doing so at the same time.
-Status replaceExport(const TemporaryFolder& replacement, const fs::path& folder, EditedFiles edited, Flush flush,
-                     const TaskContext& task) {
-    const Result<OpenFile> lock = lockFolder(folder.parent_path(), task);
-    if (!lock) return lock.error();
+/// Checks an earlier export and replaces it. The folder's parent is locked.
+Status replaceExport(const TemporaryFolder& replacement, const fs::path& folder, EditedFiles edited, Flush flush) {
     if (const Status free = checkReplaceable(folder, edited); !free) return free;
     struct stat old {};
     const bool hasOld = ::stat(folder.c_str(), &old) == 0;
@@ -134,10 +131,17 @@ Status replaceExport(const TemporaryFolder& replacement, const fs::path& folder,
     return replaceFolder(replacement, folder);
 }
 
+/// Whether the caller's lock covers a folder, be it the target of the link `path`.
+bool isLockedByCaller(const fs::path& path, const fs::path& folder, FolderLocking locking) {
+    std::error_code ignored;
+    const auto parentOf = [](const fs::path& child) { return child.has_parent_path() ? child.parent_path() : "."; };
+    return locking == FolderLocking::ByCaller && fs::equivalent(parentOf(path), parentOf(folder), ignored);
+}
+
 }  // namespace
 
 Status writeExportFolder(const fs::path& path, const ContentHash& source, std::span<const ExportFile> files,
-                         EditedFiles edited, const TaskContext& task) {
+                         EditedFiles edited, const TaskContext& task, FolderLocking locking) {
     const fs::path folder = linkTarget(path);
     CreatedDirectories parents;
     if (folder.has_parent_path()) {
@@ -159,7 +163,10 @@ Status writeExportFolder(const fs::path& path, const ContentHash& source, std::s
     const Status listed =
         writeExportedFile((*partial)->path(), folder, kManifestName, manifestJson(manifest), isFlushed);
     if (!listed) return listed;
-    return replaceExport(**partial, folder, edited, flush, task);
+    const Result<OpenFile> lock =
+        isLockedByCaller(path, folder, locking) ? OpenFile() : lockFolder(folder.parent_path(), task);
+    if (!lock) return lock.error();
+    return replaceExport(**partial, folder, edited, flush);
 }
 
 Status checkExportFolder(const fs::path& path, EditedFiles edited) {
@@ -186,8 +193,9 @@ Status checkRemovable(const fs::path& folder) {
     return *file ? kept(**file, " was modified after the export") : success();
 }
 
-Status removeExportFolder(const fs::path& folder, const TaskContext& task) {
-    const Result<OpenFile> lock = lockFolder(folder.parent_path(), task);
+Status removeExportFolder(const fs::path& folder, const TaskContext& task, FolderLocking locking) {
+    const bool isLocked = locking == FolderLocking::ByCaller;
+    const Result<OpenFile> lock = isLocked ? OpenFile() : lockFolder(folder.parent_path(), task);
     if (!lock) return lock.error();
     if (const Status removable = checkRemovable(folder); !removable) return removable;
     const auto removed = TemporaryFolder::create(folder.parent_path());

@@ -4,7 +4,6 @@
 #include "core/io/json/JsonDocument.h"
 #include "core/io/json/JsonWriter.h"
 #include "core/io/system/AtomicFile.h"
-#include "core/io/system/FolderExchange.h"
 
 #include <algorithm>
 #include <iterator>
@@ -27,7 +26,8 @@ bool hasName(std::span<const std::string> names, const std::string& name) {
 
 ExportIndex readIndexMembers(const JsonValue& root) {
     ExportIndex index;
-    index.project = root["project"].text();
+    index.project.name = root["project"].text();
+    if (root["identity"].isPresent()) index.project.identity = root["identity"].text();
     index.folders = root["folders"].list([](const JsonValue& folder) { return folder.text(); });
     index.files = readEntries(root);
     return index;
@@ -40,7 +40,8 @@ std::string exportIndexJson(const ExportIndex& index) {
     json.openObject();
     json.text("format", kIndexFormat);
     json.wholeNumber("version", std::uint64_t{kIndexVersion});
-    json.text("project", index.project);
+    json.text("project", index.project.name);
+    if (!index.project.identity.empty()) json.text("identity", index.project.identity);
     json.openArray("folders");
     for (const std::string& folder : index.folders) json.text({}, folder);
     json.close();
@@ -65,7 +66,7 @@ Result<std::optional<ExportIndex>> readExportIndex(const fs::path& folder) {
                             root["format"].text() == kIndexFormat;
     if (!isOfFormat) return unreadable(ErrorCode::BadInput, "it is of another format.");
     if (root["version"].index() != kIndexVersion) return unreadable(ErrorCode::Unsupported, "its version is newer.");
-    root.requireObject({"format", "version", "project", "folders", "files"});
+    root.requireObject({"format", "version", "project", "folders", "files"}, {"identity"});
     ExportIndex index = readIndexMembers(root);
     if (const auto fault = document->firstError()) return unreadable(ErrorCode::BadInput, fault->message);
     const bool areHere = std::ranges::all_of(index.folders, isPlainName) &&
@@ -74,15 +75,15 @@ Result<std::optional<ExportIndex>> readExportIndex(const fs::path& folder) {
     return std::optional(std::move(index));
 }
 
-bool isIndexOf(const std::optional<ExportIndex>& index, const std::string& project) {
-    return index && (index->project == project || index->project.empty());
+bool isIndexOf(const std::optional<ExportIndex>& index, const IndexedProject& project) {
+    if (!index) return false;
+    const IndexedProject& listed = index->project;
+    if (!listed.identity.empty() && !project.identity.empty()) return listed.identity == project.identity;
+    return listed.name == project.name || listed.name.empty();
 }
 
 Status changeExportIndex(const fs::path& folder,
-                         const std::function<ExportIndex(const std::optional<ExportIndex>&)>& change,
-                         const TaskContext& task) {
-    const Result<OpenFile> lock = lockFolder(folder, task);
-    if (!lock) return lock.error();
+                         const std::function<ExportIndex(const std::optional<ExportIndex>&)>& change) {
     const Result<std::optional<ExportIndex>> earlier = readExportIndex(folder);
     if (!earlier) return earlier.error();
     const ExportIndex index = change(*earlier);
@@ -91,7 +92,7 @@ Status changeExportIndex(const fs::path& folder,
     return writeFileAtomically(folder / kIndexName, exportIndexJson(index));
 }
 
-std::vector<std::string> staleFolders(const std::optional<ExportIndex>& earlier, const std::string& project,
+std::vector<std::string> staleFolders(const std::optional<ExportIndex>& earlier, const IndexedProject& project,
                                       std::span<const std::string> current) {
     std::vector<std::string> stale;
     if (!isIndexOf(earlier, project)) return stale;
@@ -100,7 +101,7 @@ std::vector<std::string> staleFolders(const std::optional<ExportIndex>& earlier,
     return stale;
 }
 
-ExportIndex indexAfterExport(const std::optional<ExportIndex>& earlier, const std::string& project,
+ExportIndex indexAfterExport(const std::optional<ExportIndex>& earlier, const IndexedProject& project,
                              std::span<const std::string> current, const std::set<std::string>& exported,
                              std::span<const std::string> kept) {
     ExportIndex index{.project = project};

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/base/Result.h"
-#include "core/base/TaskContext.h"
 #include "core/io/output/ExportManifest.h"
 
 #include <filesystem>
@@ -17,9 +16,16 @@ namespace rubble {
 /// The name of the index in every output folder.
 inline constexpr const char* kIndexName = "export.json";
 
+/// A project as the index names it.
+struct IndexedProject {
+    std::string name;      // of its file; empty: of no file
+    std::string identity;  // see Project::identity; empty: none
+    bool operator==(const IndexedProject&) const = default;
+};
+
 /// What an output folder holds, so that later exports know what is theirs: docs/formats/manifest.md.
 struct ExportIndex {
-    std::string project;               // the file name of the project
+    IndexedProject project;
     std::vector<std::string> folders;  // of packs, names without a path
     std::vector<ManifestEntry> files;  // of the export in the output folder itself, without this one
     bool operator==(const ExportIndex&) const = default;
@@ -33,24 +39,24 @@ std::string exportIndexJson(const ExportIndex& index);
 /// folders or files elsewhere; those of readFile() but for NotFound.
 Result<std::optional<ExportIndex>> readExportIndex(const std::filesystem::path& folder);
 
-/// Replaces the index of an output folder by what `change` makes of it, without any other process doing so at the same
-/// time. Written atomically, and only if it differs; an empty one is not created.
+/// Replaces the index of an output folder by what `change` makes of it. The caller has locked the folder, see
+/// lockFolder(). Written atomically, and only if it differs; an empty one is not created.
 ///
-/// Errors: those of readExportIndex(), lockFolder() and writeFileAtomically().
+/// Errors: those of readExportIndex() and writeFileAtomically().
 Status changeExportIndex(const std::filesystem::path& folder,
-                         const std::function<ExportIndex(const std::optional<ExportIndex>&)>& change,
-                         const TaskContext& task = {});
+                         const std::function<ExportIndex(const std::optional<ExportIndex>&)>& change);
 
-/// Whether an index is of a project. That of a project without a file is of any.
-bool isIndexOf(const std::optional<ExportIndex>& index, const std::string& project);
+/// Whether an index is of a project: by its identity or, where one of them has none, by its name. The index of a
+/// project without a file is of any.
+bool isIndexOf(const std::optional<ExportIndex>& index, const IndexedProject& project);
 
 /// The folders of an earlier index that no asset of the project has any more. None if it is of another project.
-std::vector<std::string> staleFolders(const std::optional<ExportIndex>& earlier, const std::string& project,
+std::vector<std::string> staleFolders(const std::optional<ExportIndex>& earlier, const IndexedProject& project,
                                       std::span<const std::string> current);
 
 /// The index after an export. `current` are the folders of all assets of the project, in their order; of these it has
 /// those `exported` now or listed before; then come the stale ones that `kept` has. Files are those of before.
-ExportIndex indexAfterExport(const std::optional<ExportIndex>& earlier, const std::string& project,
+ExportIndex indexAfterExport(const std::optional<ExportIndex>& earlier, const IndexedProject& project,
                              std::span<const std::string> current, const std::set<std::string>& exported,
                              std::span<const std::string> kept);
 

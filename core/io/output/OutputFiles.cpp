@@ -10,17 +10,46 @@ namespace rubble {
 namespace {
 
 /// Whether the index lists a file as it is now.
-bool isListed(const std::optional<ExportIndex>& earlier, const std::string& project, const ManifestEntry& file) {
+bool isListed(const std::optional<ExportIndex>& earlier, const IndexedProject& project, const ManifestEntry& file) {
     return isIndexOf(earlier, project) && std::ranges::find(earlier->files, file) != earlier->files.end();
+}
+
+/// Why a file that is there as `current` is not to be replaced; nothing if it may be.
+std::optional<Error> whyKept(const std::filesystem::path& path, const ManifestEntry& current,
+                             const std::optional<ExportIndex>& earlier, const IndexedProject& project,
+                             EditedFiles edited) {
+    if (isListed(earlier, project, current)) return std::nullopt;
+    const bool isOfExport =
+        earlier && std::ranges::find(earlier->files, current.name, &ManifestEntry::name) != earlier->files.end();
+    constexpr const char* kAdvice = " and would be lost; move it first or export elsewhere.";
+    if (!isOfExport) return Error{ErrorCode::BadInput, quotedPath(path) + " was not written by an export" + kAdvice};
+    if (edited == EditedFiles::Replaced) return std::nullopt;
+    const std::string reason = isIndexOf(earlier, project)
+                                   ? std::string(" was modified after the export")
+                                   : " is of the export of another project, " + quotedName(earlier->project.name) + ",";
+    return Error{ErrorCode::Edited, quotedPath(path) + reason + kAdvice};
 }
 
 }  // namespace
 
+Status checkOutputFiles(const std::filesystem::path& folder, std::span<const ExportFile> files,
+                        const std::optional<ExportIndex>& earlier, const IndexedProject& project, EditedFiles edited) {
+    for (const ExportFile& file : files) {
+        const Result<ManifestEntry> current = manifestEntryOfFile(folder, file.name);
+        if (!current && current.error().code != ErrorCode::NotFound) return current.error();
+        if (!current || *current == manifestEntry(file.name, file.bytes)) continue;
+        if (std::optional<Error> kept = whyKept(folder / file.name, *current, earlier, project, edited))
+            return *std::move(kept);
+    }
+    return success();
+}
+
 Result<std::vector<ManifestEntry>> writeOutputFiles(const std::filesystem::path& folder,
                                                     std::span<const ExportFile> files,
                                                     const std::optional<ExportIndex>& earlier,
-                                                    const std::string& project, EditedFiles edited,
+                                                    const IndexedProject& project, EditedFiles edited,
                                                     const AnnounceFiles& announce) {
+    if (const Status free = checkOutputFiles(folder, files, earlier, project, edited); !free) return free.error();
     std::vector<ManifestEntry> entries, announced, gone;
     std::vector<const ExportFile*> changed;
     for (const ExportFile& file : files) {
@@ -28,12 +57,6 @@ Result<std::vector<ManifestEntry>> writeOutputFiles(const std::filesystem::path&
         announced.push_back(entries.back());
         const Result<ManifestEntry> current = manifestEntryOfFile(folder, file.name);
         if (current && *current == entries.back()) continue;
-        if (!current && current.error().code != ErrorCode::NotFound) return current.error();
-        if (current && edited == EditedFiles::Kept && !isListed(earlier, project, *current)) {
-            return Error{ErrorCode::Edited, quotedPath(folder / file.name) +
-                                                " was not written by an export of this project, or was modified after "
-                                                "it, and would be lost; move it first or export elsewhere."};
-        }
         if (current) announced.push_back(*current);
         changed.push_back(&file);
     }

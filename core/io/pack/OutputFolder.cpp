@@ -4,7 +4,11 @@
 #include "core/io/output/OutputFiles.h"
 #include "core/io/pack/SceneFile.h"
 #include "core/io/system/AtomicFile.h"
+#include "core/io/system/CreatedDirectories.h"
+#include "core/io/system/FolderExchange.h"
 #include "unreal_script.h"
+
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <set>
@@ -77,6 +81,71 @@ Result<std::vector<ExportFile>> outputFiles(const OutputRequest& request, const 
     return files;
 }
 
+IndexedProject indexed(const OutputRequest& request, const Project& project) {
+    return {request.project, project.identity};
+}
+
+/// Creates the output folder where it is missing, and locks it. An export that fails meanwhile may remove it again.
+Result<OpenFile> lockOutput(const fs::path& folder, CreatedDirectories& created, const TaskContext& task) {
+    for (;;) {
+        if (const Status status = created.create(folder); !status) return status.error();
+        Result<OpenFile> lock = lockFolder(folder, task);
+        if (!lock && lock.error().code == ErrorCode::NotFound) continue;
+        if (!lock) return lock.error();
+        struct stat locked {};
+        struct stat named {};
+        const bool isThere = ::fstat(lock->descriptor(), &locked) == 0 && ::stat(folder.c_str(), &named) == 0;
+        if (isThere && locked.st_ino == named.st_ino && locked.st_dev == named.st_dev) return lock;
+    }
+}
+
+/// Fails where a file would be replaced that is not of this project's export: before any pack is written.
+Status checkFilesOfOthers(const OutputRequest& request, const Project& project,
+                          const std::optional<ExportIndex>& earlier, const TaskContext& task) {
+    if (!request.hasAllAssets) return success();
+    const IndexedProject owner = indexed(request, project);
+    const auto isOwn = [&](const std::string& name) {
+        const Result<ManifestEntry> current = manifestEntryOfFile(request.folder, name);
+        if (!current) return current.error().code == ErrorCode::NotFound;
+        return isIndexOf(earlier, owner) && std::ranges::find(earlier->files, *current) != earlier->files.end();
+    };
+    if (std::ranges::all_of(filesOfAllPacks(request, project), isOwn)) return success();
+    const Result<std::vector<ExportFile>> files = outputFiles(request, project, earlier, {.cancel = task.cancel});
+    return files ? checkOutputFiles(request.folder, *files, earlier, owner, request.edited) : Status(files.error());
+}
+
+/// Writes the scene, and how to use it, if all packs are in place, and updates the index. `earlier` is that before the
+/// packs were written.
+///
+/// Errors: those of writeOutputFiles() and changeExportIndex(); those of playScene() of a scene with bonds.
+Status finishExport(const OutputRequest& request, const Project& project, std::span<const AssetExport> packs,
+                    const std::optional<ExportIndex>& earlier, const TaskContext& task) {
+    const auto isInPlace = [](const AssetExport& pack) { return pack.status.hasValue(); };
+    const bool isWhole = request.hasAllAssets && std::ranges::all_of(packs, isInPlace);
+    const std::vector<std::string> current = folderNames(project, request.options);
+    std::set<std::string> exported;
+    for (const AssetExport& pack : packs) {
+        if (pack.status) exported.insert(pack.folder.filename().string());
+    }
+    const IndexedProject owner = indexed(request, project);
+    const auto list = [&](std::optional<std::span<const ManifestEntry>> files) {
+        const auto change = [&](const std::optional<ExportIndex>& before) {
+            const std::vector<std::string> stale = stalePacks(request, project, before);
+            ExportIndex index = indexAfterExport(before, owner, current, exported, stale);
+            if (files) index.files.assign(files->begin(), files->end());
+            return index;
+        };
+        return changeExportIndex(request.folder, change);
+    };
+    const Status listed = list(std::nullopt);  // whatever fails from here on
+    if (!isWhole || !listed) return listed;
+    const Result<std::vector<ExportFile>> files = outputFiles(request, project, earlier, task);
+    if (!files) return files.error();
+    const Result<std::vector<ManifestEntry>> written =
+        writeOutputFiles(request.folder, *files, earlier, owner, request.edited, list);
+    return written ? list(*written) : Status(written.error());
+}
+
 }  // namespace
 
 std::string indexName(const fs::path& project) { return printableText(project.filename().string()); }
@@ -88,38 +157,34 @@ std::vector<std::string> outputFileNames(const OutputRequest& request, const Pro
     return names;
 }
 
-Status finishExport(const OutputRequest& request, const Project& project, std::span<const AssetExport> packs,
-                    const std::optional<ExportIndex>& earlier, const TaskContext& task) {
-    if (!isThere(request.folder)) return success();  // nothing was exported
-    const auto isInPlace = [](const AssetExport& pack) { return pack.status.hasValue(); };
-    const bool isWhole = request.hasAllAssets && std::ranges::all_of(packs, isInPlace);
-    const std::vector<std::string> current = folderNames(project, request.options);
-    std::set<std::string> exported;
-    for (const AssetExport& pack : packs) {
-        if (pack.status) exported.insert(pack.folder.filename().string());
+Result<OutputExport> exportToFolder(const OutputRequest& request, const Project& project, std::span<const Id> assets,
+                                    const TaskContext& task) {
+    CreatedDirectories created;
+    const Result<OpenFile> lock = lockOutput(request.folder, created, task);
+    if (!lock) return lock.error();
+    const Result<std::optional<ExportIndex>> earlier = readExportIndex(request.folder);
+    if (!earlier) return earlier.error();
+    if (const Status free = checkFilesOfOthers(request, project, *earlier, task); !free) return free.error();
+    Result<std::vector<AssetExport>> packs =
+        exportPacks(project, assets, request.folder, request.options, request.edited, task, FolderLocking::ByCaller);
+    if (!packs) return packs.error();
+    OutputExport result{.packs = std::move(*packs)};
+    if (request.isPruning) {
+        for (const std::string& name : stalePacks(request, project, *earlier)) {
+            const fs::path folder = request.folder / name;
+            result.pruned.push_back(
+                {folder, removeExportFolder(folder, {.cancel = task.cancel}, FolderLocking::ByCaller)});
+        }
     }
-    const auto list = [&](std::optional<std::span<const ManifestEntry>> files) {
-        const auto change = [&](const std::optional<ExportIndex>& before) {
-            const std::vector<std::string> stale =
-                stalePacks(request.folder, request.project, project, request.options, before);
-            ExportIndex index = indexAfterExport(before, request.project, current, exported, stale);
-            if (files) index.files.assign(files->begin(), files->end());
-            return index;
-        };
-        return changeExportIndex(request.folder, change, {.cancel = task.cancel});
-    };
-    if (!isWhole) return list(std::nullopt);
-    const Result<std::vector<ExportFile>> files = outputFiles(request, project, earlier, task);
-    if (!files) return files.error();
-    const Result<std::vector<ManifestEntry>> written =
-        writeOutputFiles(request.folder, *files, earlier, request.project, request.edited, list);
-    return written ? list(*written) : Status(written.error());
+    result.finished = finishExport(request, project, result.packs, *earlier, task);
+    return result;
 }
 
-std::vector<std::string> stalePacks(const fs::path& folder, const std::string& name, const Project& project,
-                                    const PackOptions& options, const std::optional<ExportIndex>& earlier) {
-    const std::vector<std::string> current = folderNames(project, options);
-    std::vector<std::string> stale = staleFolders(earlier, name, current);
+std::vector<std::string> stalePacks(const OutputRequest& request, const Project& project,
+                                    const std::optional<ExportIndex>& earlier) {
+    const fs::path& folder = request.folder;
+    const std::vector<std::string> current = folderNames(project, request.options);
+    std::vector<std::string> stale = staleFolders(earlier, indexed(request, project), current);
     std::erase_if(stale, [&](const std::string& one) {
         const auto isSame = [&](const std::string& other) {
             std::error_code error;  // where one of them is missing

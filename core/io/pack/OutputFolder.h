@@ -17,7 +17,8 @@ namespace rubble {
 /// An export of a project into an output folder.
 struct OutputRequest {
     std::filesystem::path folder;
-    std::string project;  // the name of the project's file in the index, see indexName()
+    std::string project;     // the name of the project's file in the index, see indexName()
+    bool isPruning = false;  // removes stalePacks()
     PackOptions options;
     std::optional<ExportTarget> target;  // none: without a README.md
     bool hasAllAssets = true;            // all packs of the project are exported
@@ -32,17 +33,30 @@ std::string indexName(const std::filesystem::path& project);
 /// last.
 std::vector<std::string> outputFileNames(const OutputRequest& request, const Project& project);
 
-/// Completes an export whose packs are written: writes the scene, and how to use it, if all packs are in place, and
-/// updates the index of the folder. `earlier` is that before the packs were written. Nothing if there is no folder.
+/// A folder that no asset of the project has any more.
+struct PrunedFolder {
+    std::filesystem::path folder;
+    Status status = success();  // an error if it is not removed
+};
+
+/// What an export into an output folder did.
+struct OutputExport {
+    std::vector<AssetExport> packs;    // as exportPacks() reports them
+    std::vector<PrunedFolder> pruned;  // none if it was not to prune
+    Status finished = success();       // an error if the scene, how to use it, or the index could not be written
+};
+
+/// Exports assets of a project: their packs, see exportPacks(); the scene and how to use it, if all packs are in place;
+/// and the index. The output folder is locked meanwhile: processes that export into one folder take turns, and the last
+/// one wins.
 ///
-/// Errors: those of writeOutputFiles() and changeExportIndex(); those of playScene() of a scene with bonds.
-Status finishExport(const OutputRequest& request, const Project& project, std::span<const AssetExport> packs,
-                    const std::optional<ExportIndex>& earlier, const TaskContext& task = {});
+/// Errors: those of exportPacks(), readExportIndex(), lockFolder(), and checkOutputFiles(): nothing was written then.
+Result<OutputExport> exportToFolder(const OutputRequest& request, const Project& project, std::span<const Id> assets,
+                                    const TaskContext& task = {});
 
 /// The folders that are there and that the project exported earlier and has no asset for any more. One that is also
 /// that of an asset is not: "Wall" and "wall" on file systems that ignore case.
-std::vector<std::string> stalePacks(const std::filesystem::path& folder, const std::string& name,
-                                    const Project& project, const PackOptions& options,
+std::vector<std::string> stalePacks(const OutputRequest& request, const Project& project,
                                     const std::optional<ExportIndex>& earlier);
 
 }  // namespace rubble

@@ -48,6 +48,12 @@ std::vector<PackedAsset> packedAssets(const Project& project, std::span<const Id
     return packed;
 }
 
+/// How folders of earlier exports are replaced.
+struct Replacement {
+    EditedFiles edited;
+    FolderLocking locking;
+};
+
 bool hasJson(const PackOptions& options) { return options.files != PackFiles::Binary; }
 bool hasBinary(const PackOptions& options) { return options.files != PackFiles::Json; }
 
@@ -79,7 +85,8 @@ private:
 };
 
 Status writePack(const Project& project, const PackedAsset& packed, const PackOptions& options,
-                 const ContentHash& source, EditedFiles edited, const TaskContext& task, AssetExport& result) {
+                 const ContentHash& source, const Replacement& replacement, const TaskContext& task,
+                 AssetExport& result) {
     const Asset& asset = packed.asset;
     Result<Bake> baked = bake(asset, task.stage(0.0, 0.5));
     if (!baked) return baked.error();
@@ -103,7 +110,7 @@ Status writePack(const Project& project, const PackedAsset& packed, const PackOp
     result.volume = baked->whole.volume;
     result.diagnostics = std::move(baked->diagnostics);
     task.report(0.9);
-    return writeExportFolder(result.folder, source, files, edited, task);
+    return writeExportFolder(result.folder, source, files, replacement.edited, task, replacement.locking);
 }
 
 /// The result for an asset before it is exported: whether its folder exists, and already is its export.
@@ -117,7 +124,7 @@ AssetExport lookedUp(const PackedAsset& packed, const std::filesystem::path& fol
 }
 
 AssetExport exportAsset(const Project& project, const PackedAsset& packed, const std::filesystem::path& folder,
-                        const PackOptions& options, EditedFiles edited, const TaskContext& task) {
+                        const PackOptions& options, const Replacement& replacement, const TaskContext& task) {
     const Asset& asset = packed.asset;
     if (task.isCancelled()) {
         return {.asset = asset.id,
@@ -127,7 +134,7 @@ AssetExport exportAsset(const Project& project, const PackedAsset& packed, const
     }
     const ContentHash source = packSourceHash(project, asset, packed.names, options);
     AssetExport result = lookedUp(packed, folder, source);
-    if (!result.isUnchanged) result.status = writePack(project, packed, options, source, edited, task, result);
+    if (!result.isUnchanged) result.status = writePack(project, packed, options, source, replacement, task, result);
     task.report(1.0);
     return result;
 }
@@ -257,7 +264,7 @@ std::vector<PackListing> packListings(const Project& project, std::span<const Id
 
 Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<const Id> assets,
                                              const std::filesystem::path& folder, const PackOptions& options,
-                                             EditedFiles edited, const TaskContext& task) {
+                                             EditedFiles edited, const TaskContext& task, FolderLocking locking) {
     if (const Status known = checkAssets(project, assets); !known) return known.error();
     CreatedDirectories created;  // not per asset: a failing one would remove the folder of the others
     if (const Status status = created.create(folder); !status) return status.error();
@@ -270,8 +277,8 @@ Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<c
     const int atOnce = bakesAtOnce(std::move(*bytes), task.threads);
     const int threadsEach = std::max(1, task.threads / static_cast<int>(std::max<std::size_t>(1, packed.size())));
     forEachIndex(packed.size(), atOnce, [&](std::size_t index) {
-        results[index] =
-            exportAsset(project, packed[index], folder, options, edited, progress.contextOf(index, threadsEach));
+        results[index] = exportAsset(project, packed[index], folder, options, {edited, locking},
+                                     progress.contextOf(index, threadsEach));
     });
     if (task.isCancelled()) return TaskContext::cancelled();
     return results;

@@ -76,7 +76,8 @@ std::vector<PackListing> packListings(const Project& project, std::span<const Id
 /// folders are unchanged and no empty one remains.
 Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<const Id> assets,
                                              const std::filesystem::path& folder, const PackOptions& options,
-                                             EditedFiles edited = EditedFiles::Kept, const TaskContext& task = {});
+                                             EditedFiles edited = EditedFiles::Kept, const TaskContext& task = {},
+                                             FolderLocking locking = FolderLocking::Here);
 
 /// What exportPacks() would do with each folder: whether it is unchanged, would be replaced, or is refused. Changes
 /// nothing and fractures nothing: that an asset cannot be fractured is not told.

@@ -5,6 +5,7 @@
 #include "core/io/play/StateArchive.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/FileErrors.h"
+#include "core/io/system/FolderReading.h"
 #include "core/physics/state/Contacts.h"
 #include "core/play/state/SessionFields.h"
 
@@ -203,7 +204,13 @@ Result<SavedSession> loadSavedSession(const std::filesystem::path& path, Content
 Result<std::shared_ptr<const SavedSession>> loadStart(const PlayTest& test, const std::filesystem::path& folder,
                                                       ContentHash scene) {
     if (test.state.empty()) return std::shared_ptr<const SavedSession>();
-    Result<SavedSession> saved = loadSavedSession(folder / test.state, scene);
+    const std::filesystem::path path = folder / test.state;
+    if (isLink(path)) {
+        return Error{ErrorCode::BadInput,
+                     "Test " + quotedName(test.name) + ": " + quotedPath(path) +
+                         " is a link, which may lead to any file; replace it by the state itself."};
+    }
+    Result<SavedSession> saved = loadSavedSession(path, scene);
     if (!saved) return Error{saved.error().code, "Test " + quotedName(test.name) + ": " + saved.error().message};
     return std::make_shared<const SavedSession>(std::move(*saved));
 }

@@ -219,8 +219,10 @@ std::vector<RecipeChange> assetChanges(const Project& before, const Asset& earli
 std::vector<RecipeChange> settingChanges(const Project& before, const Project& after) {
     Json from = jsonOf(before), to = jsonOf(after);
     JsonChanges changes(from, to);
-    from.erase("assets");
-    to.erase("assets");
+    for (const char* other : {"assets", "identity"}) {  // compared elsewhere; no setting
+        from.erase(other);
+        to.erase(other);
+    }
     changes.compareObjects({}, from, to);
     std::vector<RecipeChange> list = std::move(changes).list();
     if (list.empty() && before.nextId != after.nextId && before.assets == after.assets)

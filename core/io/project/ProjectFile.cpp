@@ -90,8 +90,9 @@ void readTextures(const JsonValue& root, std::vector<Asset>& assets) {
 
 /// Version 5 added strength and toughness of materials, and thresholds derived from them.
 Project readProjectVersion5(const JsonValue& root) {
-    Project project =
-        readProjectSinceVersion2(root, {readMaterial, readAsset, readInstance}, {"events", "mortars", "images"});
+    Project project = readProjectSinceVersion2(root, {readMaterial, readAsset, readInstance},
+                                               {"identity", "events", "mortars", "images"});
+    if (root["identity"].isPresent()) project.identity = root["identity"].text();
     if (root["events"].isPresent()) project.events = readEventSettings(root["events"]);
     if (root["mortars"].isPresent()) project.mortars = root["mortars"].list(readMortar);
     readTextures(root, project.assets);
@@ -154,6 +155,7 @@ std::string projectText(const Project& project) {
     json.openObject();
     json.text("format", kProjectFormat.name);
     json.wholeNumber("version", kProjectVersion);
+    if (!project.identity.empty()) json.text("identity", project.identity);
     json.wholeNumber("nextId", project.nextId);
     json.list("materials", project.materials, writeMaterial);
     const ImageList images = imagesOf(project);

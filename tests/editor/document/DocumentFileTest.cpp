@@ -30,7 +30,13 @@ void setBytes(const QString& path, const QByteArray& bytes) {
     file.write(bytes);
 }
 
-/// Deletes the first instance.
+constexpr const char* kIdentity = "0123456789abcdef0123456789abcdef";
+
+Project identified(Project project) {
+    project.identity = kIdentity;
+    return project;
+}
+
 /// The bytes that the process has read so far.
 qint64 bytesRead() {
     QFile file("/proc/self/io");
@@ -38,6 +44,7 @@ qint64 bytesRead() {
     return file.readLine().mid(QByteArray("rchar: ").size()).trimmed().toLongLong();
 }
 
+/// Deletes the first instance.
 void edit(Document& document) {
     document.push(
         {.text = "Delete", .replacements = {Replacement<Instance>{document.project().instances[0].id, std::nullopt}}});
@@ -51,7 +58,7 @@ private slots:
     void init() {
         m_folder = std::make_unique<QTemporaryDir>();
         m_path = m_folder->filePath("wall.rubble");
-        setBytes(m_path, QByteArray::fromStdString(projectText(starterProject())));
+        setBytes(m_path, QByteArray::fromStdString(projectText(identified(starterProject()))));
     }
 
     void openAndSaveKeepsTheBytes() {
@@ -68,7 +75,7 @@ private slots:
         QCOMPARE(bytesOfFile(m_path), before);
     }
     void repeatedPointsAreReportedAndSavedWithout() {
-        Project closed = starterProject();
+        const Project closed = identified(starterProject());
         QByteArray text = QByteArray::fromStdString(projectText(closed));
         const qsizetype start = text.indexOf("\"outline\": [") + qstrlen("\"outline\": [");
         const QByteArray first = text.mid(start, text.indexOf(']', start) + 1 - start);
@@ -86,6 +93,23 @@ private slots:
         QCOMPARE(bytesOfFile(m_path), text);
         QVERIFY(file.reload());
         QCOMPARE(spy.count(), 1);
+    }
+    void copiesGetAnIdentityOfTheirOwn() {
+        Document document(emptyProject());
+        DocumentFile file(document);
+        QVERIFY(file.saveAs(m_folder->filePath("new.rubble")));
+        const std::string first = document.project().identity;
+        QCOMPARE(first.size(), 32U);
+        QVERIFY(file.save() && document.project().identity == first);
+        QVERIFY(!file.saveAs(m_folder->filePath("no/such/folder.rubble")));
+        QCOMPARE(document.project().identity, first);
+        QVERIFY(file.saveAs(m_folder->filePath("copy.rubble")));
+        const std::string second = document.project().identity;
+        QVERIFY(second != first);
+        document.undoStack().undo();
+        QCOMPARE(document.project().identity, second);
+        QVERIFY(file.open(m_folder->filePath("new.rubble")));
+        QCOMPARE(document.project().identity, first);
     }
     void invalidFileLeavesTheDocument() {
         setBytes(m_path, "{");
@@ -183,7 +207,7 @@ private slots:
         Document document(emptyProject());
         DocumentFile file(document);
         QVERIFY(file.open(m_path));
-        QVERIFY(file.isReadOnly() && document.project() == starterProject());
+        QVERIFY(file.isReadOnly() && document.project() == identified(starterProject()));
         QVERIFY2(file.readOnlyReason().endsWith(" cannot be written to: Permission denied. Save it to another folder."),
                  qPrintable(file.readOnlyReason()));
     }
@@ -244,7 +268,7 @@ private slots:
         edit(document);
         QVERIFY(file.save());
         QVERIFY(file.diskState() == DiskState::Unchanged);
-        setBytes(m_path, QByteArray::fromStdString(projectText(starterProject())));
+        setBytes(m_path, QByteArray::fromStdString(projectText(identified(starterProject()))));
         QTRY_COMPARE(spy.count(), 1);  // not of our own saving
         QVERIFY(file.diskState() == DiskState::Changed);
         QVERIFY(file.reload());
@@ -335,7 +359,7 @@ private:
     QString backupPath() const { return m_folder->filePath("backup.rubble"); }
     /// A backup of an empty project.
     Backup backupOf(const QString& path, std::optional<ContentHash> hash) const {
-        setBytes(backupPath(), QByteArray::fromStdString(projectText(emptyProject())));
+        setBytes(backupPath(), QByteArray::fromStdString(projectText(identified(emptyProject()))));
         return {.path = backupPath(), .origin = {path, hash}};
     }
     static bool isLocked(const QString& path) { return std::filesystem::exists(lockPathOf(toPath(path))); }

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const ExportIndex kHouseIndex{
-    .project = "house.rubble", .folders = {"wall", "roof", "old"}, .files = {{"scene.json", 12, "ab"}}};
+    .project = {.name = "house.rubble"}, .folders = {"wall", "roof", "old"}, .files = {{"scene.json", 12, "ab"}}};
 const std::vector<std::string> kHouseFolders{"wall", "gable", "roof"};
 
 /// An output folder with a text as its index.
@@ -57,13 +57,13 @@ private slots:
         fs::last_write_time(folder / kIndexName, before);
         QVERIFY(setIndex(folder, kHouseIndex).hasValue());
         QVERIFY(fs::last_write_time(folder / kIndexName) == before);
-        QVERIFY(setIndex(folder, {.project = "house.rubble", .folders = {}, .files = {}}).hasValue());
+        QVERIFY(setIndex(folder, {.project = {.name = "house.rubble"}, .folders = {}, .files = {}}).hasValue());
         QVERIFY(fs::last_write_time(folder / kIndexName) != before);
     }
     void emptyIndexIsNotCreated() {
         const QTemporaryDir place;
         const fs::path folder = place.path().toStdString();
-        QVERIFY(setIndex(folder, {.project = "house.rubble", .folders = {}, .files = {}}).hasValue());
+        QVERIFY(setIndex(folder, {.project = {.name = "house.rubble"}, .folders = {}, .files = {}}).hasValue());
         QVERIFY(!fs::exists(folder / kIndexName));
     }
     void otherFilesAreNotReplaced() {
@@ -106,21 +106,33 @@ private slots:
                  index.error().message.c_str());
     }
     void staleFoldersHaveNoAsset() {
-        QVERIFY(staleFolders(kHouseIndex, "house.rubble", kHouseFolders) == std::vector<std::string>{"old"});
-        QVERIFY(staleFolders(kHouseIndex, "barn.rubble", kHouseFolders).empty());
-        QVERIFY(staleFolders(std::nullopt, "house.rubble", kHouseFolders).empty());
+        QVERIFY(staleFolders(kHouseIndex, {"house.rubble", {}}, kHouseFolders) == std::vector<std::string>{"old"});
+        QVERIFY(staleFolders(kHouseIndex, {"barn.rubble", {}}, kHouseFolders).empty());
+        QVERIFY(staleFolders(std::nullopt, {"house.rubble", {}}, kHouseFolders).empty());
+    }
+    void identityTellsProjectsOfOneNameApart() {
+        const ExportIndex index{.project = {"house.rubble", "aa"}, .folders = {"old"}, .files = {}};
+        QVERIFY(isIndexOf(index, {"house.rubble", "aa"}));
+        QVERIFY(isIndexOf(index, {"renamed.rubble", "aa"}));
+        QVERIFY(isIndexOf(index, {"house.rubble", ""}));  // before it had one
+        QVERIFY(!isIndexOf(index, {"barn.rubble", ""}));
+        QVERIFY(!isIndexOf(index, {"house.rubble", "bb"}));
+        QVERIFY(staleFolders(index, {"house.rubble", "bb"}, kHouseFolders).empty());
+        const QTemporaryDir place;
+        QVERIFY(setIndex(place.path().toStdString(), index).hasValue());
+        QVERIFY(**readExportIndex(place.path().toStdString()) == index);
     }
     void indexKeepsWhatWasExportedBefore() {
         const std::vector<std::string> kept{"old"};
-        const ExportIndex index = indexAfterExport(kHouseIndex, "house.rubble", kHouseFolders, {"gable"}, kept);
+        const ExportIndex index = indexAfterExport(kHouseIndex, {"house.rubble", {}}, kHouseFolders, {"gable"}, kept);
         QVERIFY((index.folders == std::vector<std::string>{"wall", "gable", "roof", "old"}));
         QVERIFY(index.files == kHouseIndex.files);
     }
     void indexOfAnotherProjectIsReplaced() {
-        const ExportIndex index = indexAfterExport(kHouseIndex, "barn.rubble", kHouseFolders, {"roof"}, {});
-        QVERIFY((index == ExportIndex{.project = "barn.rubble", .folders = {"roof"}, .files = {}}));
-        QVERIFY((indexAfterExport(std::nullopt, "a", kHouseFolders, {}, {}) ==
-                 ExportIndex{.project = "a", .folders = {}, .files = {}}));
+        const ExportIndex index = indexAfterExport(kHouseIndex, {"barn.rubble", {}}, kHouseFolders, {"roof"}, {});
+        QVERIFY((index == ExportIndex{.project = {.name = "barn.rubble"}, .folders = {"roof"}, .files = {}}));
+        QVERIFY((indexAfterExport(std::nullopt, {"a", {}}, kHouseFolders, {}, {}) ==
+                 ExportIndex{.project = {.name = "a"}, .folders = {}, .files = {}}));
     }
 };
 

@@ -1,18 +1,32 @@
 #include "core/io/pack/OutputFolder.h"
 
 #include "core/asset/library/StarterProject.h"
+#include "core/io/pack/PackFile.h"
+#include "core/io/pack/SceneFile.h"
+#include "core/io/project/ProjectIdentity.h"
+#include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/FolderNames.h"
 
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
 using namespace rubble;
 
 namespace {
 
-/// The folder of the starter project's asset.
+namespace fs = std::filesystem;
+
+/// The folder of the starter project's asset, and its id.
 constexpr const char* kOnlyPack = "wall";
+const std::vector<Id> kAssets{starterProject().assets.front().id};
+
+std::string textOf(const fs::path& path) { return readFile(path).value(); }
 
 }  // namespace
 
@@ -47,13 +61,95 @@ private slots:
             }
         }
     }
+    void filesThatNoExportWroteAreNeverReplaced() {
+        for (const EditedFiles edited : {EditedFiles::Kept, EditedFiles::Replaced}) {
+            for (const char* name : {kReadmeName, kSceneName}) {
+                const QTemporaryDir place;
+                OutputRequest request = requestFor(place);
+                request.edited = edited;
+                std::ofstream(request.folder / name) << "mine";
+                const auto refused = exportToFolder(request, starterProject(), kAssets);
+                QVERIFY(!refused && refused.error().code == ErrorCode::BadInput);
+                QVERIFY(refused.error().message.find("was not written by an export") != std::string::npos);
+                QCOMPARE(namesIn(request.folder), std::vector<std::string>{name});  // no pack without an index
+            }
+        }
+    }
+    void editedFilesAreRefusedBeforeAnythingIsWritten() {
+        const QTemporaryDir place;
+        OutputRequest request = requestFor(place);
+        QVERIFY(exportToFolder(request, starterProject(), kAssets)->finished.hasValue());
+        std::ofstream(request.folder / kReadmeName) << "mine";
+        Project changed = starterProject();
+        changed.assets.front().prism.depth *= 2.0;
+        const std::string before = textOf(request.folder / kOnlyPack / "manifest.json");
+        const auto refused = exportToFolder(request, changed, kAssets);
+        QVERIFY(!refused && refused.error().code == ErrorCode::Edited);
+        QCOMPARE(textOf(request.folder / kOnlyPack / "manifest.json"), before);
+        request.edited = EditedFiles::Replaced;
+        QVERIFY(exportToFolder(request, changed, kAssets)->finished.hasValue());
+    }
+    void projectsOfOneNameAreToldApartByTheirIdentities() {
+        const QTemporaryDir place;
+        OutputRequest request = requestFor(place);
+        request.isPruning = true;
+        Project first = starterProject(), second = starterProject();
+        first.identity = newIdentity();
+        second.identity = newIdentity();
+        QVERIFY(first.identity != second.identity);
+        second.assets.front().name = "another";
+        QVERIFY(exportToFolder(request, first, kAssets)->finished.hasValue());
+        const auto refused = exportToFolder(request, second, kAssets);
+        QVERIFY(!refused && refused.error().code == ErrorCode::Edited);
+        request.edited = EditedFiles::Replaced;
+        const auto exported = exportToFolder(request, second, kAssets);
+        QVERIFY(exported && exported->finished.hasValue() && exported->pruned.empty());
+        QVERIFY(fs::exists(request.folder / kOnlyPack));
+        request.project = "renamed.rubble";
+        second.assets.front().name = "third";
+        QCOMPARE(exportToFolder(request, second, kAssets)->pruned.size(), 1U);
+        QVERIFY(fs::exists(request.folder / kOnlyPack) && !fs::exists(request.folder / "another"));
+    }
+    void versionsExportedAtOnceIntoANewFolderTakeTurns() {
+        constexpr int kRounds = 10, kVersions = 8;
+        for (int round = 0; round < kRounds; ++round) {
+            const QTemporaryDir place;
+            OutputRequest request = requestFor(place);
+            request.folder /= "new/folder";
+            std::array<std::string, kVersions> failures;
+            std::vector<std::jthread> threads;
+            for (int version = 0; version < kVersions; ++version) {
+                threads.emplace_back([&, version] {
+                    Project project = starterProject();
+                    project.assets.front().prism.depth *= 1.0 + 0.1 * version;
+                    const auto exported = exportToFolder(request, project, kAssets);
+                    if (!exported || !exported->finished)
+                        failures[version] = (exported ? exported->finished.error() : exported.error()).message;
+                });
+            }
+            threads.clear();
+            for (const std::string& failure : failures) QCOMPARE(failure, "");
+            const auto scene = verifyScene(request.folder);
+            QVERIFY2(!scene, scene.value_or("").c_str());
+        }
+    }
 
 private:
+    static OutputRequest requestFor(const QTemporaryDir& place) {
+        return {.folder = place.path().toStdString(), .project = "wall.rubble", .target = ExportTarget::Godot};
+    }
+    /// Why the scene in a folder does not fit its packs; nothing if it does.
+    static std::optional<std::string> verifyScene(const fs::path& folder) {
+        PackPhysicsHashes present;
+        const Result<Pack> pack = readPack(textOf(folder / kOnlyPack / kPackName));
+        if (!pack) return pack.error().message;
+        present[kOnlyPack] = pack->physicsHash;
+        return scenePacksFault(textOf(folder / kSceneName), present);
+    }
     static std::vector<std::string> namesAfterExport(const Project& project, const OutputRequest& request) {
         const std::vector<Id> assets{project.assets.front().id};
-        const auto earlier = readExportIndex(request.folder).value();
-        const auto packs = exportPacks(project, assets, request.folder, request.options).value();
-        if (!finishExport(request, project, packs, earlier)) return {};
+        const Result<OutputExport> exported = exportToFolder(request, project, assets);
+        if (!exported || !exported->finished) return {};
         return namesIn(request.folder);
     }
     static std::vector<std::string> listedNames(const Project& project, const OutputRequest& request) {

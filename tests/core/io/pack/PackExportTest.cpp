@@ -271,8 +271,8 @@ private slots:
         const auto assets = exportPacks(project, allAssets(project), m_out, {}).value();
         for (const std::size_t k : {0u, 1u, 2u}) QVERIFY(assets[k].folder.filename().string().ends_with("-2"));
         QCOMPARE(assets[3].folder, m_out / "wall");
-        QVERIFY(finishExport({.folder = m_out, .project = "p.rubble", .target = ExportTarget::Unreal}, project, assets,
-                             {}));
+        const OutputRequest request{.folder = m_out, .project = "p.rubble", .target = ExportTarget::Unreal};
+        QVERIFY(exportToFolder(request, project, allAssets(project))->finished);
         for (const char* name : {"README.md", "import_into_unreal.py"})
             QVERIFY2(fs::is_regular_file(m_out / name), name);
     }

@@ -131,9 +131,9 @@ private slots:
         };
         const auto write = [&](const std::vector<ExportFile>& files, const std::vector<ManifestEntry>& listed,
                                EditedFiles edited = EditedFiles::Kept) {
-            const ExportIndex index{.project = "p.rubble", .folders = {}, .files = listed};
+            const ExportIndex index{.project = {.name = "p.rubble"}, .folders = {}, .files = listed};
             announced = 0;
-            return writeOutputFiles(out, files, index, "p.rubble", edited, announce);
+            return writeOutputFiles(out, files, index, {.name = "p.rubble"}, edited, announce);
         };
         const auto entries = write(first, {});
         QCOMPARE(*readFile(out / "scene.json"), std::string("one"));
@@ -146,8 +146,8 @@ private slots:
         const auto refused = write(first, *entries);  // which lists "one"
         QVERIFY(!refused && refused.error().code == ErrorCode::Edited);
         QCOMPARE(*readFile(out / "scene.json"), std::string("two"));
-        QVERIFY(writeOutputFiles(out, first, ExportIndex{"other.rubble", {}, *write(second, {})}, "p.rubble",
-                                 EditedFiles::Kept, announce)
+        QVERIFY(writeOutputFiles(out, first, ExportIndex{{.name = "other.rubble"}, {}, *write(second, {})},
+                                 {.name = "p.rubble"}, EditedFiles::Kept, announce)
                     .error()
                     .code == ErrorCode::Edited);
         QVERIFY(write({}, {manifestEntry("scene.json", "one")}));  // an edited file is not removed

@@ -170,6 +170,9 @@ private slots:
         const auto missing = loadStart({.name = "a", .state = "none.rubblestate"}, path, hash);
         QVERIFY(!missing && missing.error().code == ErrorCode::NotFound);
         QVERIFY2(missing.error().message.starts_with("Test \"a\": "), missing.error().message.c_str());
+        std::filesystem::create_symlink(path / "now.rubblestate", path / "link.rubblestate");
+        const auto link = loadStart({.name = "a", .state = "link.rubblestate"}, path, hash);
+        QVERIFY(!link && link.error().message.find("is a link, which may lead to any file") != std::string::npos);
     }
     void anotherProjectIsRefusedWithBothHashes() {
         const auto scene = test::playSceneOf(test::threeBlocks());
