@@ -1,6 +1,7 @@
 #include "editor/document/Backup.h"
 
 #include "core/io/system/FileErrors.h"
+#include "core/io/system/OpenFile.h"
 #include "core/io/system/Temporary.h"
 #include "editor/document/FilePath.h"
 
@@ -12,6 +13,7 @@
 #include <QUuid>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <string_view>
 
@@ -22,6 +24,7 @@ namespace {
 constexpr const char* kBackupSuffix = ".rubble";
 constexpr const char* kLockSuffix = ".lock";
 constexpr const char* kOriginSuffix = ".json";
+constexpr const char* kJournalSuffix = ".journal";
 constexpr const char* kProjectKey = "project";
 constexpr const char* kBytesKey = "projectBytes";  // base64 of a path that is not UTF-8
 constexpr const char* kHashKey = "projectHash";
@@ -80,7 +83,7 @@ void removeOrphanedLock(const QString& folder, const QString& lockName) {
     const QString name = lockName.chopped(static_cast<int>(qstrlen(kLockSuffix)));
     Backup backup{.path = folder + '/' + name + kBackupSuffix};
     if (QFile::exists(backup.path) || isInUse(backup)) return;
-    QFile::remove(withSuffix(backup.path, kOriginSuffix));
+    for (const char* suffix : {kJournalSuffix, kOriginSuffix}) QFile::remove(withSuffix(backup.path, suffix));
 }
 
 }  // namespace
@@ -103,8 +106,20 @@ Status writeBackup(const Backup& backup, const QByteArray& project) {
     return status ? written(backup.path, project) : status;
 }
 
+QString journalPath(const Backup& backup) { return withSuffix(backup.path, kJournalSuffix); }
+
+Status appendToJournal(const Backup& backup, std::string_view bytes, bool isNew) {
+    const std::filesystem::path path = toPath(journalPath(backup));
+    OpenFile file(path, O_WRONLY | O_CREAT | O_NOFOLLOW | (isNew ? O_TRUNC : O_APPEND), 0600);
+    int code = file.isOpen() ? writeAll(file.descriptor(), bytes) : errno;
+    if (code == 0 && ::fdatasync(file.descriptor()) != 0) code = errno;
+    if (code == 0 && file.close() != 0) code = errno;
+    return code == 0 ? success() : Status(cannotWrite(path, code));
+}
+
 void removeBackup(const Backup& backup) {
-    for (const char* suffix : {kBackupSuffix, kOriginSuffix}) QFile::remove(withSuffix(backup.path, suffix));
+    for (const char* suffix : {kBackupSuffix, kJournalSuffix, kOriginSuffix})
+        QFile::remove(withSuffix(backup.path, suffix));
 }
 
 bool takeOverBackup(Backup& backup) {
@@ -123,6 +138,8 @@ std::vector<Backup> orphanedBackups(const QString& folder) {
     for (const QFileInfo& file : QDir(folder).entryInfoList({QString("*") + kBackupSuffix}, QDir::Files)) {
         Backup backup{.path = file.absoluteFilePath(), .time = file.lastModified()};
         if (isInUse(backup) && !backup.holder) continue;
+        const QFileInfo journal(journalPath(backup));
+        if (journal.exists()) backup.time = std::max(backup.time, journal.lastModified());
         backup.origin = originOf(backup.path);
         backups.push_back(std::move(backup));
     }

@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace rubble {
@@ -20,11 +21,11 @@ struct BackupOrigin {
     std::optional<ContentHash> hash;  // of the file that the changes are based on; none: there was no file
 };
 
-/// A backup: a project, its origin beside it, and a lock that is held while a program uses the backup.
+/// A backup: a project, its journal and its origin beside it, and a lock that is held while a program uses the backup.
 struct Backup {
     QString path;
     BackupOrigin origin;
-    QDateTime time;                        // when it was written
+    QDateTime time;                        // when it was written, or its journal
     std::shared_ptr<const LockFile> lock;  // null if none could be created, as on a full disk
     std::optional<LockHolder> holder;      // another program that holds the lock and may be running
 };
@@ -40,7 +41,14 @@ void lockBackup(Backup& backup);
 ///
 /// Errors: Io, with the path and the system's reason.
 Status writeBackup(const Backup& backup, const QByteArray& project);
-/// Removes a backup and its origin.
+/// The journal of a backup: what was edited since it was written.
+QString journalPath(const Backup& backup);
+/// Appends to the journal of a backup, or begins it anew, and flushes it to disk; only the user may read it. On an
+/// error its last record may not be whole.
+///
+/// Errors: Io, with the path and the system's reason.
+Status appendToJournal(const Backup& backup, std::string_view bytes, bool isNew);
+/// Removes a backup, its journal and its origin.
 void removeBackup(const Backup& backup);
 
 /// Takes the lock of a backup over from its holder. Returns false if the holder is running after all.

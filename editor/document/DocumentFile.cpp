@@ -96,8 +96,8 @@ Result<DocumentFile::Faults> DocumentFile::restoreWithoutFile(const Backup& back
 
 Result<DocumentFile::Faults> DocumentFile::restore(const Backup& backup, const BackupOrigin& origin,
                                                    const ProjectAccess& access) {
-    Result<RecoveredProject> recovered =
-        orOutOfMemory("restoring the backup", [&] { return recoverProject(toPath(backup.path)); });
+    Result<RecoveredProject> recovered = orOutOfMemory(
+        "restoring the backup", [&] { return recoverProject(toPath(backup.path), toPath(journalPath(backup))); });
     if (!recovered) return recovered.error();
     setFile(origin, access);
     m_document.replaceUnsaved(std::move(recovered->project));

@@ -10,6 +10,7 @@
 #include "core/io/json/VectorJson.h"
 #include "core/io/project/AssetJson.h"
 #include "core/io/project/BondingJson.h"
+#include "core/io/project/ProjectJournal.h"
 #include "core/io/project/SceneJson.h"
 #include "core/io/project/ShotJson.h"
 #include "core/io/project/TextureJson.h"
@@ -111,23 +112,27 @@ Result<Project> readAnyVersion(JsonDocument& document) {
     return project;
 }
 
-/// Reads a project without verifying it.
-Result<Project> readUnverified(std::string_view json) {
-    Result<JsonDocument> document = JsonDocument::parse(json);
-    if (!document) return document.error();
-    return readAnyVersion(*document);
-}
-
-Result<RecoveredProject> readRecovered(std::string_view json) {
-    Result<Project> project = readUnverified(json);
-    if (!project) return project.error();
-    if (const std::optional<std::string> fault = structureFault(*project)) return Error{ErrorCode::BadInput, *fault};
-    for (const Asset& asset : project->assets) {
+Result<RecoveredProject> recovered(Project project) {
+    if (const std::optional<std::string> fault = structureFault(project)) return Error{ErrorCode::BadInput, *fault};
+    for (const Asset& asset : project.assets) {
         const Result<Prism> prism = validated(asset.prism);
         if (!prism) return prism.error();
     }
-    std::vector<std::string> faults = valueFaults(*project);
-    return RecoveredProject{std::move(*project), std::move(faults)};
+    std::vector<std::string> faults = valueFaults(project);
+    return RecoveredProject{std::move(project), std::move(faults)};
+}
+
+/// Recovers a project from a text, with what its journal has; without that where it does not fit.
+Result<RecoveredProject> readRecovered(std::string_view json, std::string_view journal) {
+    Result<Project> project = readProjectPart(json);
+    if (!project) return project.error();
+    if (journal.empty()) return recovered(std::move(*project));
+    Result<Project> edited = replayed(*project, contentHash(json), journal);
+    Result<RecoveredProject> whole = edited ? recovered(std::move(*edited)) : Result<RecoveredProject>(edited.error());
+    if (whole) return whole;
+    Result<RecoveredProject> earlier = recovered(std::move(*project));
+    if (earlier) earlier->faults.push_back("The last edits are left out: " + whole.error().message);
+    return earlier;
 }
 
 /// Removes the repeated points of an asset's outline and its holes, and reports their number.
@@ -149,6 +154,12 @@ bool isCleaned(const Asset& asset, const std::vector<Diagnostic>& notes) {
 bool hasFaultyPrism(const Asset& asset) { return prismRangeFault({}, asset.prism) || !validated(asset.prism); }
 
 }  // namespace
+
+Result<Project> readProjectPart(std::string_view json) {
+    Result<JsonDocument> document = JsonDocument::parse(json);
+    if (!document) return document.error();
+    return readAnyVersion(*document);
+}
 
 std::string projectText(const Project& project) {
     JsonWriter json;
@@ -176,7 +187,7 @@ std::string projectText(const Project& project) {
 }
 
 Result<Project> readProjectText(std::string_view json, std::vector<Diagnostic>* notes) {
-    Result<Project> project = readUnverified(json);
+    Result<Project> project = readProjectPart(json);
     if (!project) return project;
     std::vector<Diagnostic> found;
     for (Asset& asset : project->assets) cleanOutline(asset, found);
@@ -204,12 +215,14 @@ Result<Project> loadProject(const std::filesystem::path& path, std::vector<Diagn
     return readProjectText(*text, path, notes);
 }
 
-Result<RecoveredProject> recoverProject(const std::filesystem::path& path) {
+Result<RecoveredProject> recoverProject(const std::filesystem::path& path, const std::filesystem::path& journal) {
     const Result<std::string> text = readFile(path);
     if (!text) return text.error();
-    Result<RecoveredProject> recovered = readRecovered(*text);
-    if (!recovered) return withPath("Cannot read", path, recovered.error());
-    return recovered;
+    const Result<std::string> edits = journal.empty() ? std::string() : readFile(journal);
+    if (!edits && edits.error().code != ErrorCode::NotFound) return edits.error();
+    Result<RecoveredProject> project = readRecovered(*text, edits ? *edits : std::string());
+    if (!project) return withPath("Cannot read", path, project.error());
+    return project;
 }
 
 Status saveProject(const std::filesystem::path& path, const Project& project) {

@@ -30,6 +30,11 @@ Result<Project> readProjectText(std::string_view json, std::vector<Diagnostic>* 
 Result<Project> readProjectText(std::string_view json, const std::filesystem::path& path,
                                 std::vector<Diagnostic>* notes = nullptr);
 
+/// Reads some elements of a project, as projectText() wrote them, without verifying it: they may refer to others.
+///
+/// Errors: those of readProjectText() about the form of the text.
+Result<Project> readProjectPart(std::string_view json);
+
 /// Loads a project file. `notes` as for readProjectText().
 ///
 /// Errors, with the path: those of readFile() and readProjectText().
@@ -44,7 +49,10 @@ struct RecoveredProject {
 ///
 /// Errors, with the path: those of loadProject(), except for such values; BadInput for outlines that validated()
 /// rejects, as they cannot be shown.
-Result<RecoveredProject> recoverProject(const std::filesystem::path& path);
+///
+/// With what was edited since, where there is a file `journal`, see replayed(); edits that do not fit are left out,
+/// which a fault tells.
+Result<RecoveredProject> recoverProject(const std::filesystem::path& path, const std::filesystem::path& journal = {});
 
 /// Saves a project file atomically, and removes what killed programs left beside it.
 ///

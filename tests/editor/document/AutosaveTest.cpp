@@ -1,6 +1,8 @@
 #include "core/asset/library/StarterProject.h"
+#include "core/base/Random.h"
 #include "core/io/project/ProjectFile.h"
 #include "editor/document/Autosave.h"
+#include "editor/document/FilePath.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/ManyInstances.h"
 #include "tests/support/files/FileLimits.h"
@@ -22,6 +24,8 @@ namespace {
 
 constexpr int kMany = 5000;  // instances, so that a backup is not written at once
 constexpr const char* kChildFolder = "RUBBLE_AUTOSAVE_CHILD";
+constexpr const char* kChildInterval = "RUBBLE_AUTOSAVE_SECONDS";
+constexpr const char* kKills = "RUBBLE_AUTOSAVE_KILLS";  // how often a program is killed; default: a few times
 
 void setHeight(Document& document, double height) {
     SceneSettings scene = sceneSettings(document.project());
@@ -43,17 +47,47 @@ bool startBackup(Document& document, Autosave& autosave, double height) {
     return autosave.isWriting();
 }
 
-/// Edits until it is killed: raises the ground by 1 every 20 ms, with a backup every second.
+/// Makes the edit of a number from 1 on, the same each time: raises the ground to it, adds, moves, or removes an
+/// instance, or changes an asset.
+void makeEdit(Document& document, int number) {
+    Random random(static_cast<std::uint64_t>(number));
+    const Project& project = document.project();
+    SceneSettings scene = sceneSettings(project);
+    scene.ground.height = number;
+    Edit edit{.text = "Edit", .replacements = {scene}};
+    const auto below = [&](std::size_t count) { return static_cast<std::size_t>(random.unit() * double(count)); };
+    const bool isAdding = project.instances.size() < 2 || random.unit() < 0.4;
+    if (random.unit() < 0.2) {
+        Asset asset = project.assets[0];
+        asset.prism.depth = 0.1 + random.unit();
+        edit.replacements.push_back(Replacement<Asset>{asset.id, asset});
+    } else if (isAdding) {
+        const Id id = edit.allocateId(project);
+        Instance instance = project.instances[0];
+        instance.id = id;
+        instance.name = "wall " + std::to_string(number);
+        edit.replacements.push_back(Replacement<Instance>{id, instance});
+    } else {
+        std::optional<Instance> instance = project.instances[1 + below(project.instances.size() - 1)];
+        const Id id = instance->id;
+        instance->pose.position.x += random.unit();
+        if (random.unit() < 0.5) instance.reset();
+        edit.replacements.push_back(Replacement<Instance>{id, instance});
+    }
+    if (!document.push(std::move(edit))) std::abort();
+}
+
+/// Edits until it is killed: makes the edits in order, one every 20 ms, and prints their numbers.
 int editForever(const QString& folder) {
     Document document(starterProject());
     Autosave autosave(document, folder);
     autosave.setOrigin({"/home/user/wall.rubble", contentHash("as it was")});
-    autosave.setInterval(1s);
+    autosave.setInterval(std::chrono::seconds(qEnvironmentVariableIntValue(kChildInterval)));
     QTimer timer;
-    double height = 0.0;
+    int number = 0;
     QObject::connect(&timer, &QTimer::timeout, [&] {
-        setHeight(document, height += 1.0);
-        std::printf("%g\n", height);
+        makeEdit(document, ++number);
+        std::printf("%d\n", number);
         std::fflush(stdout);
     });
     timer.start(20ms);
@@ -229,10 +263,7 @@ private slots:
     }
     void killedProgramLeavesABackup() {
         QProcess child;
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        environment.insert(kChildFolder, m_folder->path());
-        child.setProcessEnvironment(environment);
-        child.start(QCoreApplication::applicationFilePath(), {"AutosaveTest"});
+        start(child, 1);
         QTRY_VERIFY_WITH_TIMEOUT(!backups().isEmpty(), kPatience);
         child.readAllStandardOutput();
         QTRY_VERIFY(child.canReadLine());
@@ -251,7 +282,118 @@ private slots:
         QVERIFY(orphanedBackups(m_folder->path()).empty());
     }
 
+    void killedProgramLosesTwoSecondsAtMost() {
+        const int kills = std::max(3, qEnvironmentVariableIntValue(kKills));
+        Random random(20);
+        for (int kill = 0; kill < kills; ++kill) {
+            init();
+            const int interval = random.unit() < 0.5 ? 1 : 60;
+            QProcess child;
+            start(child, interval);
+            QVERIFY(child.waitForReadyRead(kPatience));
+            const QDeadlineTimer end(2300 + static_cast<int>(random.unit() * 2000));
+            int sure = 0, last = 0;  // edits made two seconds before it is killed, and all
+            QTest::qWait(static_cast<int>(end.remainingTime()) - 2000);
+            while (child.canReadLine()) sure = child.readLine().trimmed().toInt();
+            QTest::qWait(static_cast<int>(end.remainingTime()));
+            ::kill(static_cast<pid_t>(child.processId()), SIGKILL);
+            QVERIFY(child.waitForFinished(kPatience));
+            while (child.canReadLine()) last = child.readLine().trimmed().toInt();
+            const std::vector<Backup> left = orphanedBackups(m_folder->path());
+            QCOMPARE(left.size(), std::size_t{1});
+            const auto recovered = recoverProject(toPath(left[0].path), toPath(journalPath(left[0])));
+            QVERIFY2(recovered.hasValue(), recovered ? "" : recovered.error().message.c_str());
+            QVERIFY(recovered->faults.empty());
+            const int found = static_cast<int>(recovered->project.ground.height);
+            QVERIFY2(
+                found >= sure && found <= last + 1,
+                qPrintable(QString("kill %1: %2 of %3 edits, %4 are sure").arg(kill).arg(found).arg(last).arg(sure)));
+            QVERIFY(recovered->project == projectAfter(found));
+        }
+    }
+    void editsAreRecordedWithinASecond() {
+        Document document(starterProject());
+        Autosave autosave(document, m_folder->path());
+        autosave.setInterval(60s);
+        for (const double height : {3.0, 4.0, 5.0}) {
+            setHeight(document, height);
+            QTest::qWait(1000);
+            QCOMPARE(recoveredHeight(), height);
+        }
+        QCOMPARE(heightIn(backups()[0]), 3.0);  // the others are in the journal
+        document.undoStack().undo();
+        QTRY_COMPARE(recoveredHeight(), 4.0);
+        autosave.writeNow();
+        QCOMPARE(heightIn(backups()[0]), 4.0);
+        QCOMPARE(recoveredHeight(), 4.0);  // the old journal does not count
+        document.setSaved();
+        QVERIFY(QDir(m_folder->path()).entryList({"*.journal"}).isEmpty());
+    }
+    void faultOfTheJournalIsReportedAndMended() {
+        Document document(starterProject());
+        Autosave autosave(document, m_folder->path());
+        autosave.setInterval(2s);
+        QString sentence;
+        connect(&autosave, &Autosave::failed, this, [&](const QString& told) { sentence = told; });
+        setHeight(document, 3.0);
+        QTRY_COMPARE(recoveredHeight(), 3.0);
+        QTRY_VERIFY(!autosave.isWriting());
+        {
+            const FileSizeLimit limit(10);
+            setHeight(document, 4.0);
+            QTRY_VERIFY_WITH_TIMEOUT(!sentence.isEmpty(), kPatience);
+        }
+        QCOMPARE(recoveredHeight(), 3.0);
+        QTRY_COMPARE_WITH_TIMEOUT(recoveredHeight(), 4.0, kPatience);
+    }
+    void longJournalsBecomeBackups() {
+        Document document(test::manyInstances(kMany));
+        Autosave autosave(document, m_folder->path());
+        autosave.setInterval(600s);
+        qint64 most = 0;
+        for (int height = 1; height <= 20; ++height) {
+            Edit edit{.text = "Move"};
+            for (Instance instance : document.project().instances) {
+                instance.pose.position.y = height;
+                edit.replacements.push_back(Replacement<Instance>{instance.id, instance});
+            }
+            QVERIFY(document.push(std::move(edit)));
+            QTRY_COMPARE_WITH_TIMEOUT(recoveredPosition(), double(height), kPatience);
+            for (const QFileInfo& file : QDir(m_folder->path()).entryInfoList({"*.journal"}))
+                most = std::max(most, file.size());
+        }
+        const qint64 text = QFileInfo(backups()[0]).size();
+        QVERIFY2(most > text && most < 4 * text, qPrintable(QString("%1 of %2").arg(most).arg(text)));
+    }
+
 private:
+    void start(QProcess& child, int interval) const {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(kChildFolder, m_folder->path());
+        environment.insert(kChildInterval, QString::number(interval));
+        child.setProcessEnvironment(environment);
+        child.start(QCoreApplication::applicationFilePath(), {"AutosaveTest"});
+    }
+    static Project projectAfter(int edits) {
+        Document document(starterProject());
+        for (int number = 1; number <= edits; ++number) makeEdit(document, number);
+        return document.project();
+    }
+    /// The backup with its journal.
+    std::optional<Project> recovered() const {
+        if (backups().isEmpty()) return std::nullopt;
+        const Backup backup{.path = backups()[0]};
+        const auto project = recoverProject(toPath(backup.path), toPath(journalPath(backup)));
+        return project ? std::optional(project->project) : std::nullopt;
+    }
+    double recoveredHeight() const {
+        const std::optional<Project> project = recovered();
+        return project ? project->ground.height : -1.0;
+    }
+    double recoveredPosition() const {
+        const std::optional<Project> project = recovered();
+        return project ? project->instances.back().pose.position.y : -1.0;
+    }
     QStringList backups() const {
         QStringList paths;
         for (const QFileInfo& file : QDir(m_folder->path()).entryInfoList({"*.rubble"})) paths += file.filePath();
