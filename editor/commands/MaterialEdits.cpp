@@ -39,6 +39,7 @@ void applyPattern(const Project& project, const MaterialPreset& preset, Asset& a
     asset.bonding.neverBreaks.clear();
     asset.bonding.clusters.clear();
     asset.edits.clear();
+    asset.cutAtImpact = preset.cutAtImpact;
 }
 
 }  // namespace
@@ -67,7 +68,7 @@ MaterialPreset presetFrom(const Project& project, Id material, Id activeAsset) {
         const auto first = std::ranges::find_if(project.assets, hasMaterial);
         asset = first != project.assets.end() ? &*first : nullptr;
     }
-    return presetOf(*findMaterial(project, material), asset != nullptr ? asset->pattern : Pattern{});
+    return presetOf(*findMaterial(project, material), asset);
 }
 
 }  // namespace rubble

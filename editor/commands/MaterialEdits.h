@@ -7,7 +7,7 @@ namespace rubble {
 
 /// The parts of a preset to apply to an asset in addition to the material.
 struct PresetOptions {
-    bool appliesPattern = false;    // replaces the asset's pattern by the preset's
+    bool appliesPattern = false;    // replaces the asset's pattern and its cut at the point of impact by the preset's
     bool derivesThreshold = false;  // from the tensile strength, if the preset has one
 };
 

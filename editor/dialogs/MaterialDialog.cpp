@@ -68,7 +68,8 @@ QWidget* MaterialDialog::createOptions() {
     layout->setContentsMargins(0, 0, 0, 0);
     m_appliesPattern = new QCheckBox(tr("Apply the fracture &pattern"));
     m_appliesPattern->setToolTip(
-        tr("Replace the layers, merges and splits of the asset by the pattern of the material"));
+        tr("Replace the layers, merges and splits of the asset by the pattern of the material, and let it break "
+           "where it is hit if the material does"));
     m_appliesPattern->setChecked(true);
     m_derivesThreshold = new QCheckBox(tr("Derive the &threshold from the strength"));
     m_derivesThreshold->setToolTip(

@@ -69,6 +69,11 @@ QString materialSummary(const LibraryMaterial& material, const Units& units, con
                          MaterialSummaryTexts::tr("(toughness / strength)² / π: deeper cracks lower the strength"));
     }
     summary += rowOf(MaterialSummaryTexts::tr("Pattern"), layerNames(preset.pattern), {});
+    if (preset.cutAtImpact) {
+        const auto fragments = static_cast<int>(preset.cutAtImpact->fragments);
+        summary += rowOf(MaterialSummaryTexts::tr("Breaks"),
+                         MaterialSummaryTexts::tr("where it is hit, into %Ln fragment(s)", nullptr, fragments), {});
+    }
     const QString file = htmlText(material.file.native());
     if (!file.isEmpty()) summary += rowOf(MaterialSummaryTexts::tr("File"), "<small>" + file + "</small>", {});
     return summary + "</table>";

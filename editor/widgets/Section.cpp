@@ -62,6 +62,18 @@ void Section::setTitle(const QString& title) {
     m_head->setAccessibleName(title);
 }
 
+QLabel* Section::addNote(const QString& text) {
+    constexpr double kNoteScale = 0.9;  // of the font
+    auto* note = new QLabel(text);
+    note->setTextFormat(Qt::PlainText);
+    note->setWordWrap(true);
+    QFont small = note->font();
+    small.setPointSizeF(small.pointSizeF() * kNoteScale);
+    note->setFont(small);
+    addWide(note);
+    return note;
+}
+
 void Section::setCollapsed(bool isCollapsed) {
     m_head->setChecked(!isCollapsed);
     m_head->setArrowType(isCollapsed ? Qt::RightArrow : Qt::DownArrow);

@@ -26,6 +26,8 @@ public:
         nameRow(label, control, hint);
         return control;
     }
+    /// Adds a line that explains the row above it.
+    QLabel* addNote(const QString& text = {});
     /// Adds a control as wide as the section.
     void addWide(QWidget* control) { m_rows->addWidget(control, m_rowCount++, 0, 1, 2); }
     void setRowVisible(QWidget* control, bool isVisible);

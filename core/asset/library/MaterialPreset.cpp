@@ -1,5 +1,6 @@
 #include "core/asset/library/MaterialPreset.h"
 
+#include "core/asset/checks/PlayFaults.h"
 #include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"
 #include "core/base/Utf8.h"
@@ -74,7 +75,7 @@ std::optional<std::string> verifyPreset(const MaterialPreset& preset) {
                std::to_string(preset.pattern.layers[k].id) + "; those of a preset are 1, 2, 3 and so on.";
     }
     if (Sentence fault = verifyPattern(preset.pattern)) return owner + ": " + *fault;
-    return std::nullopt;
+    return preset.cutAtImpact ? cutFault(owner, *preset.cutAtImpact) : std::nullopt;
 }
 
 Material materialOf(const MaterialPreset& preset, Id id) {
@@ -106,10 +107,11 @@ Pattern patternWithin(const MaterialPreset& preset, const Box2& bounds) {
     return pattern;
 }
 
-MaterialPreset presetOf(const Material& material, Pattern pattern) {
+MaterialPreset presetOf(const Material& material, const Asset* asset) {
     const auto figureOf = [](const std::optional<double>& value) {
         return value ? std::optional(PresetFigure{.value = *value}) : std::nullopt;
     };
+    Pattern pattern = asset != nullptr ? asset->pattern : Pattern();
     numberLayers(pattern);
     return {.name = material.name,
             .density = *figureOf(material.density),
@@ -121,7 +123,8 @@ MaterialPreset presetOf(const Material& material, Pattern pattern) {
             .outside = material.outside,
             .inside = material.inside,
             .opacity = material.opacity,
-            .pattern = std::move(pattern)};
+            .pattern = std::move(pattern),
+            .cutAtImpact = asset != nullptr ? asset->cutAtImpact : std::nullopt};
 }
 
 }  // namespace rubble

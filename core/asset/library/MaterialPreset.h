@@ -29,7 +29,8 @@ struct MaterialPreset {
     Colour outside;
     Colour inside;
     double opacity = 1.0;
-    Pattern pattern;  // its typical fracture, with layer ids 1, 2, ...; may be empty
+    Pattern pattern;                         // its typical fracture, with layer ids 1, 2, ...; may be empty
+    std::optional<CutAtImpact> cutAtImpact;  // brittle ones crack where they are hit
     bool operator==(const MaterialPreset&) const = default;
 };
 
@@ -44,8 +45,8 @@ Material materialOf(const MaterialPreset& preset, Id id);
 /// a new layer there, other parameters and layer ids those of the preset.
 Pattern patternWithin(const MaterialPreset& preset, const Box2& bounds);
 
-/// A preset of a project's material, without sources. `pattern` is that of an asset of this material; its layers are
-/// renumbered.
-MaterialPreset presetOf(const Material& material, Pattern pattern);
+/// A preset of a project's material, without sources. `asset` of this material gives the pattern, whose layers are
+/// renumbered, and the cut; null: none.
+MaterialPreset presetOf(const Material& material, const Asset* asset);
 
 }  // namespace rubble

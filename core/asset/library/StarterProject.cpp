@@ -6,11 +6,12 @@ namespace rubble {
 namespace {
 
 /// Adds a wall and an instance of it to a project with one material. An empty pattern becomes 20 scattered seeds.
-Project withWall(Project project, Pattern pattern) {
+Project withWall(Project project, Pattern pattern, const std::optional<CutAtImpact>& cut) {
     Asset wall{.id = project.nextId++, .name = "wall", .material = project.materials[0].id};
     wall.prism = {{{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}, {}}, 0.5};
     deriveThresholdIfKnown(wall, project.materials[0]);
     wall.pattern = std::move(pattern);
+    wall.cutAtImpact = cut;
     if (wall.pattern.layers.empty()) {
         wall.pattern.layers = {{.randomSeed = 1, .parameters = UniformScatter{.count = 20}}};
     }
@@ -45,10 +46,10 @@ Project emptyProject(const MaterialPreset& material) {
     return project;
 }
 
-Project starterProject() { return withWall(emptyProject(), {}); }
+Project starterProject() { return withWall(emptyProject(), {}, {}); }
 
 Project starterProject(const MaterialPreset& material) {
-    return withWall(emptyProject(material), patternWithin(material, {{-0.5, -0.5}, {0.5, 0.5}}));
+    return withWall(emptyProject(material), patternWithin(material, {{-0.5, -0.5}, {0.5, 0.5}}), material.cutAtImpact);
 }
 
 }  // namespace rubble

@@ -6,6 +6,7 @@
 #include "core/io/json/JsonWriter.h"
 #include "core/io/project/ColourJson.h"
 #include "core/io/project/PatternJson.h"
+#include "core/io/project/StrengthRequirementJson.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/FileErrors.h"
 #include "core/io/system/FileName.h"
@@ -61,6 +62,7 @@ void writePreset(JsonWriter& json, const MaterialPreset& preset) {
     writeColour(json, "inside", preset.inside);
     writeOpacity(json, preset.opacity);
     if (!preset.pattern.layers.empty()) writePattern(json, preset.pattern);
+    if (preset.cutAtImpact) writeCutAtImpact(json, preset.cutAtImpact);
 }
 
 void writeLibraryMaterial(JsonWriter& json, const LibraryMaterial& material) {
@@ -75,8 +77,9 @@ void writeLibraryMaterial(JsonWriter& json, const LibraryMaterial& material) {
 }
 
 MaterialPreset readPreset(const JsonValue& root) {
-    root.requireObject({"format", "version", "name", "density", "friction", "restitution", "outside", "inside"},
-                       {"note", "tensileStrength", "fractureToughness", "youngsModulus", "opacity", "pattern"});
+    root.requireObject(
+        {"format", "version", "name", "density", "friction", "restitution", "outside", "inside"},
+        {"note", "tensileStrength", "fractureToughness", "youngsModulus", "opacity", "pattern", "cutAtImpact"});
     return {.name = root["name"].text(),
             .note = root["note"].isPresent() ? root["note"].text() : std::string(),
             .density = readProperty(root["density"]),
@@ -88,7 +91,9 @@ MaterialPreset readPreset(const JsonValue& root) {
             .outside = readColour(root["outside"]),
             .inside = readColour(root["inside"]),
             .opacity = readOpacity(root),
-            .pattern = root["pattern"].isPresent() ? readPattern(root["pattern"]) : Pattern{}};
+            .pattern = root["pattern"].isPresent() ? readPattern(root["pattern"]) : Pattern{},
+            .cutAtImpact =
+                root["cutAtImpact"].isPresent() ? std::optional(readCutAtImpact(root["cutAtImpact"])) : std::nullopt};
 }
 
 std::vector<std::filesystem::path> jsonFilesIn(const std::filesystem::path& folder) {

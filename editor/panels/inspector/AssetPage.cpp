@@ -22,6 +22,21 @@ constexpr Id kEntered = 1;  // sources of the threshold
 constexpr Id kDerived = 2;
 constexpr Id kDerivedFromSection = 3;  // by older versions
 
+constexpr Id kBreakWhole = 0;  // ways to break
+constexpr Id kBreakBonded = 1;
+constexpr Id kBreakCut = 2;
+
+Id wayToBreak(const Asset& asset) {
+    if (asset.breakAs == BreakAs::Bonded) return kBreakBonded;
+    return asset.cutAtImpact ? kBreakCut : kBreakWhole;
+}
+
+void setWayToBreak(Asset& asset, Id way) {
+    asset.breakAs = way == kBreakBonded ? BreakAs::Bonded : BreakAs::Whole;
+    if (way == kBreakWhole) asset.cutAtImpact.reset();
+    if (way == kBreakCut && !asset.cutAtImpact) asset.cutAtImpact = CutAtImpact();
+}
+
 Id sourceOf(const Asset& asset) {
     if (!asset.contactTime) return kEntered;
     return asset.strengthRule == StrengthRule::CrossSection ? kDerivedFromSection : kDerived;
@@ -91,7 +106,7 @@ void AssetPage::buildAsset(Section& section) {
     buildBreakAs(section);
     buildThreshold(section);
     auto* scale =
-        section.addRow(tr("Inside UVs"), new NumberField, tr("Texture repeats per metre on fracture surfaces"));
+        section.addRow(tr("Inside UV scale"), new NumberField, tr("Texture repeats per metre on fracture surfaces"));
     scale->setFormat(Units::perMetre());
     scale->setRange(fieldRange(ProjectNumber::InsideUvScale));
     m_form.bind(scale, tr("Set Inside UV Scale"), &Asset::insideUvScale);
@@ -162,13 +177,44 @@ void AssetPage::buildThreshold(Section& section) {
 
 void AssetPage::buildBreakAs(Section& section) {
     auto* breakAs = section.addRow(tr("Break as"), new QComboBox,
-                                   tr("Set whether a hit breaks the asset into all of its fragments, or only bonds "
-                                      "between them"));
-    breakAs->addItem(tr("Whole"), static_cast<Id>(BreakAs::Whole));
-    breakAs->addItem(tr("Bonded"), static_cast<Id>(BreakAs::Bonded));
+                                   tr("Set whether a hit breaks the asset into all of its fragments, only bonds "
+                                      "between them, or cuts it anew"));
+    breakAs->addItem(tr("Whole"), kBreakWhole);
+    breakAs->addItem(tr("Bonded"), kBreakBonded);
+    breakAs->addItem(tr("Cut where hit"), kBreakCut);
+    m_form.bind(breakAs, tr("Set How It Breaks"), wayToBreak, setWayToBreak);
+    m_breakNote = section.addNote();
+    m_breakNote->setObjectName("breakNote");
+    m_cutFragments = section.addRow(tr("Cut fragments"),
+                                    new SliderField(wholeFieldRange(ProjectNumber::ImpactFragments), 10.0, 200.0),
+                                    tr("Number of fragments into which a hit cuts the asset"));
     m_form.bind(
-        breakAs, tr("Set How It Breaks"), [](const Asset& asset) { return static_cast<Id>(asset.breakAs); },
-        [](Asset& asset, Id entered) { asset.breakAs = static_cast<BreakAs>(entered); });
+        m_cutFragments, tr("Set Fragments of Cut"),
+        [](const Asset& asset) { return static_cast<double>(asset.cutAtImpact.value_or(CutAtImpact()).fragments); },
+        [](Asset& asset, double entered) {
+            if (asset.cutAtImpact) asset.cutAtImpact->fragments = static_cast<std::uint32_t>(entered);
+        });
+    m_cutRadius = section.addRow(
+        tr("Cut radius"),
+        new SliderField(fieldRange(ProjectNumber::ImpactFalloffRadius), 0.05, 2.0, SliderScale::Logarithmic),
+        tr("Distance from the hit within which half of the fragments lie"));
+    m_form.bind(
+        m_cutRadius, tr("Set Radius of Cut"),
+        [](const Asset& asset) { return asset.cutAtImpact.value_or(CutAtImpact()).falloffRadius; },
+        [](Asset& asset, double entered) {
+            if (asset.cutAtImpact) asset.cutAtImpact->falloffRadius = entered;
+        });
+}
+
+/// Says how the asset breaks, and shows what belongs to it.
+void AssetPage::showWayToBreak(const Asset& asset) {
+    const Id way = wayToBreak(asset);
+    m_breakNote->setText(way == kBreakBonded ? tr("A hit breaks the bonds near it. What is no longer held comes off.")
+                         : way == kBreakCut
+                             ? tr("A hit that reaches the threshold cuts it anew around the point of impact. Exports "
+                                  "have the fragments of the pattern.")
+                             : tr("A hit that reaches the threshold breaks it into all of its fragments at once."));
+    for (QWidget* field : {m_cutFragments, m_cutRadius}) m_asset->setRowVisible(field, way == kBreakCut);
 }
 
 /// Lists the sources of thresholds; the older one only for assets that have it.
@@ -276,6 +322,7 @@ QString AssetPage::summary(const Asset& asset) const {
 void AssetPage::setUnits(const Units& units) {
     m_units = units;
     for (NumberField* field : m_size) field->setFormat(units.lengths());
+    m_cutRadius->setFormat(units.lengths());
     m_bonds->setUnits(units);
     m_outline->setUnits(units);
     m_shaping->setUnits(units);
@@ -298,6 +345,7 @@ void AssetPage::refresh() {
     const std::vector<Asset> assets = selected();
     m_summary->setText(assets.empty() ? QString() : summary(assets.front()));
     if (!assets.empty()) {
+        showWayToBreak(assets.front());
         showThreshold(assets.front());
         showTexture(assets.front());
     }

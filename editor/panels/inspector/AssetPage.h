@@ -32,6 +32,7 @@ private:
     void buildAsset(Section& section);
     void buildThreshold(Section& section);
     void buildBreakAs(Section& section);
+    void showWayToBreak(const Asset& asset);
     void buildShape(Section& section);
     QWidget* createTexture();
     void showTexture(const Asset& asset);
@@ -45,6 +46,9 @@ private:
     Form<Asset> m_form;
     QComboBox* m_material = nullptr;
     QComboBox* m_inside = nullptr;
+    QLabel* m_breakNote = nullptr;
+    SliderField* m_cutFragments = nullptr;
+    SliderField* m_cutRadius = nullptr;
     QComboBox* m_sources = nullptr;  // of the threshold
     QWidget* m_texture = nullptr;
     QLabel* m_textureText = nullptr;

@@ -114,14 +114,17 @@ void BondSection::buildHits() {
         falloff, tr("Set Falloff Curve"), [](const Asset& asset) { return static_cast<Id>(asset.bonding.falloff); },
         [](Asset& asset, Id entered) { asset.bonding.falloff = static_cast<HitFalloff>(entered); });
     auto* damage =
-        addRow(tr("Damage from"), new SliderField(fieldRange(ProjectNumber::BondDamageFrom, 0.05), 0.05, 1.0),
+        addRow(tr("Damage limit"), new SliderField(fieldRange(ProjectNumber::BondDamageFrom, 0.05), 0.05, 1.0),
                tr("Set the part of what a bond holds from which on a load weakens it"));
     damage->setFormat(Units::percents());
     bindNumber(damage, tr("Set Damage Limit"), &Bonding::damageFrom);
+    addNote(
+        tr("Bonds near a hit bear its load, less with the distance. One that bears more than it holds breaks; a load "
+           "above the damage limit weakens it for the next hit."));
 }
 
 void BondSection::buildSupport() {
-    m_span = addRow(tr("Span"), new NumberField,
+    m_span = addRow(tr("Maximum span"), new NumberField,
                     tr("Limit how far sideways of an anchor fragments are held, or enter 0 for any distance"));
     m_span->setRange(fieldRange(ProjectNumber::BondSpan));
     bindNumber(m_span, tr("Set Span"), &Bonding::span);
@@ -130,9 +133,13 @@ void BondSection::buildSupport() {
     delay->setFormat(Units::seconds());
     delay->setRange(fieldRange(ProjectNumber::BondCollapseDelay));
     bindNumber(delay, tr("Set Collapse Delay"), &Bonding::collapseDelay);
-    auto* island = addRow(tr("Least island"), new SliderField(wholeFieldRange(ProjectNumber::BondMinimumIsland), 1, 20),
-                          tr("Let smaller groups of fragments fall apart"));
-    bindNumber(island, tr("Set Least Island"), &Bonding::minimumIsland);
+    auto* island =
+        addRow(tr("Smallest island"), new SliderField(wholeFieldRange(ProjectNumber::BondMinimumIsland), 1, 20),
+               tr("Let smaller groups of fragments fall apart"));
+    bindNumber(island, tr("Set Smallest Island"), &Bonding::minimumIsland);
+    addNote(
+        tr("Fragments farther sideways of an anchor than the span come off. Fragments that come off together are an "
+           "island; one with fewer falls apart."));
 }
 
 void BondSection::buildPicture() {

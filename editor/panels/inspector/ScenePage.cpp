@@ -91,7 +91,7 @@ void ScenePage::buildDamage(Section& section) {
         rule, tr("Set Damage Rule"), [](const SceneSettings& scene) { return static_cast<Id>(scene.damage.rule); },
         [](SceneSettings& scene, Id entered) { scene.damage.rule = static_cast<DamageRule>(entered); });
     m_rule = rule;
-    auto* isThesis = new QCheckBox(tr("Simplified Method (Thesis)"));
+    auto* isThesis = new QCheckBox(tr("Simplified method of the thesis"));
     isThesis->setToolTip(
         tr("<p>Simulate with the method of the bachelor thesis that Rubble is based on, for comparison:</p>"
            "<ul><li>one threshold for all bodies instead of those of assets and instances</li>"
@@ -101,6 +101,7 @@ void ScenePage::buildDamage(Section& section) {
            "<li>breaking a body does not slow the body that hits it</li></ul>"));
     isThesis->setStatusTip(tr("Simulate with the method of the bachelor thesis, for comparison"));
     section.addWide(isThesis);
+    section.addNote(tr("For comparison with the work that Rubble is based on: one threshold, equal masses."));
     m_form.bind(
         isThesis, tr("Enable or Disable Simplified Method"),
         [](const SceneSettings& scene) { return scene.damage.isThesis; },

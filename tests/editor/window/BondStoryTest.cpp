@@ -47,8 +47,8 @@ private slots:
         QCOMPARE(m_window->workspace().document().undoStack().undoText(), "Set How It Breaks");
     }
     void bondsAreSetByTypingAndDragging() {
-        type("Span", "1.5");
-        type("Damage from", "75 %");
+        type("Maximum span", "1.5");
+        type("Damage limit", "75 %");
         auto& add = control<QToolButton>("Add Height");
         for (int k = 0; k < 2; ++k) {
             reveal(add);

@@ -27,7 +27,8 @@ inline PlacedSeeds impactSeeds(Vec2 centre) {
     return placed;
 }
 
-/// projects/pane.rubble: a fixed window pane with 200 fragments, fine near the point of impact and coarse elsewhere.
+/// projects/pane.rubble: a fixed window pane with 200 fragments, fine near a point and coarse elsewhere, that cracks
+/// where it is hit in play.
 inline Project pane() {
     Project project;
     const Id glass = addMaterial(project, {.name = "glass",
@@ -42,11 +43,19 @@ inline Project pane() {
     const Asset asset{.name = "pane",
                       .material = glass,
                       .prism = {{rectangle({-0.625, -0.75}, {0.625, 0.75}), {}}, 0.006},
-                      .threshold = 15.0};
+                      .threshold = 15.0,
+                      .cutAtImpact = CutAtImpact{.fragments = kPanePieces, .falloffRadius = 0.3}};
     const Id id = addAsset(project, asset,
                            {impact, BlueNoise{.minimumDistance = 0.08, .count = others}, LloydRelaxation{.rounds = 2}});
     addInstance(project, id, "pane", {.position = {0.0, 1.75, 0.0}});
     project.instances[0].isFixed = true;
+    addShot(project, "ball at the edge", 0.1,
+            Throw{.kind = ProjectileKind::Ball,
+                  .size = {0.1, 0.1, 0.1},
+                  .mass = 1.5,
+                  .from = {0.45, 2.2, 4.0},
+                  .to = {0.45, 2.2, 0.0},
+                  .speed = 15.0});
     return project;
 }
 

@@ -32,7 +32,8 @@ nlohmann::json glassJson() { return nlohmann::json::parse(*readFile(kPresets / "
 /// A preset with the required keys only.
 nlohmann::json barestJson() {
     nlohmann::json json = glassJson();
-    for (const char* key : {"note", "tensileStrength", "fractureToughness", "youngsModulus", "opacity", "pattern"})
+    for (const char* key :
+         {"note", "tensileStrength", "fractureToughness", "youngsModulus", "opacity", "pattern", "cutAtImpact"})
         json.erase(key);
     for (const char* key : {"density", "friction", "restitution"}) json[key] = {{"value", json[key]["value"]}};
     return json;
@@ -124,7 +125,7 @@ private slots:
             const bool isClear = material.preset.name == "glass" || material.preset.name == "ice";
             QCOMPARE(material.preset.opacity < 1.0, isClear);
             QCOMPARE(materialOf(material.preset, 1).opacity, material.preset.opacity);
-            QCOMPARE(presetOf(materialOf(material.preset, 1), {}).opacity, material.preset.opacity);
+            QCOMPARE(presetOf(materialOf(material.preset, 1), nullptr).opacity, material.preset.opacity);
         }
     }
     void manualStatesTheSameValues() {
@@ -197,13 +198,28 @@ private slots:
         QCOMPARE(*copy.tensileStrength, 1.43e6);
         QCOMPARE(*copy.fractureToughness, 1e5);
     }
+    void brittleMaterialsCrackWhereTheyAreHit() {
+        std::vector<std::string> cut;
+        for (const LibraryMaterial& material : materialLibrary().materials) {
+            const MaterialPreset& preset = material.preset;
+            if (preset.cutAtImpact) cut.push_back(preset.name);
+            QVERIFY(starterProject(preset).assets[0].cutAtImpact == preset.cutAtImpact);
+        }
+        QVERIFY((cut == std::vector<std::string>{"glass", "ice", "plaster"}));
+        MaterialPreset bad = findMaterial(materialLibrary(), "glass")->preset;
+        bad.cutAtImpact->fragments = 1;
+        QVERIFY(verifyPreset(bad).value_or("").starts_with(
+            "Material \"glass\": the number of fragments of the fracture at the impact is 1"));
+    }
     void newProjectsHaveThePlasterOfTheLibrary() {
         const Material plaster = emptyProject().materials[0];
         QVERIFY(plaster == materialOf(findMaterial(materialLibrary(), "plaster")->preset, plaster.id));
     }
     void savedMaterialsRoundTrip() {
-        const Project project = starterProject();
-        const MaterialPreset preset = presetOf(project.materials[0], project.assets[0].pattern);
+        Project project = starterProject();
+        project.assets[0].cutAtImpact = CutAtImpact{.fragments = 12, .falloffRadius = 0.2};
+        const MaterialPreset preset = presetOf(project.materials[0], &project.assets[0]);
+        QVERIFY(preset.cutAtImpact == project.assets[0].cutAtImpact);
         const fs::path file = materialPresetPath(folder(), preset.name);
         QVERIFY(saveMaterialPreset(file, preset));
         QVERIFY(*loadMaterialPreset(file) == preset);
@@ -290,7 +306,7 @@ private slots:
         QCOMPARE(presetFault(test::withWrongValue(glassJson())), std::string(QTest::currentDataTag()));
     }
     void invalidPresetIsNotSaved() {
-        MaterialPreset preset = presetOf(emptyProject().materials[0], {});
+        MaterialPreset preset = presetOf(emptyProject().materials[0], nullptr);
         preset.density.value = -1.0;
         QCOMPARE(saveMaterialPreset(folder() / "x.json", preset).error().message,
                  "Cannot write \"" + folder().string() +

@@ -31,6 +31,33 @@ private slots:
         QCOMPARE(desk.text(), projectText(fullProject()));
         QCOMPARE(desk.control<NumberField>("Depth").value(), 0.5);
     }
+    void assetsAreCutWhereTheyAreHit() {
+        InspectorDesk desk;
+        desk.selection.setAsset(9);
+        QVERIFY(!desk.asset().cutAtImpact);
+        auto& way = desk.control<QComboBox>("Break as");
+        const auto select = [&](const char* text) {
+            way.setCurrentIndex(way.findText(text));
+            emit way.activated(way.currentIndex());
+        };
+        const auto note = [&] { return desk.inspector.findChild<QLabel*>("breakNote")->text(); };
+        QVERIFY(note().contains("all of its fragments at once"));
+        QVERIFY(!desk.control<NumberField>("Cut fragments").isVisible());
+        select("Cut where hit");
+        QVERIFY(note().contains("around the point of impact"));
+        desk.type("Cut fragments", "50");
+        desk.type("Cut radius", "0.75");
+        QVERIFY((desk.asset().cutAtImpact == CutAtImpact{.fragments = 50, .falloffRadius = 0.75}));
+        desk.type("Cut fragments", "1");
+        QCOMPARE(desk.asset().cutAtImpact->fragments, 50U);
+        select("Bonded");
+        QVERIFY(desk.asset().breakAs == BreakAs::Bonded && note().contains("no longer held"));
+        select("Whole");
+        QVERIFY(desk.asset().breakAs == BreakAs::Whole && !desk.asset().cutAtImpact);
+        QVERIFY(!verifyProject(desk.document.project()));
+        desk.undoAll();
+        QCOMPARE(desk.text(), projectText(fullProject()));
+    }
     void textureIsShownAndRemoved() {
         InspectorDesk desk;
         desk.selection.setAsset(9);

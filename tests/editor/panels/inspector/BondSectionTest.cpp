@@ -76,10 +76,10 @@ private slots:
     void numbersChangeTheBonds() {
         BondDesk desk;
         desk.type("Falloff radius", "0.75");
-        desk.type("Damage from", "25");
-        desk.type("Span", "2.5");
+        desk.type("Damage limit", "25");
+        desk.type("Maximum span", "2.5");
         desk.type("Collapse delay", "1.5");
-        desk.type("Least island", "4");
+        desk.type("Smallest island", "4");
         desk.select("Falloff curve", HitFalloff::Smooth);
         QCOMPARE(desk.bonds(), (Bonding{.radius = 0.75,
                                         .falloff = HitFalloff::Smooth,
@@ -88,11 +88,11 @@ private slots:
                                         .collapseDelay = 1.5,
                                         .minimumIsland = 4}));
         QCOMPARE(desk.document.undoStack().count(), 7);
-        desk.type("Damage from", "0");
+        desk.type("Damage limit", "0");
         desk.type("Falloff radius", "0");
         QCOMPARE(desk.document.undoStack().count(), 7);
         desk.inspector.setUnits({LengthUnit::Centimetre});
-        desk.type("Span", "30");
+        desk.type("Maximum span", "30");
         QCOMPARE(desk.bonds().span, 0.3);
         QVERIFY(desk.isRestored());
     }
