@@ -3,6 +3,7 @@
 #include "core/asset/project/Ids.h"
 #include "core/asset/project/Names.h"
 #include "core/asset/strength/Threshold.h"
+#include "core/fracture/pattern/PatternKind.h"
 #include "editor/commands/AssetPatterns.h"
 
 #include <QCoreApplication>
@@ -158,6 +159,23 @@ void renameFragments(const std::map<Id, Id>& layers, Asset& asset) {
         merge.into = withLayers(merge.into, layers);
         for (FragmentPath& path : merge.merged) path = withLayers(path, layers);
     }
+}
+
+/// Whether an asset has the pattern that addAsset() gave it, to which nothing refers.
+bool hasNewPattern(const Asset& asset) {
+    const auto& layers = asset.pattern.layers;
+    if (layers.size() != 1 || !asset.edits.empty() || !asset.fragmentLevels.empty() ||
+        !asset.fragmentThresholds.empty() || !asset.bonding.clusters.empty())
+        return false;
+    const PatternLayer given{.id = layers[0].id, .randomSeed = layers[0].id, .parameters = UniformScatter{}};
+    return layers[0] == given;
+}
+
+/// Whether a layer of a kind fractures an asset alone, when it is added: not what only changes the seeds of others, nor
+/// what is drawn by hand.
+bool isWholePattern(const PatternKind& kind) {
+    const bool isMade = kind.role == LayerRole::Scatters || kind.role == LayerRole::Cuts;
+    return isMade && kind.elementCount == nullptr && &kind != &kindOf(UniformScatter{});  // of which one wants more
 }
 
 }  // namespace
@@ -322,6 +340,7 @@ Addition addLayer(const Project& project, Id asset, const LayerParameters& param
     Addition addition{{.text = ProjectEditsTexts::tr("Add Layer")}};
     addition.id = addition.edit.allocateId(project);
     Asset changed = elementWith(project.assets, asset);
+    if (pattern == 0 && hasNewPattern(changed) && isWholePattern(kindOf(parameters))) changed.pattern.layers.clear();
     patternAt(changed, pattern)
         .layers.push_back({.id = addition.id, .randomSeed = addition.id, .parameters = parameters});
     addition.edit.replacements = {Replacement<Asset>{asset, std::move(changed)}};

@@ -63,7 +63,8 @@ Addition addShot(const Project& project, const std::string& name, const ShotActi
 Addition addPlayTest(const Project& project, const std::optional<ShotInput>& shot);
 Edit removePlayTest(Id test);
 
-/// Adds a layer with its own random seed to the end of the asset's pattern with this index (see AssetPatterns.h).
+/// Adds a layer with its own random seed to the end of the asset's pattern with this index (see AssetPatterns.h). In a
+/// new asset it takes the place of the seeds that are scattered there, unless it needs them or adds to them by hand.
 Addition addLayer(const Project& project, Id asset, const LayerParameters& parameters, std::size_t pattern = 0);
 /// Adds a level that fractures the leaf fragments of an asset, each with a few scattered seeds.
 Edit addLevel(const Project& project, Id asset);

@@ -28,6 +28,30 @@ Project withPane(const Project& project) { return test::editedProject(project, a
 class ProjectEditsTest : public QObject {
     Q_OBJECT
 private slots:
+    void firstPatternReplacesTheSeedsOfANewAsset() {
+        Document document(emptyProject());
+        Addition added = addAsset(document.project(), "wall", {{rectangle({0, 0}, {3, 2}), {}}, 0.2});
+        const Id wall = added.id;
+        QVERIFY(document.push(std::move(added.edit)));
+        const auto kindsAfter = [&](const LayerParameters& parameters) {
+            document.push(addLayer(document.project(), wall, parameters).edit);
+            std::string kinds;
+            for (const PatternLayer& layer : findAsset(document.project(), wall)->pattern.layers)
+                kinds += std::string(kindOf(layer.parameters).name) + ' ';
+            document.undoStack().undo();
+            return kinds;
+        };
+        QCOMPARE(kindsAfter(BrickBond{}), "bricks ");
+        QCOMPARE(kindsAfter(BlueNoise{}), "blueNoise ");
+        QCOMPARE(kindsAfter(LloydRelaxation{}), "uniform lloyd ");
+        QCOMPARE(kindsAfter(UniformScatter{}), "uniform uniform ");
+        QCOMPARE(kindsAfter(PlacedSeeds{}), "uniform placed ");
+        QCOMPARE(kindsAfter(CrackLines{{{0, {{0.0, 1.0}, {3.0, 1.0}}}}}), "uniform strokes ");
+        Asset edited = *findAsset(document.project(), wall);
+        edited.pattern.layers[0].parameters = UniformScatter{.count = 21};
+        document.push(modify("Set Count", edited));
+        QCOMPARE(kindsAfter(BrickBond{}), "uniform bricks ");
+    }
     void mortarsLoseDeletedInstances() {
         Project before = bondedProject();  // mortar 30 of the instances 10 and 11, mortar 31 of all
         before.instances.push_back({.id = 12, .name = "lintel", .asset = 2});
