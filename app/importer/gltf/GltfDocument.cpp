@@ -158,6 +158,11 @@ glm::dmat4 transformOf(JsonValue node) {
 
 std::uint32_t indexIn(JsonValue value) { return value.index(); }
 
+bool isVisible(JsonValue visibility) {
+    const JsonValue visible = at(visibility, {"visible"});
+    return !visible.isPresent() || visible.boolean();
+}
+
 GltfNode nodeOf(JsonValue value) {
     return {.name = nameOf(value),
             .mesh = indexOf(value["mesh"]),
@@ -165,7 +170,8 @@ GltfNode nodeOf(JsonValue value) {
             .children = listOf(value["children"], indexIn),
             .fromNode = transformOf(value),
             .weights = listOf(value["weights"], numberIn),
-            .instances = attributesOf(at(extensionOf(value, "EXT_mesh_gpu_instancing"), {"attributes"}))};
+            .instances = attributesOf(at(extensionOf(value, "EXT_mesh_gpu_instancing"), {"attributes"})),
+            .isVisible = isVisible(extensionOf(value, "KHR_node_visibility"))};
 }
 
 GltfSkin skinOf(JsonValue value) {
@@ -204,8 +210,8 @@ GltfImage imageOf(JsonValue value) {
 
 /// Returns whether an extension is read, or changes only what is not read.
 bool isSupported(const std::string& extension) {
-    constexpr std::array kRead = {"KHR_mesh_quantization", "KHR_texture_transform", "EXT_mesh_gpu_instancing",
-                                  "EXT_meshopt_compression", "KHR_draco_mesh_compression"};
+    constexpr std::array kRead = {"KHR_mesh_quantization",   "KHR_texture_transform",      "EXT_mesh_gpu_instancing",
+                                  "EXT_meshopt_compression", "KHR_draco_mesh_compression", "KHR_node_visibility"};
     constexpr std::array kHarmless = {"KHR_materials_", "KHR_texture_", "EXT_texture_",  "MSFT_texture_",
                                       "KHR_lights_",    "KHR_xmp",      "KHR_technique", "KHR_animation_pointer"};
     const auto begins = [&](const char* start) { return extension.starts_with(start); };

@@ -85,6 +85,7 @@ struct GltfNode {
     glm::dmat4 fromNode{1.0};
     std::vector<double> weights;
     GltfAttributes instances;  // EXT_mesh_gpu_instancing
+    bool isVisible = true;     // KHR_node_visibility: else it is hidden with its children
 };
 
 struct GltfSkin {

@@ -54,22 +54,26 @@ std::vector<Mat4> sceneTransforms(const GltfDocument& document, const std::vecto
     return transforms;
 }
 
-std::vector<std::uint32_t> shownNodes(const GltfDocument& document) {
-    std::vector<std::uint32_t> shown, open(document.roots.rbegin(), document.roots.rend());
-    std::vector<bool> isShown(document.nodes.size(), false);
+SceneNodes nodesOfScene(const GltfDocument& document) {
+    SceneNodes nodes;
+    std::vector<std::uint32_t> open(document.roots.rbegin(), document.roots.rend());
+    std::vector<bool> isKnown(document.nodes.size(), false), isHidden(document.nodes.size(), false);
     while (!open.empty()) {
         const std::uint32_t node = open.back();
         open.pop_back();
         if (node >= document.nodes.size())
             failGltf("its scene refers to node " + std::to_string(node) + " of " +
                      std::to_string(document.nodes.size()));
-        if (isShown[node]) continue;
-        isShown[node] = true;
-        shown.push_back(node);
+        if (isKnown[node]) continue;
+        isKnown[node] = true;
+        if (!document.nodes[node].isVisible) isHidden[node] = true;
+        (isHidden[node] ? nodes.hidden : nodes.visible).push_back(node);
         const auto& children = document.nodes[node].children;
+        for (const std::uint32_t child : children)
+            if (isHidden[node] && child < isHidden.size()) isHidden[child] = true;
         open.insert(open.end(), children.rbegin(), children.rend());
     }
-    return shown;
+    return nodes;
 }
 
 std::vector<Mat4> instanceTransforms(const GltfNode& node, const Mat4& fromNode, GltfAccessors& accessors) {

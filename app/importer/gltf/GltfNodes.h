@@ -16,8 +16,14 @@ std::vector<GltfIndex> nodeParents(const GltfDocument& document);
 /// Errors: throws MeshError if nodes are their own parents.
 std::vector<Mat4> sceneTransforms(const GltfDocument& document, const std::vector<GltfIndex>& parents);
 
-/// The nodes of the shown scene, each before its children, in the order of the file.
-std::vector<std::uint32_t> shownNodes(const GltfDocument& document);
+/// Nodes, each before its children, in the order of the file.
+struct SceneNodes {
+    std::vector<std::uint32_t> visible;
+    std::vector<std::uint32_t> hidden;  // by themselves, or with a parent
+};
+
+/// The nodes of the shown scene.
+SceneNodes nodesOfScene(const GltfDocument& document);
 
 /// The transforms of a node's instances to the scene; its own if it has no instances.
 ///

@@ -4,6 +4,7 @@
 #include "app/importer/files/MeshError.h"
 #include "app/importer/files/MeshImages.h"
 #include "app/importer/gltf/GltfShapes.h"
+#include "core/base/MessageText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,6 +79,21 @@ void addNode(const GltfNode& node, const std::string& name, const Mat4& toScene,
                         scene.objects.end());
 }
 
+/// Adds a note with the names of hidden objects.
+///
+/// Errors: throws MeshError if all objects are hidden.
+void noteHidden(const std::vector<std::uint32_t>& hidden, const GltfDocument& document,
+                const std::vector<GltfIndex>& parents, SourceScene& scene) {
+    std::vector<std::string> names;
+    for (const std::uint32_t index : hidden)
+        if (document.nodes[index].mesh) names.push_back(nameOf(index, document, parents));
+    if (names.empty()) return;
+    if (scene.objects.empty())
+        throw MeshError(ErrorCode::Degenerate,
+                        "has only hidden objects; show what to import in the program that made it");
+    scene.notes.push_back("Hidden in the file and not imported: " + quotedNames(names) + ".");
+}
+
 }  // namespace
 
 SourceScene readGltf(std::string_view bytes, MeshFiles& files) {
@@ -92,11 +108,13 @@ SourceScene readGltf(std::string_view bytes, MeshFiles& files) {
     MeshImages images(files, scene);
     for (std::size_t k = 0; k < document.materials.size(); ++k)
         scene.materials[k].image = imageOf(document.materials[k], document, buffers, images);
-    for (const std::uint32_t index : shownNodes(document)) {
+    const SceneNodes nodes = nodesOfScene(document);
+    for (const std::uint32_t index : nodes.visible) {
         const GltfNode& node = document.nodes[index];
         if (!node.mesh) continue;
         addNode(node, nameOf(index, document, parents), fromNodes[index], accessors, shapes, scene);
     }
+    noteHidden(nodes.hidden, document, parents, scene);
     if (document.sceneCount > 1)
         scene.notes.push_back("The file has " + std::to_string(document.sceneCount) +
                               " scenes; only the one that it shows is read.");

@@ -146,14 +146,14 @@ def links():
 
 def extensions():
     """Required and used extensions."""
-    for extension in ["ACME_warp", "CESIUM_RTC", "KHR_meshopt_compression", "MSFT_lod", "KHR_node_visibility",
-                      "EXT_mesh_manifold", "KHR_implicit_shapes", "MPEG_media", "KHR_gaussian_splatting",
+    for extension in ["ACME_warp", "CESIUM_RTC", "KHR_meshopt_compression", "MSFT_lod", "EXT_mesh_manifold",
+                      "KHR_implicit_shapes", "MPEG_media", "KHR_gaussian_splatting",
                       "ADOBE_materials_thin_transparency", "khr_mesh_quantization"]:
         name = "required " + extension + ".gltf"
         case("extensions/" + name, text(gltf(extensionsUsed=[extension], extensionsRequired=[extension])),
              error='"%s" requires the glTF extension "%s", which is not supported.' % (name, extension))
     for extension in ["KHR_materials_unlit", "KHR_materials_transmission", "KHR_lights_punctual", "KHR_texture_basisu",
-                      "EXT_texture_webp", "KHR_texture_transform", "KHR_mesh_quantization",
+                      "EXT_texture_webp", "KHR_texture_transform", "KHR_mesh_quantization", "KHR_node_visibility",
                       "KHR_materials_variants", "KHR_xmp_json_ld", "KHR_materials_pbrSpecularGlossiness"]:
         case("extensions/harmless " + extension + ".gltf",
              text(gltf(extensionsUsed=[extension], extensionsRequired=[extension])), WALL)
@@ -284,6 +284,16 @@ def nodes():
           meshes=[{"name": "", **nameless[0]}])
     build("same names.gltf", [asset("A", (0, 0, 0)), asset("A 2", (5, 0, 0))], scenes=[{"nodes": [0, 1]}],
           nodes=[{"name": "A", "mesh": 0}, {"name": "A", "mesh": 0, "translation": [5, 0, 0]}])
+    hidden, visible = ({"KHR_node_visibility": {"visible": value}} for value in (False, True))
+    parts = [{"children": [1, 3, 4]}, {"name": "A", "mesh": 0, "children": [2], "extensions": hidden},
+             {"name": "B", "mesh": 0, "extensions": visible}, {"name": "C", "mesh": 0},
+             {"name": "D", "mesh": 0, "translation": [5, 0, 0], "extensions": visible}]
+    build("hidden.gltf", [asset("C", (0, 0, 0)), asset("D", (5, 0, 0))],
+          ['Hidden in the file and not imported: "A", "B".'], nodes=parts, extensionsUsed=["KHR_node_visibility"])
+    build("hidden without a mesh.gltf", [asset("A", (0, 0, 0))], scenes=[{"nodes": [0, 1]}],
+          nodes=[{"name": "A", "mesh": 0}, {"name": "B", "extensions": hidden}])
+    case("nodes/all hidden.gltf", text(gltf(nodes=[{"name": "A", "mesh": 0, "extensions": hidden}])),
+         error='"all hidden.gltf" has only hidden objects; show what to import in the program that made it.')
     build("spaces.gltf", [asset("wall left", (0, 0, 0)), asset("wall right", (2, 0, 0))], scenes=[{"nodes": [0, 1]}],
           nodes=[{"name": "wall left", "mesh": 0}, {"name": "wall right", "mesh": 0, "translation": [2, 0, 0]}])
     build("name of the parent.gltf", [asset("Wall", (0, 0, 0))], meshes=nameless,
