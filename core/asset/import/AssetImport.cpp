@@ -52,7 +52,7 @@ Result<std::vector<RequestedPart>> requestedParts(const SourceScene& scene, cons
     }
     if (!options.asset.empty() && all.size() > 1)
         return Error{ErrorCode::Degenerate, quotedName(options.asset) + " would have " + std::to_string(all.size()) +
-                                                " unconnected parts; an asset has one."};
+                                                " parts; an asset has one."};
     return all;
 }
 

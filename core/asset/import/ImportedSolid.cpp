@@ -210,7 +210,7 @@ Result<std::vector<ImportPart>> partsToImport(const SourceObject& object, double
     whole.notes = weldingNotes(*one);
     whole.mesh = std::move(one->mesh);
     for (const std::uint32_t source : one->sources) whole.triangles.push_back(object.triangles[source]);
-    const std::vector<std::uint32_t> numbers = connectedParts(whole.mesh);
+    const std::vector<std::uint32_t> numbers = solidParts(whole.mesh);
     const std::uint32_t count = 1 + *std::ranges::max_element(numbers);
     std::vector<ImportPart> parts;
     if (count == 1) {
@@ -221,7 +221,11 @@ Result<std::vector<ImportPart>> partsToImport(const SourceObject& object, double
     if (count > kMaxParts)
         return Error{ErrorCode::Limit, "It has " + std::to_string(count) + " unconnected parts, but at most " +
                                            std::to_string(kMaxParts) + " can be imported."};
-    whole.notes.push_back("The object has " + std::to_string(count) + " unconnected parts, imported one by one.");
+    const std::vector<std::uint32_t> connected = connectedParts(whole.mesh);
+    const bool areTouching = *std::ranges::max_element(connected) + 1 < count;
+    whole.notes.push_back("The object has " + std::to_string(count) +
+                          (areTouching ? " parts, some of which only touch," : " unconnected parts,") +
+                          " imported one by one.");
     for (std::uint32_t number = 0; number < count; ++number) parts.push_back(partOf(whole, numbers, number));
     const auto isCavityIn = [](const ImportPart& inner, const ImportPart& outer) {
         return liesWithin(boundsOf(inner.mesh), boundsOf(outer.mesh)) && signedVolume(inner.mesh) < 0.0 &&

@@ -25,4 +25,9 @@ double signedVolume(const TriangleMesh& mesh);
 /// points.
 std::vector<std::uint32_t> connectedParts(const TriangleMesh& mesh);
 
+/// As connectedParts(), but solids that only touch, at faces, edges or points, are parts of their own. At an edge with
+/// more than two faces, those are connected that have solid between them, as their windings say. A component that would
+/// not be split into solids stays whole. O(n log n).
+std::vector<std::uint32_t> solidParts(const TriangleMesh& mesh);
+
 }  // namespace rubble

@@ -370,6 +370,16 @@ def objects():
           [asset("faces before the first object", (0, 0, 0)), asset("B", (2, 0, 0))],
           obj_box() + "o B\n" + obj_box((2, 0, 0), 1))
     build("empty object.obj", [asset("B", (0, 0, 0))], "o A\no B\n" + obj_box())
+    cube = (1, 1, 1)
+    for title, second in (("an edge", (1, 1, 0)), ("a corner", (1, 1, 1)), ("a face", (1, 0, 0))):
+        places = [(0, 0, 0), second]
+        points = sorted(set(corner for place in places for corner in corners(place, cube)))
+        lines = "".join("v %g %g %g\n" % point for point in points)
+        for place in places:
+            own = corners(place, cube)
+            lines += "".join("f " + " ".join(str(points.index(own[k]) + 1) for k in face) + "\n" for face in FACES)
+        build("two that share %s.obj" % title, [asset("A", places[0], cube), asset("A 2", places[1], cube)],
+              "o A\n" + lines)
     build("points first.obj", [asset("A", (0, 0, 0)), asset("B", (2, 0, 0))],
           obj_points() + obj_points((2, 0, 0)) + "o A\n" + obj_faces() + "o B\n" + obj_faces(9))
 

@@ -179,7 +179,14 @@ private slots:
         QCOMPARE(outcome.project.assets.size(), std::size_t{2});
         QCOMPARE(outcome.assets[0].notes[0], std::string("The object has 2 unconnected parts, imported one by one."));
         QCOMPARE(importFault(sceneOf({objectOf("Set", both)}), {.asset = "Set"}),
-                 QString("\"Set\" would have 2 unconnected parts; an asset has one."));
+                 QString("\"Set\" would have 2 parts; an asset has one."));
+    }
+    void partsThatTouchBecomeSeparateAssets() {
+        const TriangleMesh cube = prismSolid(unitSquare(), 1.0);
+        const ImportOutcome outcome = imported({}, sceneOf({objectOf("Set", joined(cube, placed(cube, {{1, 1, 0}})))}));
+        QCOMPARE(outcome.project.assets.size(), std::size_t{2});
+        QCOMPARE(outcome.assets[0].notes[0],
+                 std::string("The object has 2 parts, some of which only touch, imported one by one."));
     }
     void cavityIsRejected() {
         TriangleMesh hollow = prismSolid({rectangle({0, 0}, {1, 1}), {}}, 1.0);

@@ -1,3 +1,5 @@
+#include "core/base/Random.h"
+#include "core/geometry/mesh/MeshWelding.h"
 #include "core/geometry/mesh/SolidMesh.h"
 #include "tests/support/ErrorText.h"
 #include "tests/support/TestProgram.h"
@@ -13,6 +15,13 @@ namespace {
 constexpr double kSolidTolerance = 1e-5;
 
 std::string solidFault(const TriangleMesh& mesh) { return errorText(orientedSolid(mesh, kSolidTolerance)); }
+
+/// Unit cubes that share points.
+TriangleMesh weldedCubes(const std::vector<Vec3>& places) {
+    TriangleMesh mesh;
+    for (const Vec3 place : places) mesh = joined(mesh, placed(prismSolid(unitSquare(), 1.0), {place}));
+    return welded(mesh)->mesh;
+}
 
 }  // namespace
 
@@ -73,6 +82,51 @@ private slots:
         QCOMPARE(parts.size(), std::size_t{24});
         QCOMPARE(parts[11], 0u);
         QCOMPARE(parts[12], 1u);
+    }
+    void solidsThatTouchAreParts() {
+        const auto counts = [](const TriangleMesh& mesh) {
+            std::vector<std::uint32_t> triangles;
+            for (const std::uint32_t part : solidParts(mesh)) {
+                triangles.resize(std::max<std::size_t>(triangles.size(), part + 1), 0);
+                ++triangles[part];
+            }
+            return triangles;
+        };
+        using Counts = std::vector<std::uint32_t>;
+        for (const Vec3 next : {Vec3(1, 1, 0), Vec3(1, 1, 1), Vec3(1, 0, 0)}) {
+            TriangleMesh two = weldedCubes({{0, 0, 0}, next});
+            QCOMPARE(counts(two), (Counts{12, 12}));
+            for (auto& triangle : two.triangles) std::swap(triangle[0], triangle[1]);  // inside out
+            QCOMPARE(counts(two), (Counts{12, 12}));
+        }
+        // A face too many leaves the whole as it is, and so do windings that contradict each other.
+        TriangleMesh two = weldedCubes({{0, 0, 0}, {1, 1, 0}});
+        two.triangles.push_back(two.triangles[0]);
+        QCOMPARE(counts(two), (Counts{25}));
+        TriangleMesh doubled = prismSolid(unitSquare(), 1.0);
+        const std::vector<std::array<std::uint32_t, 3>> outside = doubled.triangles;
+        for (const auto& [a, b, c] : outside) doubled.triangles.push_back({b, a, c});
+        QCOMPARE(counts(doubled), (Counts{24}));
+    }
+    /// Cubes at random places of a grid, each a part wherever it touches others.
+    void everyCubeOfAGridIsAPart() {
+        for (std::uint64_t seed = 0; seed < 100; ++seed) {
+            Random random(seed);
+            std::vector<Vec3> places;
+            for (int x = 0; x < 4; ++x)
+                for (int y = 0; y < 4; ++y)
+                    for (int z = 0; z < 4; ++z)
+                        if (random.below(seed % 2 == 0 ? 2 : 4) == 0) places.emplace_back(x, y, z);
+            if (seed == 0) {
+                places.clear();
+                for (int k = 0; k < 64; ++k)  // all edges of the inner ones are shared
+                    if ((k + k / 4 + k / 16) % 2 == 0) places.emplace_back(k % 4, k / 4 % 4, k / 16);
+            }
+            if (places.empty()) continue;
+            const std::vector<std::uint32_t> parts = solidParts(weldedCubes(places));
+            for (std::uint32_t i = 0; i < parts.size(); ++i)
+                QVERIFY2(parts[i] == i / 12, qPrintable(QString("seed %1, triangle %2").arg(seed).arg(i)));
+        }
     }
 };
 
