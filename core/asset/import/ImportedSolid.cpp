@@ -80,8 +80,12 @@ std::optional<Error> farFault(const TriangleMesh& mesh) {
     const std::string why = isBeyond
                                 ? "positions go up to " + lengthText(limit)
                                 : "its size of " + lengthText(box.diagonal()) + " is lost in single precision there";
-    return Error{ErrorCode::BadInput, "The mesh lies far away from the origin, at " + place + ", and " + why +
-                                          "; move it to the origin in the program that made it, or set its unit."};
+    // A smaller unit helps only where the mesh is too large, too.
+    constexpr double kLargest = 200.0;
+    const bool isWrongUnit = isBeyond && box.diagonal() > kLargest;
+    return Error{ErrorCode::BadInput, "The mesh lies far away from the origin, at " + place + ", and " + why + "; " +
+                                          (isWrongUnit ? "set its unit, or " : "") +
+                                          "move it to the origin in the program that made it."};
 }
 
 bool liesWithin(const Box3& inner, const Box3& outer) {

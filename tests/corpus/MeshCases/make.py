@@ -537,8 +537,8 @@ def far():
         content = "o Wall\n" + "".join("v %.6f %.6f %.6f\n" % corner for corner in corners(at, size)) + obj_faces()
         case("far/" + name, content, [asset("Wall", at, size)] if expected is None else [],
              rejected=None if expected is None else [
-                 '"Wall": The mesh lies far away from the origin, at (%s) m, and %s; move it to the origin in the '
-                 'program that made it, or set its unit.' % expected])
+                 '"Wall": The mesh lies far away from the origin, at (%s) m, and %s; %smove it to the origin in the '
+                 'program that made it.' % (*expected, "set its unit, or " if size[0] > 200 else "")])
     beyond = "positions go up to 100000 m"
     build("national grid.obj", (431235.5, 5765432.75, 120.125), ("431236, 5765433, 120.1", beyond))
     build("500 km along x.obj", (500000, 0, 0), ("500000, 0, 0", beyond))
@@ -549,6 +549,7 @@ def far():
           (0.2, 0.1, 0.025))
     build("a small mesh at 5 km.obj", (5000, 0, 0),
           ("5000, 0, 0", "its size of 22.5 mm is lost in single precision there"), (0.02, 0.01, 0.0025))
+    build("in millimetres.obj", (500000, 0, 0), ("500000, 0, 0", beyond), (2000, 1000, 250))
     build("at 1 km.obj", (1000, 0, 0), None)
     build("at 10 km.obj", (10000, 2000, 0), None)
     build("on a mountain.obj", (0, 2962, 0), None)

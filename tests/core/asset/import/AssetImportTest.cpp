@@ -100,11 +100,14 @@ private slots:
         QCOMPARE(fault({0.0, 0.0, -2e5}, 1.0),
                  "\"Wall\": The mesh lies far away from the origin, at (11, 0.5, -200000) m, "
                  "and positions go up to 100000 m; move it to the origin in the program "
-                 "that made it, or set its unit.");
+                 "that made it.");
         QCOMPARE(fault({4e4, 0.0, 0.0}, 0.01),
                  "\"Wall\": The mesh lies far away from the origin, at (40000, 0.005, 0) m, "
                  "and its size of 22.9 mm is lost in single precision there; move it to "
-                 "the origin in the program that made it, or set its unit.");
+                 "the origin in the program that made it.");
+        QVERIFY(fault({2e6, 0.0, 0.0}, 1000.0)
+                    .endsWith("; set its unit, or move it to the origin in the program that "
+                              "made it."));
         QCOMPARE(fault({4e4, 0.0, 0.0}, 10.0), "");
     }
     void greatestNextIdReusesIds() {
