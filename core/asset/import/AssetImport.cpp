@@ -13,6 +13,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
+#include <set>
 
 namespace rubble {
 namespace {
@@ -82,8 +83,16 @@ Pose moved(const Pose& pose, const Pose& motion) {
             glm::normalize(motion.orientation * pose.orientation)};
 }
 
-void placeInstance(Project& project, const Asset& asset, const Pose& pose, const ImportOptions& options) {
-    const std::string name = uniqueName(project.instances, asset.name);
+/// What is imported, and how.
+struct ImportSource {
+    const SourceScene& scene;
+    const ImportOptions& options;
+    std::set<std::string> names;  // of all objects, folded: duplicates get numbers that make none of them
+};
+
+void placeInstance(Project& project, const Asset& asset, const Pose& pose, const ImportSource& source) {
+    const ImportOptions& options = source.options;
+    const std::string name = uniqueName(project.instances, asset.name, source.names);
     project.instances.push_back({.id = allocateId(project),
                                  .name = name,
                                  .asset = asset.id,
@@ -94,28 +103,28 @@ void placeInstance(Project& project, const Asset& asset, const Pose& pose, const
 
 /// Places an asset where the solid of a part and its copies stand.
 void placeInstances(Project& project, const Asset& asset, const ImportPart& part, const ImportedSolid& solid,
-                    const ImportOptions& options) {
-    placeInstance(project, asset, solid.prism.pose, options);
-    for (const Pose& copy : part.copies) placeInstance(project, asset, moved(solid.prism.pose, copy), options);
+                    const ImportSource& source) {
+    placeInstance(project, asset, solid.prism.pose, source);
+    for (const Pose& copy : part.copies) placeInstance(project, asset, moved(solid.prism.pose, copy), source);
 }
 
 /// The asset of this import that is equal to a solid but for its pose; null if there is none.
-ImportedAsset* equalAsset(const ImportPart& part, const ImportedSolid& solid, const SourceScene& scene,
+ImportedAsset* equalAsset(const ImportedSolid& solid, double tolerance, const SourceScene& scene,
                           ImportOutcome& outcome) {
     const std::string& material = scene.materials[solid.material].name;
     for (ImportedAsset& imported : outcome.assets) {
         const Asset& asset = *findAsset(outcome.project, imported.asset);
         const Material& own = *std::ranges::find(outcome.project.materials, asset.material, &Material::id);
         const bool isSameMaterial = material.empty() || own.name == material;
-        if (imported.usesFallback == solid.usesFallback && isSameMaterial && isEqual(asset, solid, part.tolerance))
+        if (imported.usesFallback == solid.usesFallback && isSameMaterial && isEqual(asset, solid, tolerance))
             return &imported;
     }
     return nullptr;
 }
 
 /// Adds a solid to the project as a new asset, or replaces the prism of an existing one.
-ImportedAsset added(const ImportPart& part, const ImportedSolid& solid, const SourceScene& scene,
-                    const ImportOptions& options, Project& project) {
+ImportedAsset added(const ImportPart& part, const ImportedSolid& solid, const ImportSource& source, Project& project) {
+    const ImportOptions& options = source.options;
     ImportedAsset result{.usesFallback = solid.usesFallback, .prism = solid.prism, .tolerance = part.tolerance};
     result.notes = solid.notes;
     const Prism prism{solid.prism.outline, solid.prism.depth};
@@ -129,20 +138,20 @@ ImportedAsset added(const ImportPart& part, const ImportedSolid& solid, const So
         old->texture = solid.texture;
         return result;
     }
-    Asset asset{.name = uniqueName(project.assets, part.name),
+    Asset asset{.name = uniqueName(project.assets, part.name, source.names),
                 .prism = prism,
                 .surface = solid.surface.surface,
                 .texture = solid.texture};
     if (asset.name != part.name)
         result.notes.push_back("The name " + quotedName(part.name) + " is taken; the asset is named " +
                                quotedName(asset.name) + ".");
-    asset.material = materialFor(scene.materials[solid.material], project, result.notes);
+    asset.material = materialFor(source.scene.materials[solid.material], project, result.notes);
     // Reused ids are sorted at the end.
     deriveThresholdIfKnown(asset, *std::ranges::find(project.materials, asset.material, &Material::id));
     asset.id = result.asset = allocateId(project);
     project.assets.push_back(std::move(asset));
     project.assets.back().pattern = defaultPattern(project);
-    placeInstances(project, project.assets.back(), part, solid, options);
+    placeInstances(project, project.assets.back(), part, solid, source);
     if (!part.copies.empty())
         result.notes.push_back("It stands in " + std::to_string(part.copies.size() + 1) +
                                " places; each is an instance.");
@@ -190,8 +199,9 @@ std::optional<std::string> solidFault(const ImportPart& part, const ImportedSoli
     return solid.texture ? textureFault(quotedName(name), *solid.texture, surface) : std::nullopt;
 }
 
-void import(const RequestedPart& part, const SourceScene& scene, const ImportOptions& options,
-            const TaskContext& context, TextureImages& images, ImportOutcome& outcome) {
+void import(const RequestedPart& part, const ImportSource& source, const TaskContext& context, TextureImages& images,
+            ImportOutcome& outcome) {
+    const auto& [scene, options, names] = source;
     if (!part) {
         outcome.rejected.push_back({part.error(), {}});
     } else if (const Result<ImportedSolid> solid = importedSolid(*part, scene, options, images); !solid) {
@@ -200,11 +210,12 @@ void import(const RequestedPart& part, const SourceScene& scene, const ImportOpt
         if (options.findsFallbacks) rejected.fallbacks = workingFallbacks(*part, options.axis, context);
     } else if (const auto fault = solidFault(*part, *solid)) {
         outcome.rejected.push_back({{ErrorCode::BadInput, *fault}, {}});
-    } else if (ImportedAsset* equal = options.mergesEqual ? equalAsset(*part, *solid, scene, outcome) : nullptr) {
+    } else if (ImportedAsset* equal =
+                   options.mergesEqual ? equalAsset(*solid, part->tolerance, scene, outcome) : nullptr) {
         ++equal->merged;
-        placeInstances(outcome.project, *findAsset(outcome.project, equal->asset), *part, *solid, options);
+        placeInstances(outcome.project, *findAsset(outcome.project, equal->asset), *part, *solid, source);
     } else {
-        outcome.assets.push_back(added(*part, *solid, scene, options, outcome.project));
+        outcome.assets.push_back(added(*part, *solid, source, outcome.project));
     }
 }
 
@@ -227,10 +238,13 @@ Result<ImportOutcome> importedInto(Project project, const SourceScene& scene, co
     const Result<std::vector<RequestedPart>> requested = requestedParts(scene, fileName, metresPerUnit, options);
     if (!requested) return requested.error();
     ImportOutcome outcome{.project = std::move(project), .metresPerUnit = metresPerUnit};
+    ImportSource source{scene, options, {}};
+    for (const RequestedPart& part : *requested)
+        if (part) source.names.insert(caseFolded(part->name));
     TextureImages images;
     for (const RequestedPart& part : *requested) {
         if (context.isCancelled()) return TaskContext::cancelled();
-        import(part, scene, options, context, images, outcome);
+        import(part, source, context, images, outcome);
         context.report(static_cast<double>(&part - requested->data() + 1) / static_cast<double>(requested->size()));
     }
     if (context.isCancelled()) return TaskContext::cancelled();

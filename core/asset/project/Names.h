@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,16 @@ bool isNameTaken(const std::vector<Element>& elements, const std::string& name) 
         elements, [folded = caseFolded(name)](const Element& element) { return caseFolded(element.name) == folded; });
 }
 
-/// The name, or the first of "name 2", "name 3", ... that is not taken.
+/// The name, or the first of "name 2", "name 3", ... that is neither taken nor reserved. `reserved` names are folded;
+/// they forbid numbers only.
 template <class Element>
-std::string uniqueName(const std::vector<Element>& elements, const std::string& name) {
-    std::string result = name;
-    for (int number = 2; isNameTaken(elements, result); ++number) result = name + " " + std::to_string(number);
-    return result;
+std::string uniqueName(const std::vector<Element>& elements, const std::string& name,
+                       const std::set<std::string>& reserved = {}) {
+    if (!isNameTaken(elements, name)) return name;
+    for (int number = 2;; ++number) {
+        std::string result = name + " " + std::to_string(number);
+        if (!reserved.contains(caseFolded(result)) && !isNameTaken(elements, result)) return result;
+    }
 }
 
 }  // namespace rubble

@@ -284,6 +284,10 @@ def nodes():
           meshes=[{"name": "", **nameless[0]}])
     build("same names.gltf", [asset("A", (0, 0, 0)), asset("A 2", (5, 0, 0))], scenes=[{"nodes": [0, 1]}],
           nodes=[{"name": "A", "mesh": 0}, {"name": "A", "mesh": 0, "translation": [5, 0, 0]}])
+    build("same names and their numbers.gltf",
+          [asset("A", (0, 0, 0)), asset("A 3", (5, 0, 0)), asset("A 2", (10, 0, 0)), asset("a 4", (15, 0, 0))],
+          scenes=[{"nodes": [0, 1, 2, 3]}],
+          nodes=[{"name": name, "mesh": 0, "translation": [5 * i, 0, 0]} for i, name in enumerate(["A", "A", "A 2", "a"])])
     hidden, visible = ({"KHR_node_visibility": {"visible": value}} for value in (False, True))
     parts = [{"children": [1, 3, 4]}, {"name": "A", "mesh": 0, "children": [2], "extensions": hidden},
              {"name": "B", "mesh": 0, "extensions": visible}, {"name": "C", "mesh": 0},

@@ -191,6 +191,21 @@ private slots:
         QCOMPARE(outcome.assets[0].notes[0],
                  std::string("The object has 2 parts, some of which only touch, imported one by one."));
     }
+    void onlyDuplicatesAreNumbered() {
+        std::vector<SourceObject> objects;
+        for (const char* name : {"Cube", "Cube", "Cube 2", "cube"})
+            objects.push_back(
+                objectOf(name, placed(wallMesh(), {{0.0, 3.0 * static_cast<double>(objects.size()), 0.0}})));
+        objects[2].copies = {{{9.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}}};
+        const Project project = imported({}, sceneOf(objects)).project;
+        const auto namesOf = [](const auto& elements) {
+            QStringList names;
+            for (const auto& element : elements) names.append(QString::fromStdString(element.name));
+            return names;
+        };
+        QCOMPARE(namesOf(project.assets), QStringList({"Cube", "Cube 3", "Cube 2", "cube 4"}));
+        QCOMPARE(namesOf(project.instances), QStringList({"Cube", "Cube 3", "Cube 2", "Cube 2 2", "cube 4"}));
+    }
     void cavityIsRejected() {
         TriangleMesh hollow = prismSolid({rectangle({0, 0}, {1, 1}), {}}, 1.0);
         for (Vec3& point : hollow.points) point = 0.5 * point + Vec3(10.5, 0.25, 0.0);

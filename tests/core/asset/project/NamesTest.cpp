@@ -23,6 +23,8 @@ private slots:
         QVERIFY(!isNameTaken(assets, "gate"));
         QCOMPARE(uniqueName(assets, "gate"), "gate");
         QCOMPARE(uniqueName(assets, "wall"), "wall 3");
+        QCOMPARE(uniqueName(assets, "wall", {"wall 3"}), "wall 4");
+        QCOMPARE(uniqueName(assets, "gate", {"gate"}), "gate");
     }
 };
 
