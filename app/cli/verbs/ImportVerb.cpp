@@ -5,6 +5,7 @@
 #include "core/asset/import/AssetImport.h"
 #include "core/asset/placement/InstancePlacement.h"
 #include "core/base/MessageText.h"
+#include "core/base/QuantityText.h"
 #include "core/io/json/JsonWriter.h"
 #include "core/io/mesh/MeshImport.h"
 #include "core/io/project/ProjectFile.h"
@@ -102,14 +103,30 @@ std::string optionsOf(const WorkingFallback& working, const ImportOptions& optio
            std::string(1, "xyz"[static_cast<int>(working.axis) - static_cast<int>(PrismAxis::X)]);
 }
 
-/// Returns why an object is rejected, with advice where a fallback imports it.
+std::string volumeText(double volume) { return quantityText(QuantityKind::Volume, volume); }
+
+/// Returns the advice to use fallbacks that keep the volume of an object, and what others would change.
+std::string adviceOn(const RejectedObject& rejected, const ImportOptions& options) {
+    std::string kept, changed;
+    for (const WorkingFallback& working : rejected.fallbacks) {
+        const std::string words = optionsOf(working, options), volume = volumeText(working.volume);
+        if (rejected.isReshapedBy(working)) {
+            const std::string from = "would change its volume from " + volumeText(*rejected.volume) + " ";
+            changed += (changed.empty() ? "; " : ", ") + words + " " + (changed.empty() ? from : "") + "to " + volume;
+        } else {
+            const std::string instead = rejected.volume ? " in place of " + volumeText(*rejected.volume) : "";
+            kept += (kept.empty() ? "; use " : " or ") + words + " (" + volume + instead + ")";
+        }
+    }
+    return (kept.empty() ? "" : kept + " to import its outline") + changed;
+}
+
+/// Returns why an object is rejected, and what fallbacks would do.
 Error rejectionOf(const RejectedObject& rejected, const ImportOptions& options) {
     Error error = rejected.error;
-    std::string advice;
-    for (const WorkingFallback& working : rejected.fallbacks)
-        advice += (advice.empty() ? "" : " or ") + optionsOf(working, options);
+    const std::string advice = adviceOn(rejected, options);
     if (!advice.empty() && error.message.ends_with('.')) error.message.pop_back();
-    if (!advice.empty()) error.message += "; use " + advice + " to import its outline.";
+    if (!advice.empty()) error.message += advice + ".";
     return error;
 }
 

@@ -9,10 +9,12 @@
 #include "core/asset/strength/Threshold.h"
 #include "core/base/MessageText.h"
 #include "core/base/Utf8.h"
+#include "core/geometry/mesh/SolidMesh.h"
 
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace rubble {
@@ -165,9 +167,11 @@ std::optional<std::string> prismFault(const std::string& name, const PrismFit& p
     return rangeFault(owner, ProjectNumber::InstancePosition, prism.pose.position);
 }
 
-bool isImportedBy(const WorkingFallback& tried, const ImportPart& part) {
-    const Result<PrismFit> prism = fallbackPrism(part.mesh, tried.axis, tried.fallback, part.tolerance);
-    return prism && !prismFault(part.name, *prism);
+/// The fallback, if it imports a part.
+std::optional<WorkingFallback> tried(PrismFallback fallback, PrismAxis axis, const ImportPart& part) {
+    const Result<PrismFit> prism = fallbackPrism(part.mesh, axis, fallback, part.tolerance);
+    if (!prism || prismFault(part.name, *prism)) return std::nullopt;
+    return WorkingFallback{fallback, axis, volumeOf(*prism)};
 }
 
 /// The fallbacks that import a part, each along the requested axis or else the first world axis that works.
@@ -177,8 +181,9 @@ std::vector<WorkingFallback> workingFallbacks(const ImportPart& part, PrismAxis 
     for (const PrismFallback fallback : {PrismFallback::Silhouette, PrismFallback::TopCap}) {
         for (const PrismAxis axis : {requested, PrismAxis::X, PrismAxis::Y, PrismAxis::Z}) {
             if (context.isCancelled()) return working;
-            if (!isImportedBy({fallback, axis}, part)) continue;
-            working.push_back({fallback, axis});
+            const std::optional<WorkingFallback> found = tried(fallback, axis, part);
+            if (!found) continue;
+            working.push_back(*found);
             break;
         }
     }
@@ -203,13 +208,17 @@ void import(const RequestedPart& part, const ImportSource& source, const TaskCon
             ImportOutcome& outcome) {
     const auto& [scene, options, names] = source;
     if (!part) {
-        outcome.rejected.push_back({part.error(), {}});
+        outcome.rejected.push_back({part.error(), {}, {}});
     } else if (const Result<ImportedSolid> solid = importedSolid(*part, scene, options, images); !solid) {
         RejectedObject& rejected =
-            outcome.rejected.emplace_back(RejectedObject{namedError(part->name, solid.error()), {}});
-        if (options.findsFallbacks) rejected.fallbacks = workingFallbacks(*part, options.axis, context);
+            outcome.rejected.emplace_back(RejectedObject{namedError(part->name, solid.error()), {}, {}});
+        if (options.findsFallbacks) {
+            rejected.fallbacks = workingFallbacks(*part, options.axis, context);
+            if (const Result<SolidMesh> closed = orientedSolid(part->mesh, part->tolerance))
+                rejected.volume = closed->volume;
+        }
     } else if (const auto fault = solidFault(*part, *solid)) {
-        outcome.rejected.push_back({{ErrorCode::BadInput, *fault}, {}});
+        outcome.rejected.push_back({{ErrorCode::BadInput, *fault}, {}, {}});
     } else if (ImportedAsset* equal =
                    options.mergesEqual ? equalAsset(*solid, part->tolerance, scene, outcome) : nullptr) {
         ++equal->merged;
@@ -227,6 +236,11 @@ void sortById(Project& project) {
 }
 
 }  // namespace
+
+bool RejectedObject::isReshapedBy(const WorkingFallback& working) const {
+    constexpr double kMaxChange = 0.01;
+    return volume && std::abs(working.volume - *volume) > kMaxChange * *volume;
+}
 
 Result<ImportOutcome> importedInto(Project project, const SourceScene& scene, const std::string& fileName,
                                    const ImportOptions& options, const TaskContext& context) {

@@ -40,13 +40,19 @@ struct ImportedAsset {
 struct WorkingFallback {
     PrismFallback fallback = PrismFallback::Silhouette;
     PrismAxis axis = PrismAxis::Thinnest;  // the requested one if it works
-    bool operator==(const WorkingFallback&) const = default;
+    double volume = 0.0;                   // m³
+    /// Whether both set the same options.
+    bool operator==(const WorkingFallback& other) const { return fallback == other.fallback && axis == other.axis; }
 };
 
 /// An object, or a part of one, that is not imported.
 struct RejectedObject {
     Error error;                             // names the object
     std::vector<WorkingFallback> fallbacks;  // at most one of each kind; empty unless they were to be found
+    std::optional<double> volume;            // m³; unknown if the mesh is no solid, or no fallbacks were to be found
+
+    /// Whether a fallback changes the volume by more than a hundredth, and so the shape; unknown: no.
+    bool isReshapedBy(const WorkingFallback& working) const;
 };
 
 struct ImportOutcome {

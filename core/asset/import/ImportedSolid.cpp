@@ -189,7 +189,11 @@ Result<PrismFit> prismOf(const ImportPart& part, const Result<SolidMesh>& solid,
         return Error{found.error().code,
                      "Its " + std::string(what) + " cannot be used instead: " + found.error().message};
     result.usesFallback = true;
-    result.notes.push_back("The " + std::string(what) + " along " + axisText(found->axis) + " is used instead. " + why);
+    std::string note = "The " + std::string(what) + " along " + axisText(found->axis) + " is used instead. " + why;
+    const std::string before = solid ? quantityText(QuantityKind::Volume, solid->volume) : "";
+    const std::string after = quantityText(QuantityKind::Volume, volumeOf(*found));
+    if (solid && before != after) note += " The volume changes from " + before + " to " + after + ".";
+    result.notes.push_back(note);
     return found;
 }
 

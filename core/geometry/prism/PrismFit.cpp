@@ -159,4 +159,6 @@ Result<PrismFit> fitPrism(const TriangleMesh& solid, PrismAxis requested, double
     return prism;
 }
 
+double volumeOf(const PrismFit& prism) { return area(prism.outline) * prism.depth; }
+
 }  // namespace rubble

@@ -33,6 +33,9 @@ struct PrismFit {
 /// missing or shifted caps, oblique or curved sides, a step; those of outlineOf().
 Result<PrismFit> fitPrism(const TriangleMesh& solid, PrismAxis axis, double tolerance);
 
+/// The volume of a prism, m³.
+double volumeOf(const PrismFit& prism);
+
 /// The outline to use for a mesh that is not a prism.
 enum class PrismFallback {
     Silhouette,  // the projection along the axis

@@ -43,10 +43,11 @@ QString sizeText(const PrismFit& prism, const Units& units) {
     return lengthText(size.x, units) + " × " + lengthText(size.y, units);
 }
 
-/// A fallback, and the number of refused objects that it imports.
+/// A fallback, and the refused objects that it imports.
 struct OfferedFallback {
     WorkingFallback fallback;
     int objects = 0;
+    double before = 0.0, after = 0.0;  // m³, of those whose volume is known
 };
 
 std::vector<OfferedFallback> offeredFallbacks(const std::vector<RejectedObject>& all) {
@@ -54,8 +55,11 @@ std::vector<OfferedFallback> offeredFallbacks(const std::vector<RejectedObject>&
     for (const RejectedObject& rejected : all) {
         for (const WorkingFallback& working : rejected.fallbacks) {
             auto known = std::ranges::find(offered, working, &OfferedFallback::fallback);
-            if (known == offered.end()) known = offered.insert(known, {working, 0});
+            if (known == offered.end()) known = offered.insert(known, {.fallback = working});
             ++known->objects;
+            if (!rejected.volume) continue;
+            known->before += *rejected.volume;
+            known->after += working.volume;
         }
     }
     return offered;
@@ -69,6 +73,14 @@ QString fallbackText(const WorkingFallback& working, PrismAxis selected) {
     const QString axis = QStringLiteral("XYZ").at(static_cast<int>(working.axis) - static_cast<int>(PrismAxis::X));
     return (isSilhouette ? ImportDialog::tr("Use Silhouette Along %1") : ImportDialog::tr("Use Top Face Along %1"))
         .arg(axis);
+}
+
+QString fallbackToolTip(const OfferedFallback& offered, const Units& units) {
+    const auto text = [&](double volume) { return localizedQuantity(QuantityKind::Volume, volume, units); };
+    const QString count = ImportDialog::tr("Import %Ln refused object(s) in this way", nullptr, offered.objects);
+    if (text(offered.before) == text(offered.after) || !(offered.before > 0.0)) return count;
+    return ImportDialog::tr("%1; the volume changes from %2 to %3")
+        .arg(count, text(offered.before), text(offered.after));
 }
 
 /// What can be imported, before the reasons for which something cannot.
@@ -326,11 +338,12 @@ void ImportDialog::offerFallbacks() {
     for (QPushButton* button : m_fallbacks->findChildren<QPushButton*>()) delete button;
     const std::vector<OfferedFallback> offered =
         m_outcome ? offeredFallbacks(m_outcome->rejected) : std::vector<OfferedFallback>();
-    for (const auto& [fallback, count] : offered) {
+    for (const OfferedFallback& offer : offered) {
+        const WorkingFallback& fallback = offer.fallback;
         auto* button = new QPushButton(fallbackText(fallback, options().axis));
         button->setAutoDefault(false);
-        button->setToolTip(tr("Import %Ln refused object(s) in this way", nullptr, count));
-        connect(button, &QPushButton::clicked, this, [this, fallback = fallback] { use(fallback); });
+        button->setToolTip(fallbackToolTip(offer, m_units));
+        connect(button, &QPushButton::clicked, this, [this, fallback] { use(fallback); });
         m_fallbackRow->insertWidget(m_fallbackRow->count() - 1, button);
         button->show();  // at once, not when the event loop runs again
     }

@@ -224,6 +224,10 @@ private slots:
         QVERIFY(cap.assets[0].usesFallback);
         QCOMPARE(QString::fromStdString(cap.assets[0].notes[0]), "The top cap along z is used instead. " + shifted);
         QCOMPARE(area(cap.project.assets[0].prism.outline), 3.0);
+        for (std::size_t i = 6; i < 12; ++i) mesh.points[i] += Vec3(0.5, 0, 0);
+        const ImportOutcome wide =
+            imported({}, sceneOf({objectOf("Bent", mesh)}), {.fallback = PrismFallback::Silhouette});
+        QVERIFY(wide.assets[0].notes[0].ends_with(". The volume changes from 1.5 m³ to 2.003 m³."));
         const ImportOutcome shadow = imported({}, scene, {.fallback = PrismFallback::Silhouette});
         QVERIFY(std::abs(area(shadow.project.assets[0].prism.outline) - 3.0 - 2.0 * 0.0032) < 1e-6);
     }
@@ -240,6 +244,11 @@ private slots:
         // A pyramid has no face at its top.
         const TriangleMesh pyramid{{{0, 0, 0}, {2, 0, 0}, {0, 0, 2}, {0, 1, 0}},
                                    {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}}};
+        const ImportOutcome refused =
+            *importedInto({}, sceneOf({objectOf("Object", pyramid)}), "file", {.findsFallbacks = true}, {});
+        const RejectedObject& object = refused.rejected.at(0);
+        QVERIFY(std::abs(*object.volume - 2.0 / 3.0) < 1e-9);
+        QVERIFY(std::abs(object.fallbacks.at(0).volume - 2.0) < 1e-6 && object.isReshapedBy(object.fallbacks[0]));
         QVERIFY((fallbacks(pyramid, PrismAxis::Y) == std::vector<WorkingFallback>{{Silhouette, PrismAxis::Y}}));
         for (const PrismAxis axis : {PrismAxis::Thinnest, PrismAxis::Z}) {
             QVERIFY((fallbacks(touchingInProjection(), axis) ==
