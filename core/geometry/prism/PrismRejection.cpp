@@ -108,7 +108,9 @@ std::string prismRejection(const AxisView& view, const TriangleMesh& mesh, doubl
 std::string axisText(Vec3 axis) {
     for (int k = 0; k < 3; ++k)
         if (std::abs(axis[k]) == 1.0) return std::string(1, "xyz"[k]);
-    return "(" + roundedText(axis.x, 3) + ", " + roundedText(axis.y, 3) + ", " + roundedText(axis.z, 3) + ")";
+    constexpr double kRounding = 1e-9;
+    const auto text = [](double value) { return std::abs(value) < kRounding ? "0" : roundedText(value, 3); };
+    return "(" + text(axis.x) + ", " + text(axis.y) + ", " + text(axis.z) + ")";
 }
 
 std::string lengthText(double metres) {

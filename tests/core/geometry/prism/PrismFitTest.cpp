@@ -259,6 +259,7 @@ private slots:
         QCOMPARE(lengthText(1e-17), "0 m");
         QCOMPARE(lengthText(2.5e-5), "25 micrometres");
         QCOMPARE(axisText({0.6, 0.8, 0.0}), "(0.6, 0.8, 0)");
+        QCOMPARE(axisText({0.6, -4e-16, -0.0}), "(0.6, 0, 0)");
     }
 };
 
