@@ -4,6 +4,7 @@
 #include "app/importer/files/MeshError.h"
 #include "app/importer/files/MeshImages.h"
 #include "app/importer/files/PolygonTriangles.h"
+#include "app/importer/files/Rounding.h"
 #include "app/importer/files/TextWords.h"
 #include "app/importer/gltf/GltfDocument.h"
 #include "app/importer/gltf/GltfReader.h"
@@ -159,8 +160,13 @@ std::size_t triangleCount(const aiMesh& mesh) {
 void addMesh(const aiMesh& mesh, const Mat4& fromMesh, SourceObject& object) {
     const auto first = static_cast<std::uint32_t>(object.points.size());
     const bool isMirrored = glm::determinant(Mat3(fromMesh)) < 0.0;
-    for (unsigned i = 0; i < mesh.mNumVertices; ++i)
-        object.points.push_back(Vec3(fromMesh * glm::dvec4(pointOf(mesh.mVertices[i]), 1.0)));
+    RoundingMeter rounding;
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+        const Vec3 point = pointOf(mesh.mVertices[i]);
+        rounding.add({&point, 1});
+        object.points.push_back(Vec3(fromMesh * glm::dvec4(point, 1.0)));
+    }
+    object.rounding = std::max(object.rounding, displacementBy(rounding.step(), fromMesh));
     const aiVector3D* uvs = mesh.mTextureCoords[0];
     object.hasUvs |= uvs != nullptr;
     std::vector<Vec3> polygon;

@@ -103,6 +103,12 @@ GltfNumbers GltfAccessors::decoded(std::uint32_t index) {
         throw MeshError(ErrorCode::Limit,
                         "has more than " + std::to_string(kMaxNumbers) + " numbers in " + nameOf(index));
     GltfNumbers numbers{.components = accessor.components, .numbers = {}};
+    constexpr std::uint32_t kFloat = 5126;
+    if (accessor.componentType != kFloat) {
+        const double most = accessor.isNormalized ? normalizedMost(accessor.componentType) : 1.0;
+        numbers.step = 1.0 / most;
+        if (accessor.isNormalized) numbers.normalBits = static_cast<int>(std::log2(most + 1.0));
+    }
     if (accessor.view) {
         const std::string_view bytes = m_buffers.view(*accessor.view);
         const Layout layout{.type = accessor.componentType,

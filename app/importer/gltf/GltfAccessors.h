@@ -10,6 +10,8 @@ namespace rubble {
 struct GltfNumbers {
     std::uint32_t components = 1;
     std::vector<double> numbers;
+    double step = 0.0;   // to which they are quantized; 0: floats
+    int normalBits = 0;  // that stand for the size of normalized integers; 0: others
     std::size_t count() const { return numbers.size() / components; }
     Vec3 vec3(std::size_t i) const { return {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]}; }
     Vec2 vec2(std::size_t i) const { return {numbers[2 * i], numbers[2 * i + 1]}; }

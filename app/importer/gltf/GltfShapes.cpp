@@ -1,6 +1,7 @@
 #include "app/importer/gltf/GltfShapes.h"
 
 #include "app/importer/files/MeshError.h"
+#include "app/importer/files/Rounding.h"
 #include "app/importer/gltf/Draco.h"
 
 #include <glm/matrix.hpp>
@@ -11,19 +12,19 @@
 namespace rubble {
 namespace {
 
-using Corners = std::array<std::uint32_t, 3>;
+using CornerIndices = std::array<std::uint32_t, 3>;
 
 /// The triangles of a list, strip or fan.
-std::vector<Corners> trianglesOf(const std::vector<std::uint32_t>& indices, std::uint32_t mode) {
+std::vector<CornerIndices> trianglesOf(const std::vector<std::uint32_t>& indices, std::uint32_t mode) {
     constexpr std::uint32_t kList = 4, kStrip = 5, kFan = 6;
-    std::vector<Corners> triangles;
+    std::vector<CornerIndices> triangles;
     if (mode == kList)
         for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
             triangles.push_back({indices[i], indices[i + 1], indices[i + 2]});
     if (mode == kStrip || mode == kFan) {
         for (std::size_t i = 0; i + 2 < indices.size(); ++i) {
             const std::uint32_t a = mode == kFan ? indices[0] : indices[i];
-            Corners triangle{a, indices[i + 1], indices[i + 2]};
+            CornerIndices triangle{a, indices[i + 1], indices[i + 2]};
             if (mode == kStrip && i % 2 == 1) std::swap(triangle[1], triangle[2]);
             const auto [x, y, z] = triangle;
             if (x != y && y != z && z != x) triangles.push_back(triangle);  // strips are joined by empty ones
@@ -44,12 +45,24 @@ Vec2 textureUv(Vec2 uv, const GltfMaterial* material) {
 }
 
 /// The points that triangles use, ascending.
-std::vector<std::uint32_t> usedPoints(const std::vector<Corners>& triangles) {
+std::vector<std::uint32_t> usedPoints(const std::vector<CornerIndices>& triangles) {
     std::vector<std::uint32_t> used;
-    for (const Corners& corners : triangles) used.insert(used.end(), corners.begin(), corners.end());
+    for (const CornerIndices& corners : triangles) used.insert(used.end(), corners.begin(), corners.end());
     std::ranges::sort(used);
     used.erase(std::ranges::unique(used).begin(), used.end());
     return used;
+}
+
+/// The step to which the positions of the points are rounded, in their own space.
+double stepOf(const GltfNumbers& positions, const std::vector<std::uint32_t>& points) {
+    if (positions.normalBits > 0) return normalizedStep(positions.numbers, positions.normalBits);
+    if (positions.step > 0.0) return positions.step;
+    RoundingMeter rounding;
+    for (const std::uint32_t point : points) {
+        const Vec3 position = positions.vec3(point);
+        rounding.add({&position, 1});
+    }
+    return rounding.step();
 }
 
 }  // namespace
@@ -57,7 +70,7 @@ std::vector<std::uint32_t> usedPoints(const std::vector<Corners>& triangles) {
 /// Where the numbers of a primitive are.
 struct GltfShapes::Source {
     std::optional<DracoMesh> draco;
-    std::vector<Corners> triangles;
+    std::vector<CornerIndices> triangles;
     const GltfNumbers* positions = nullptr;
 
     const GltfNumbers* other(const GltfPrimitive& primitive, const std::string& name, std::uint32_t components,
@@ -136,6 +149,11 @@ struct GltfShapes::Deformation {
         for (const auto& [target, weight] : morphs) position += weight * target->vec3(point);
         return position;
     }
+    /// The step of positions together with those of the targets.
+    double morphedStep(double step) const {
+        for (const auto& [target, weight] : morphs) step += std::abs(weight) * target->step;
+        return step;
+    }
     /// That of the node where no joint moves the point.
     Mat4 transformAt(std::size_t point, const Mat4& toScene) const {
         Mat4 sum(0.0);
@@ -197,16 +215,19 @@ void GltfShapes::addPrimitive(const GltfPrimitive& primitive, const std::vector<
                                                  std::to_string(source.positions->count()));
     const Deformation deformation = deformationOf(primitive, source, weights, node);
     const auto first = static_cast<std::uint32_t>(object.points.size());
+    const double step = deformation.morphedStep(stepOf(*source.positions, used));
     for (const std::uint32_t point : used) {
         const Vec3 position = deformation.morphed(source.positions->vec3(point), point);
-        object.points.push_back(Vec3(deformation.transformAt(point, toScene) * glm::dvec4(position, 1.0)));
+        const Mat4 transform = deformation.transformAt(point, toScene);
+        object.points.push_back(Vec3(transform * glm::dvec4(position, 1.0)));
+        object.rounding = std::max(object.rounding, displacementBy(step, transform));
     }
     const GltfMaterial* material = materialOf(primitive);
     const std::string uvSet = "TEXCOORD_" + std::to_string(material == nullptr ? 0 : material->uvSet);
     const GltfNumbers* uvs = source.other(primitive, uvSet, 2, m_accessors);
     object.hasUvs |= uvs != nullptr;
     const bool isMirrored = deformation.influences.empty() && glm::determinant(Mat3(toScene)) < 0.0;
-    for (const Corners& corners : source.triangles) {
+    for (const CornerIndices& corners : source.triangles) {
         SourceTriangle& triangle = object.triangles.emplace_back();
         triangle.material = primitive.material.value_or(static_cast<std::uint32_t>(m_document.materials.size()));
         for (std::size_t k = 0; k < 3; ++k) {

@@ -3,6 +3,7 @@
 #include "app/importer/files/MeshError.h"
 #include "app/importer/files/MeshImages.h"
 #include "app/importer/files/PolygonTriangles.h"
+#include "app/importer/files/Rounding.h"
 #include "app/importer/files/TextWords.h"
 #include "app/importer/obj/ObjObjects.h"
 #include "core/base/Index.h"
@@ -115,6 +116,9 @@ SourceScene readObj(std::string_view text, MeshFiles& files) {
     MeshImages images(files, scene);
     for (const std::string& names : file.materialFiles) readMaterials(names, files, images, scene);
     scene.objects = ObjAssembly(file).objects();
+    RoundingMeter rounding;
+    rounding.add(file.points);
+    for (SourceObject& object : scene.objects) object.rounding = displacementBy(rounding.step(), Mat4(1.0));
     if (file.lacksUvs) scene.notes.emplace_back("The file refers to texture coordinates that it does not have.");
     if (file.hasCurves) scene.notes.emplace_back("Free-form curves and surfaces of the file are not read.");
     return scene;

@@ -3,6 +3,7 @@
 #include "app/importer/files/AssimpValues.h"
 #include "app/importer/files/MeshError.h"
 #include "app/importer/files/PolygonTriangles.h"
+#include "app/importer/files/Rounding.h"
 #include "app/importer/files/TextWords.h"
 
 #include <algorithm>
@@ -194,6 +195,9 @@ SourceScene readStl(std::string_view bytes) {
         scene = readBinary(bytes);
     }
     scene.materials.emplace_back();
+    RoundingMeter rounding;
+    for (const SourceObject& object : scene.objects) rounding.add(object.points);
+    for (SourceObject& object : scene.objects) object.rounding = displacementBy(rounding.step(), Mat4(1.0));
     return scene;
 }
 

@@ -111,14 +111,13 @@ void placeInstances(Project& project, const Asset& asset, const ImportPart& part
 }
 
 /// The asset of this import that is equal to a solid but for its pose; null if there is none.
-ImportedAsset* equalAsset(const ImportedSolid& solid, double tolerance, const SourceScene& scene,
-                          ImportOutcome& outcome) {
+ImportedAsset* equalAsset(const ImportedSolid& solid, const SourceScene& scene, ImportOutcome& outcome) {
     const std::string& material = scene.materials[solid.material].name;
     for (ImportedAsset& imported : outcome.assets) {
         const Asset& asset = *findAsset(outcome.project, imported.asset);
         const Material& own = *std::ranges::find(outcome.project.materials, asset.material, &Material::id);
         const bool isSameMaterial = material.empty() || own.name == material;
-        if (imported.usesFallback == solid.usesFallback && isSameMaterial && isEqual(asset, solid, tolerance))
+        if (imported.usesFallback == solid.usesFallback && isSameMaterial && isEqual(asset, solid, solid.tolerance))
             return &imported;
     }
     return nullptr;
@@ -127,7 +126,7 @@ ImportedAsset* equalAsset(const ImportedSolid& solid, double tolerance, const So
 /// Adds a solid to the project as a new asset, or replaces the prism of an existing one.
 ImportedAsset added(const ImportPart& part, const ImportedSolid& solid, const ImportSource& source, Project& project) {
     const ImportOptions& options = source.options;
-    ImportedAsset result{.usesFallback = solid.usesFallback, .prism = solid.prism, .tolerance = part.tolerance};
+    ImportedAsset result{.usesFallback = solid.usesFallback, .prism = solid.prism, .tolerance = solid.tolerance};
     result.notes = solid.notes;
     const Prism prism{solid.prism.outline, solid.prism.depth};
     const auto old =
@@ -219,8 +218,7 @@ void import(const RequestedPart& part, const ImportSource& source, const TaskCon
         }
     } else if (const auto fault = solidFault(*part, *solid)) {
         outcome.rejected.push_back({{ErrorCode::BadInput, *fault}, {}, {}});
-    } else if (ImportedAsset* equal =
-                   options.mergesEqual ? equalAsset(*solid, part->tolerance, scene, outcome) : nullptr) {
+    } else if (ImportedAsset* equal = options.mergesEqual ? equalAsset(*solid, scene, outcome) : nullptr) {
         ++equal->merged;
         placeInstances(outcome.project, *findAsset(outcome.project, equal->asset), *part, *solid, source);
     } else {

@@ -30,6 +30,7 @@ ImportPart partOf(const ImportPart& whole, const std::vector<std::uint32_t>& par
     ImportPart part{.name = whole.name,
                     .hasUvs = whole.hasUvs,
                     .tolerance = whole.tolerance,
+                    .rounding = whole.rounding,
                     .copies = whole.copies,
                     .notes = whole.notes};
     std::vector<std::uint32_t> indices(whole.mesh.points.size(), kNone);
@@ -176,11 +177,37 @@ void noteCap(const CapFit& fit, const CapUv& cap, const char* name, std::vector<
     notes.push_back(std::string("The ") + name + " cap takes its UVs from the nearest faces" + why);
 }
 
+/// The prism of a part that is one but for the rounding of its file. If that is too coarse for the size of the part, or
+/// does not explain why it is not a prism, the reason, with advice in the first case.
+Result<PrismFit> prismOfRounded(const ImportPart& part, const TriangleMesh& solid, PrismAxis axis, Error reason,
+                                ImportedSolid& result) {
+    // Of the smallest extent. Up to the first, the depth of a prism is right within some thousandths; beyond the
+    // second, nearly any shape is a prism.
+    constexpr double kMaxFitted = 0.01, kMaxExplained = 0.1;
+    if (!(part.rounding > 0.0) || part.rounding > kMaxExplained * boundsOf(solid).diagonal()) return reason;
+    const std::optional<PrismFit> prism = fitRoundedPrism(solid, axis, part.tolerance, part.rounding);
+    if (!prism || part.rounding > kMaxExplained * smallestExtent(*prism)) return reason;
+    const std::string clause = "file rounds points by up to " + lengthText(part.rounding);
+    if (part.rounding > kMaxFitted * smallestExtent(*prism)) {
+        if (reason.message.ends_with('.')) reason.message.pop_back();
+        reason.message +=
+            "; the " + clause +
+            ", too much to tell whether it is a prism: export it with more decimals or finer quantization.";
+        return reason;
+    }
+    result.tolerance = std::max(part.tolerance, part.rounding);
+    result.notes.push_back("The " + clause + "; the prism is fitted to them within " + lengthText(prism->deviation) +
+                           ".");
+    return *prism;
+}
+
 /// The fitted prism, or its fallback.
 Result<PrismFit> prismOf(const ImportPart& part, const Result<SolidMesh>& solid, const ImportOptions& options,
                          ImportedSolid& result) {
     if (isFlat(part)) return Error{ErrorCode::Degenerate, "The mesh is flat; an asset needs a depth."};
+    result.tolerance = part.tolerance;
     Result<PrismFit> found = solid ? fitPrism(solid->mesh, options.axis, part.tolerance) : solid.error();
+    if (!found && solid) found = prismOfRounded(part, solid->mesh, options.axis, found.error(), result);
     if (found || !options.fallback) return found;
     const std::string why = found.error().message;
     found = fallbackPrism(part.mesh, options.axis, *options.fallback, part.tolerance);
@@ -214,6 +241,7 @@ Result<std::vector<ImportPart>> partsToImport(const SourceObject& object, double
     Result<WeldedMesh> one = welded(mesh);
     if (!one) return one.error();
     ImportPart whole{.name = object.name, .hasUvs = object.hasUvs, .tolerance = one->tolerance};
+    whole.rounding = object.rounding * metresPerUnit;
     whole.copies = copiesInWorld(object, metresPerUnit, up);
     whole.notes = weldingNotes(*one);
     whole.mesh = std::move(one->mesh);
@@ -273,7 +301,7 @@ Result<ImportedSolid> importedSolid(const ImportPart& part, const SourceScene& s
     std::vector<std::string> materials;
     for (const SourceMaterial& material : scene.materials) materials.push_back(material.name);
     result.surface = fittedSurface(surfaceTriangles(part, flipped, result.prism.pose), part.hasUvs, materials,
-                                   {result.prism.outline, result.prism.depth}, 4.0 * part.tolerance);
+                                   {result.prism.outline, result.prism.depth}, 4.0 * result.tolerance);
     result.material = largestMaterial(part);
     result.texture = textureOf(part, scene, images, result.notes);
     if (result.surface.surface && part.hasUvs) {

@@ -15,6 +15,7 @@ struct ImportPart {
     TriangleMesh mesh;                      // welded
     std::vector<SourceTriangle> triangles;  // the triangles of the file, one per triangle of the mesh
     double tolerance = 0.0;                 // m
+    double rounding = 0.0;                  // m: the most by which the file's numbers displace a point; 0: unknown
     std::vector<Pose> copies;               // motions in the world to where else it stands
     std::vector<std::string> notes;
 };
@@ -35,6 +36,7 @@ bool isFlat(const ImportPart& part);
 struct ImportedSolid {
     PrismFit prism;
     bool usesFallback = false;
+    double tolerance = 0.0;  // m: that of the part, or more where its points are rounded
     FittedSurface surface;
     std::optional<Texture> texture;
     std::uint32_t material = 0;  // of the scene: the one with the largest area
@@ -44,7 +46,11 @@ struct ImportedSolid {
 /// Images of a scene that textures share, by their index.
 using TextureImages = std::map<std::uint32_t, std::shared_ptr<const EncodedImage>>;
 
-/// Errors: those of orientedSolid() and fitPrism(), or of fallbackPrism().
+/// Fits a prism to a part, or uses its fallback. A part that is a prism but for the rounding of its file is imported as
+/// the prism between its caps, with a note.
+///
+/// Errors: those of orientedSolid() and fitPrism(), or of fallbackPrism(); Degenerate if the file's rounding is too
+/// coarse for the size of the part.
 Result<ImportedSolid> importedSolid(const ImportPart& part, const SourceScene& scene, const ImportOptions& options,
                                     TextureImages& images);
 

@@ -8,7 +8,7 @@
 namespace rubble {
 namespace {
 
-constexpr std::string_view kMagic = "rubble mesh 4\n";
+constexpr std::string_view kMagic = "rubble mesh 5\n";
 
 class ByteWriter {
 public:
@@ -89,7 +89,7 @@ private:
 
 constexpr std::size_t kMaterialSize = 4 + 3 * 8, kPointSize = 3 * 8, kTriangleSize = 3 * (4 + 2 * 8) + 4;
 constexpr std::size_t kPoseSize = 7 * 8;
-constexpr std::size_t kObjectSize = 4 + 1 + 4 + 4 + 4;
+constexpr std::size_t kObjectSize = 4 + 1 + 4 + 4 + 4 + 8;
 constexpr std::size_t kImageSize = 4 + 4;
 
 void add(ByteWriter& writer, const Pose& pose) {
@@ -127,6 +127,8 @@ SourceObject readObject(ByteReader& reader, std::size_t materialCount, std::size
     const std::size_t copies = reader.count(kPoseSize);
     reader.check(copies <= kMaxCopies);
     for (std::size_t i = 0; i < copies && reader.isGood(); ++i) object.copies.push_back(readPose(reader));
+    object.rounding = reader.number();
+    reader.check(object.rounding >= 0.0);
     return object;
 }
 
@@ -169,6 +171,7 @@ std::string sourceSceneBytes(const SourceScene& scene) {
         }
         writer.add(object.copies.size());
         for (const Pose& pose : object.copies) add(writer, pose);
+        writer.add(object.rounding);
     }
     writer.add(scene.notes.size());
     for (const std::string& note : scene.notes) writer.add(std::string_view(note));

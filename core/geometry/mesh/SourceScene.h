@@ -43,6 +43,7 @@ struct SourceObject {
     std::vector<Vec3> points;  // in the file's unit and axes; finite
     std::vector<SourceTriangle> triangles;
     std::vector<Pose> copies;  // motions that take the object to the other places where it stands
+    double rounding = 0.0;     // in the file's unit: the most by which the file's numbers displace a point; 0: unknown
     bool operator==(const SourceObject&) const = default;
 };
 

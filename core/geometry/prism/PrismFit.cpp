@@ -1,11 +1,13 @@
 #include "core/geometry/prism/PrismFit.h"
 
+#include "core/geometry/mesh/SolidMesh.h"
 #include "core/geometry/polygon/BoundaryDistance.h"
 #include "core/geometry/polygon/OutlineCleaning.h"
 #include "core/geometry/prism/AxisView.h"
 #include "core/geometry/prism/PrismAxes.h"
 #include "core/geometry/prism/PrismPlacement.h"
 #include "core/geometry/prism/PrismRejection.h"
+#include "core/geometry/prism/RoundedPrism.h"
 
 #include <glm/geometric.hpp>
 
@@ -46,24 +48,60 @@ double deviationFrom(const AxisView& view, const Polygon& outline, double tolera
     return farthest;
 }
 
+/// How exactly a mesh has to be a prism.
+struct Accuracy {
+    double tolerance = 0.0;  // m
+    double rounding = 0.0;   // m: the largest displacement of a point by rounding; 0: that is within the tolerance
+    /// The height within which the points of a cap lie and the width within which a face is a side, m. Two points are
+    /// at most two roundings apart, and the axis is not exact.
+    double flatness() const { return std::max(tolerance, 3.0 * rounding); }
+    double maxDeviation() const { return rounding > 0.0 ? std::max(2.0 * rounding, tolerance) : 4.0 * tolerance; }
+};
+
+double areaOf(const std::vector<Ring>& rings) {
+    return std::accumulate(rings.begin(), rings.end(), 0.0,
+                           [](double sum, const Ring& ring) { return sum + signedArea(ring); });
+}
+
+/// The outline of the caps. That of rounded ones lies between both, without corners that their rounding made out of
+/// straight lines; all corners are kept if the area depends on them.
+Result<Polygon> outlineOfCaps(const std::vector<Ring>& top, const std::vector<Ring>& bottom, const Accuracy& accuracy) {
+    constexpr double kMaxAreaChange = 2e-4;
+    if (!(accuracy.rounding > 0.0)) return outlineOf(top, accuracy.tolerance);
+    const std::vector<Ring> middle = ringsBetween(top, bottom, accuracy.flatness());
+    const double whole = areaOf(middle);
+    const Result<Polygon> simple = outlineOf(middle, std::max(accuracy.rounding, accuracy.tolerance));
+    if (simple && std::abs(area(*simple) - whole) <= kMaxAreaChange * whole) return simple;
+    return outlineOf(middle, std::min(accuracy.rounding, accuracy.tolerance));
+}
+
+/// The view with the depth with which an outline encloses the volume of the mesh.
+AxisView withVolumeOf(const TriangleMesh& mesh, AxisView view, const Polygon& outline) {
+    const double middle = view.bottom + view.depth() / 2.0, depth = signedVolume(mesh) / area(outline);
+    view.bottom = middle - depth / 2.0;
+    view.top = middle + depth / 2.0;
+    return view;
+}
+
 /// The prism of a view without oblique faces.
-Result<PrismFit> prismIn(const AxisView& view, const TriangleMesh& mesh, double tolerance) {
+Result<PrismFit> prismIn(const AxisView& view, const TriangleMesh& mesh, const Accuracy& accuracy) {
     const std::vector<Ring> rings = boundaryOf(view, mesh, FaceOrientation::Top);
-    const Result<Polygon> outline = outlineOf(rings, tolerance);
-    if (!outline) return outline.error();
     std::vector<Ring> bottomRings = boundaryOf(view, mesh, FaceOrientation::Bottom);
     for (Ring& ring : bottomRings) std::ranges::reverse(ring);
-    const Result<Polygon> bottom = outlineOf(bottomRings, tolerance);
+    const Result<Polygon> outline = outlineOfCaps(rings, bottomRings, accuracy);
+    if (!outline) return outline.error();
+    const Result<Polygon> bottom = outlineOf(bottomRings, accuracy.tolerance);
     if (!bottom) return bottom.error();
-    if (distanceBetween(*outline, *bottom) > 4.0 * tolerance)
-        return Error{ErrorCode::Degenerate, prismRejection(view, mesh, tolerance)};
-    const double deviation = deviationFrom(view, *outline, tolerance);
-    if (deviation > 4.0 * tolerance)
+    if (distanceBetween(*outline, *bottom) > accuracy.maxDeviation())
+        return Error{ErrorCode::Degenerate, prismRejection(view, mesh, accuracy.tolerance)};
+    const double deviation = deviationFrom(view, *outline, accuracy.flatness());
+    if (deviation > accuracy.maxDeviation())
         return Error{ErrorCode::Degenerate, "The sides bulge by " + lengthText(deviation) + " between the caps."};
 
-    if (const std::optional<ViewFrame> frame = frameAlongEdge(view.frame, *outline, tolerance))
-        return prismIn(viewAlong(mesh, *frame, tolerance), mesh, tolerance);
-    Result<PrismFit> prism = placedPrism(view, *outline, tolerance);
+    if (const std::optional<ViewFrame> frame = frameAlongEdge(view.frame, *outline, accuracy.tolerance))
+        return prismIn(viewAlong(mesh, *frame, accuracy.flatness()), mesh, accuracy);
+    Result<PrismFit> prism =
+        placedPrism(accuracy.rounding > 0.0 ? withVolumeOf(mesh, view, *outline) : view, *outline, accuracy.tolerance);
     if (!prism) return prism;
     const BoundaryDistance boundary(*outline);
     prism->deviation = std::max({deviation, boundary.largestOf(rings), boundary.largestOf(bottomRings)});
@@ -87,15 +125,15 @@ double misplacement(const AxisView& view, const TriangleMesh& mesh) {
     return farthest;
 }
 
-Attempt fitAlong(const TriangleMesh& mesh, Vec3 axis, double tolerance) {
-    const AxisView view = viewAlong(mesh, frameAlong(axis, boundsOf(mesh).centre()), tolerance);
+Attempt fitAlong(const TriangleMesh& mesh, Vec3 axis, const Accuracy& accuracy) {
+    const AxisView view = viewAlong(mesh, frameAlong(axis, boundsOf(mesh).centre()), accuracy.flatness());
     const bool isStraight = !view.has(FaceOrientation::Oblique) && !view.has(FaceOrientation::Between);
     Attempt result{axis, Error{}, view.has(FaceOrientation::Top) + view.has(FaceOrientation::Bottom),
                    misplacement(view, mesh)};
     if (result.caps == 2 && isStraight) {
-        result.prism = prismIn(view, mesh, tolerance);
+        result.prism = prismIn(view, mesh, accuracy);
     } else {
-        result.prism = Error{ErrorCode::Degenerate, prismRejection(view, mesh, tolerance)};
+        result.prism = Error{ErrorCode::Degenerate, prismRejection(view, mesh, accuracy.tolerance)};
     }
     return result;
 }
@@ -125,7 +163,7 @@ Error bestRejection(const TriangleMesh& mesh, PrismAxis requested, double tolera
     const auto isWorldAxis = [](const Attempt& found) { return rankOf(found.axis) < 3; };
     for (const Vec3 axis : diagnosticAxes(mesh, tolerance)) {
         if (!matches(axis, requested)) continue;
-        Attempt found = fitAlong(mesh, axis, tolerance);
+        Attempt found = fitAlong(mesh, axis, {tolerance});
         const auto key = [&](const Attempt& of) {
             return std::tuple(-of.caps, !isWorldAxis(of), of.misplaced, rankOf(of.axis));
         };
@@ -134,12 +172,27 @@ Error bestRejection(const TriangleMesh& mesh, PrismAxis requested, double tolera
     return best ? best->prism.error() : Error{ErrorCode::Degenerate, "The mesh has no flat cap."};
 }
 
-}  // namespace
+/// The axes along which the mesh can be a prism; of a rounded one, those of least squares.
+std::vector<Vec3> axesToTry(const TriangleMesh& mesh, const Accuracy& accuracy) {
+    const std::vector<Vec3> candidates = candidateAxes(mesh, accuracy.flatness());
+    if (!(accuracy.rounding > 0.0)) return candidates;
+    const double size = boundsOf(mesh).diagonal();
+    std::vector<Vec3> axes;
+    for (const Vec3 candidate : candidates) {
+        const Vec3 axis = snappedAxis(axisOfLeastSquares(mesh, candidate, accuracy.rounding), size, accuracy.rounding);
+        const auto isSame = [&](Vec3 other) {
+            return glm::length(glm::cross(axis, other)) * size <= accuracy.flatness();
+        };
+        if (std::ranges::none_of(axes, isSame)) axes.push_back(axis);
+    }
+    return axes;
+}
 
-Result<PrismFit> fitPrism(const TriangleMesh& solid, PrismAxis requested, double tolerance) {
+/// The prism along the best of all axes along which the mesh is one.
+std::optional<PrismFit> bestPrism(const TriangleMesh& solid, PrismAxis requested, const Accuracy& accuracy) {
     std::vector<Attempt> found;
-    for (const Vec3 axis : candidateAxes(solid, tolerance)) {
-        Attempt result = fitAlong(solid, axis, tolerance);
+    for (const Vec3 axis : axesToTry(solid, accuracy)) {
+        Attempt result = fitAlong(solid, axis, accuracy);
         if (result.prism) found.push_back(std::move(result));
     }
     std::optional<std::size_t> best;
@@ -147,16 +200,33 @@ Result<PrismFit> fitPrism(const TriangleMesh& solid, PrismAxis requested, double
         const double nearer = distanceFromRequest(a.axis, requested) - distanceFromRequest(b.axis, requested);
         if (nearer != 0.0) return nearer < 0.0;
         const double thinner = a.prism->depth - b.prism->depth;
-        return std::abs(thinner) > tolerance ? thinner < 0.0 : rankOf(a.axis) < rankOf(b.axis);
+        return std::abs(thinner) > accuracy.flatness() ? thinner < 0.0 : rankOf(a.axis) < rankOf(b.axis);
     };
     for (std::size_t i = 0; i < found.size(); ++i) {
         if (matches(found[i].axis, requested) && (!best || isBetter(found[i], found[*best]))) best = i;
     }
-    if (!best) return bestRejection(solid, requested, tolerance);
+    if (!best) return std::nullopt;
     PrismFit prism = *found[*best].prism;
     for (std::size_t i = 0; i < found.size(); ++i)
         if (i != *best) prism.otherAxes.push_back(found[i].axis);
     return prism;
+}
+
+}  // namespace
+
+Result<PrismFit> fitPrism(const TriangleMesh& solid, PrismAxis requested, double tolerance) {
+    if (std::optional<PrismFit> prism = bestPrism(solid, requested, {tolerance})) return std::move(*prism);
+    return bestRejection(solid, requested, tolerance);
+}
+
+std::optional<PrismFit> fitRoundedPrism(const TriangleMesh& solid, PrismAxis requested, double tolerance,
+                                        double rounding) {
+    return bestPrism(solid, requested, {tolerance, rounding});
+}
+
+double smallestExtent(const PrismFit& prism) {
+    const Vec2 size = boundsOf(prism.outline.outer).size();
+    return std::min({prism.depth, size.x, size.y});
 }
 
 double volumeOf(const PrismFit& prism) { return area(prism.outline) * prism.depth; }

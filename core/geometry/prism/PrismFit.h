@@ -4,6 +4,7 @@
 #include "core/geometry/mesh/TriangleMesh.h"
 #include "core/geometry/polygon/Polygon.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,14 @@ struct PrismFit {
 /// Errors: Degenerate, with the reason and the measured value for the most promising axis, if the mesh is not a prism:
 /// missing or shifted caps, oblique or curved sides, a step; those of outlineOf().
 Result<PrismFit> fitPrism(const TriangleMesh& solid, PrismAxis axis, double tolerance);
+
+/// Fits a prism to a solid mesh whose points were rounded, each displaced by at most `rounding`, m: between its caps,
+/// with the volume of the mesh, along the axis of least squares. Other rules are those of fitPrism(). Nothing if the
+/// rounding does not explain how the mesh differs from a prism: no point may be farther from it than twice that.
+std::optional<PrismFit> fitRoundedPrism(const TriangleMesh& solid, PrismAxis axis, double tolerance, double rounding);
+
+/// The smallest extent of a prism, m: its depth, or a side of its outline's bounding box.
+double smallestExtent(const PrismFit& prism);
 
 /// The volume of a prism, m³.
 double volumeOf(const PrismFit& prism);

@@ -4,7 +4,7 @@ what each must be read as. The numbers follow from how a mesh is made; none come
 python3 make.py
 
 The files in compressed/ are boxes of the same kind, compressed by gltfpack 1.3 with the options in their names, and by
-gltf-pipeline 4.3; they stay as they are.
+gltf-pipeline 4.3, and four of glTF-Transform 4.5; they stay as they are.
 """
 import base64
 import json
@@ -308,6 +308,8 @@ def nodes():
           nodes=[{"translation": [1, 2, 0], "children": [1]}, {"name": "Wall", "mesh": 0, "scale": [2, 2, 2]}])
     build("matrix.gltf", [asset("Wall", (1, 2, 3))],
           nodes=[{"name": "Wall", "mesh": 0, "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 2, 3, 1]}])
+    case("nodes/enormous.gltf", text(gltf(nodes=[{"name": "Wall", "mesh": 0, "scale": [1e200, 1e200, 1e200]}])),
+         rejected=['"Wall": Point 0 of the mesh is not a finite number.'])
     build("mirrored.gltf", WALL, nodes=[{"name": "Wall", "mesh": 0, "scale": [-1, 1, 1]}])
     build("no scene.gltf", WALL, scenes=None, scene=None)
     build("two scenes.gltf", [asset("B", (5, 0, 0))],
@@ -560,6 +562,77 @@ def far():
     build("a large mesh at 90 km.obj", (90000, 0, 0), None, (200, 100, 25))
 
 
+# Rounding
+
+def rotated(size, at, axis, degrees, outline=None):
+    """The points of a box, or of the prism of an outline along z, rotated about an axis through the origin."""
+    outline = outline or [(-size[0] / 2, -size[1] / 2), (size[0] / 2, -size[1] / 2), (size[0] / 2, size[1] / 2),
+                          (-size[0] / 2, size[1] / 2)]
+    length = math.sqrt(sum(a * a for a in axis))
+    x, y, z = (a / length for a in axis)
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    rows = [[c + x * x * (1 - c), x * y * (1 - c) - z * s, x * z * (1 - c) + y * s],
+            [y * x * (1 - c) + z * s, c + y * y * (1 - c), y * z * (1 - c) - x * s],
+            [z * x * (1 - c) - y * s, z * y * (1 - c) + x * s, c + z * z * (1 - c)]]
+    flat = [(px, py, pz) for pz in (-size[2] / 2, size[2] / 2) for px, py in outline]
+    return [tuple(at[k] + sum(rows[k][i] * p[i] for i in range(3)) for k in range(3)) for p in flat]
+
+
+def prism_faces(count):
+    """The polygons of the prism of an outline with so many corners."""
+    return ([list(range(count))[::-1], list(range(count, 2 * count))] +
+            [[i, (i + 1) % count, count + (i + 1) % count, count + i] for i in range(count)])
+
+
+def rounding():
+    """Prisms in any direction whose points the file rounds, so that no cap is flat."""
+    def expect(name, content, volume, at, **more):
+        write("rounding/" + name, content)
+        cases["rounding/" + name] = {"assets": [{"name": "Wall", "volume": volume, "at": list(at), "instances": 1}],
+                                     "tolerance": 2e-3, **more}
+
+    def obj(points, number, count=4):
+        return ("o Wall\n" + "".join("v %s %s %s\n" % tuple(number % k for k in p) for p in points) +
+                "".join("f " + " ".join(str(k + 1) for k in face) + "\n" for face in prism_faces(count)))
+    wall = rotated((1, 0.8, 0.1), (3, 1, 2), (1, 2, 0.5), 40)
+    for digits in (4, 5, 6):
+        expect("%d decimals.obj" % digits, obj(wall, "%%.%df" % digits), 0.08, (3, 1, 2))
+    expect("five significant digits.obj", obj(wall, "%.5g"), 0.08, (3, 1, 2))
+    expect("exponents.obj", obj(wall, "%.4e"), 0.08, (3, 1, 2))
+    # Half a millimetre at each end of 25 m: a tilt of 0.0023 degrees.
+    large = rotated((25, 24, 16.385), (30, 10, 5), (2, 1, 3), 25)
+    expect("a tilt of 0.0023 degrees.obj", obj(large, "%.3f"), 9831.0, (30, 10, 5))
+    corner = [(-0.5, -0.5), (0.5, -0.5), (0.5, -0.2), (-0.2, -0.2), (-0.2, 0.5), (-0.5, 0.5)]
+    shape = rotated((1, 1, 0.3), (0, 0, 0), (0, 1, 0), 30, corner)
+    low = [min(p[k] for p in shape) for k in range(3)]
+    scale = max(max(p[k] for p in shape) - low[k] for k in range(3))
+    for bits in (10, 12, 16):
+        step = scale / (2 ** bits - 1)
+        data = b"".join(struct.pack("<4H", *[round((p[k] - low[k]) / step) for k in range(3)], 0) for p in shape)
+        caps = [(0, 1, 2), (0, 2, 3), (0, 3, 4), (0, 4, 5)]
+        indices = [i for t in caps for i in t[::-1]] + [i + 6 for t in caps for i in t]
+        for i in range(6):
+            k = (i + 1) % 6
+            indices += [i, k, k + 6, i, k + 6, i + 6]
+        size = len(data)
+        data += struct.pack("<%dH" % len(indices), *indices)
+        expect("%d bits.gltf" % bits, text(gltf(
+            data, nodes=[{"name": "Wall", "mesh": 0, "scale": [step] * 3, "translation": low}],
+            accessors=[{"bufferView": 0, "componentType": 5123, "count": 12, "type": "VEC3"},
+                       {"bufferView": 1, "componentType": 5123, "count": len(indices), "type": "SCALAR"}],
+            bufferViews=[{"buffer": 0, "byteLength": size, "byteStride": 8},
+                         {"buffer": 0, "byteOffset": size, "byteLength": len(data) - size}],
+            extensionsUsed=["KHR_mesh_quantization"], extensionsRequired=["KHR_mesh_quantization"])),
+               0.51 * 0.3, (0, 0, 0), **({"tolerance": 0.01} if bits == 10 else {}))
+    coarse = ("; the file rounds points by up to %s, too much to tell whether it is a prism: export it with more decimals "
+              "or finer quantization.")
+    case("rounding/2 decimals.obj", obj(wall, "%.2f"), rejected=[
+        '"Wall": The top cap is shifted by 8.72 mm relative to the bottom, seen along the axis (0.585, -0.238, 0.776)'
+        + coarse % "8.66 mm"])
+    case("rounding/3 decimals of a thin wall.obj", obj(rotated((1, 0.8, 0.05), (3, 1, 2), (1, 2, 0.5), 40), "%.3f"),
+         rejected=['"Wall": The mesh has no flat cap at either end of the y axis' + coarse % "0.866 mm"])
+
+
 # STL
 
 def stl_text(names, boxes=((0, 0, 0),), layout=None):
@@ -640,7 +713,12 @@ def stl():
 
 def compressed():
     """Rounded by the program that compressed them."""
+    parts = [("yawed wall", 0.08), ("yawed wall 2", 0.08), ("yawed wall 3", 0.108), ("yawed wall 4", 0.108)]
+    cases["compressed/gltf-transform optimize.glb"] = {
+        "assets": [{"name": name, "volume": volume, "instances": 1} for name, volume in parts], "tolerance": 0.005}
     for name in sorted(os.listdir(os.path.join(FOLDER, "compressed"))):
+        if name.startswith("gltf-transform"):
+            continue
         if name.endswith((".glb", ".gltf")):
             at = (1, 2, 3) if name.startswith("draco") else (0, 0, 0)
             cases["compressed/" + name] = {"assets": [asset("Wall", at)],
@@ -648,7 +726,7 @@ def compressed():
 
 
 for kind in (links, extensions, quantized, instances, morphs_and_skins, nodes, objects, groups, obj_text, polygons,
-             far, stl, compressed):
+             far, rounding, stl, compressed):
     kind()
 with open(os.path.join(FOLDER, "cases.json"), "w", encoding="utf-8") as file:
     lines = ["  %s: %s" % (json.dumps(name), json.dumps(value)) for name, value in sorted(cases.items())]

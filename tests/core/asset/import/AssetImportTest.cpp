@@ -206,6 +206,25 @@ private slots:
         QCOMPARE(namesOf(project.assets), QStringList({"Cube", "Cube 3", "Cube 2", "cube 4"}));
         QCOMPARE(namesOf(project.instances), QStringList({"Cube", "Cube 3", "Cube 2", "Cube 2 2", "cube 4"}));
     }
+    void roundedPrismIsImportedWithANote() {
+        TriangleMesh mesh = placed(prismSolid(lShape(), 0.5), {{1, 2, 3}, glm::normalize(Quat(0.9, 0.2, 0.3, 0.1))});
+        for (Vec3& point : mesh.points) point = glm::round(point * 1e3) / 1e3;
+        SourceObject object = objectOf("Wall", mesh);
+        QVERIFY(!importFault(sceneOf({object})).isEmpty());
+        object.rounding = 0.867e-3;
+        const ImportOutcome outcome = imported({}, sceneOf({object}));
+        QCOMPARE(outcome.assets[0].tolerance, 0.867e-3);
+        const QString note = QString::fromStdString(outcome.assets[0].notes[0]);
+        QVERIFY2(note.startsWith("The file rounds points by up to 0.867 mm; the prism is fitted to them within 0."),
+                 qPrintable(note));
+        QVERIFY(std::abs(volumeOf(outcome.assets[0].prism) - 1.5) < 1.5e-3);
+        // Thinner, the rounding may be all that there is.
+        for (Vec3& point : object.points) point *= 0.03;
+        const QString fault = importFault(sceneOf({object}));
+        QVERIFY2(fault.endsWith("; the file rounds points by up to 0.867 mm, too much to tell whether it is a prism: "
+                                "export it with more decimals or finer quantization."),
+                 qPrintable(fault));
+    }
     void cavityIsRejected() {
         TriangleMesh hollow = prismSolid({rectangle({0, 0}, {1, 1}), {}}, 1.0);
         for (Vec3& point : hollow.points) point = 0.5 * point + Vec3(10.5, 0.25, 0.0);

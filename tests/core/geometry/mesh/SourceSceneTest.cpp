@@ -15,6 +15,7 @@ SourceScene twoObjects() {
     scene.objects.push_back({"Wall", true, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}});
     scene.objects.back().triangles.push_back({{0, 1, 2}, {Vec2{0.5, 0.25}, Vec2{1, 0}, Vec2{0, 1}}, 1});
     scene.objects.push_back({"", false, {{1, 2, 3}, {0.1, -4e-9, 5e9}}, {SourceTriangle{{1, 0, 1}, {}, 0}}});
+    scene.objects.back().rounding = 1e-4;
     scene.objects.back().copies = {{{1, -2, 3e9}, {0.6, 0.0, 0.8, 0.0}}, {}};
     scene.notes = {"A file was not read."};
     return scene;
@@ -68,6 +69,9 @@ private slots:
         QVERIFY(isRefused(scene));
         scene = twoObjects();
         scene.objects[1].copies[0].orientation.w = 0.7;
+        QVERIFY(isRefused(scene));
+        scene = twoObjects();
+        scene.objects[1].rounding = -1.0;
         QVERIFY(isRefused(scene));
         scene = twoObjects();
         scene.objects[1].copies[0].position.z = std::numeric_limits<double>::infinity();
