@@ -13,7 +13,7 @@ layout(location = 4) in vec2 across;
 layout(location = 5) in uint side;  // see VertexSide
 layout(location = 6) in uint firstBody;
 
-const uint kInside = 1u, kTextured = 2u;  // sides
+const uint kInside = 1u, kTextured = 2u, kMortar = 3u;  // sides
 
 const uint kHidden = 1u;
 const uint kSelected = 2u;

@@ -13,6 +13,8 @@ flat out float hasImage;  // 1 on textured faces
 const float kEdgeWidth = 0.0065;  // of the size of its fragment
 const float kThinnest = 0.12, kWidest = 0.75;  // points
 
+const vec3 kMortarColour = vec3(0.76, 0.74, 0.70);  // sRGB
+
 vec3 unpackedColour(uint rgb) { return vec3((rgb >> 16) & 255u, (rgb >> 8) & 255u, rgb & 255u) / 255.0; }
 
 void main() {
@@ -23,7 +25,7 @@ void main() {
     placeAcross = across;
     float size = exp2((sizeCode - 128.0) / 8.0) * pixelsPerMetre(max(dot(eye.xyz - scenePoint, back.xyz), 1e-6));
     edgeWidth = clamp(kEdgeWidth * size, kThinnest * edges.x, kWidest * edges.x);
-    colour = unpackedColour(side == kInside ? appearance.y : appearance.x);
+    colour = side == kMortar ? kMortarColour : unpackedColour(side == kInside ? appearance.y : appearance.x);
     opacity = opacityOf(appearance);
 #ifdef TEXTURED
     placeInImage = vec2(uv.x, 1.0 - uv.y);

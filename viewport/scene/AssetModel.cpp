@@ -5,6 +5,7 @@
 #include "core/asset/project/FragmentColours.h"
 #include "core/geometry/hull/AspectRatio.h"
 #include "core/structure/bonds/Bond.h"
+#include "viewport/scene/MortarFaces.h"
 
 namespace rubble {
 namespace {
@@ -38,6 +39,7 @@ public:
     ModelBuilder(AssetModel model, const SceneOptions& options)
         : m_model(std::move(model)),
           m_mesher(m_model.asset),
+          m_mortar(m_model.asset),
           m_geometry(std::make_shared<SceneGeometry>()),
           m_hulls(options.hasHulls ? std::make_shared<SceneGeometry>() : nullptr),
           m_hasBonds(needBonds(options)) {}
@@ -55,21 +57,27 @@ public:
                                   .aspect = aspectRatio(solid.outline()),
                                   .level = fragment.level,
                                   .colour = colour});
-        addSolid(*m_geometry, m_mesher.fragmentMesh(fragment, cuts.cornersOf(number)), texture());
+        const SolidPart part{m_mesher.fragmentMesh(fragment, cuts.cornersOf(number)), m_mortar.around(fragment)};
+        addSolid(*m_geometry, {&part, 1}, texture());
         if (m_hulls) addSolid(*m_hulls, solid.hulls());
     }
 
-    /// `offset`: origin of the solid's frame in the prism's frame.
-    void addWhole(const Bake& bake, Vec3 offset) {
+    /// `offset`: origin of the solid's frame in the prism's frame. An asset with joints has them from the start.
+    void addWhole(const Bake& bake, Vec3 offset, const RoughCuts* cuts = nullptr) {
         const Vec3 centre = bake.whole.centre - offset;
-        Mesh mesh = m_mesher.wholeMesh(bake);
-        for (Vec3& position : mesh.positions) position += centre;
+        std::vector<SolidPart> parts;
+        if (cuts != nullptr && m_mortar.isThere()) {
+            parts = partsWithin(bake, offset, *cuts);
+        } else {
+            parts.push_back({m_mesher.wholeMesh(bake), {}});
+            for (Vec3& position : parts[0].mesh.positions) position += centre;
+        }
         const Colour colour = fragmentColour(std::to_string(m_model.asset.id));
         m_model.solids.push_back({.offset = offset,
                                   .volume = bake.whole.volume,
                                   .aspect = aspectRatio(m_model.asset.prism.outline),
                                   .colour = colour});
-        addSolid(*m_geometry, mesh, texture());
+        addSolid(*m_geometry, parts, texture());
         if (!m_hulls) return;
         std::vector<Polytope> hulls = bake.wholeHulls;
         for (Polytope& hull : hulls) hull = translated(std::move(hull), centre);
@@ -85,10 +93,27 @@ public:
     }
 
 private:
+    /// The fragments of the whole with their mortar, in its frame.
+    std::vector<SolidPart> partsWithin(const Bake& bake, Vec3 offset, const RoughCuts& cuts) const {
+        std::vector<SolidPart> parts;
+        for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) {
+            const BakedFragment fragment = bake.fragment(k);
+            if (fragment.level > 0) break;  // the others are deeper
+            const Vec3 shift = fragment.solid.offset() - offset;
+            SolidPart part{m_mesher.fragmentMesh(fragment, cuts.cornersOf(k)), m_mortar.around(fragment)};
+            for (Vec3& position : part.mesh.positions) position += shift;
+            for (PlainFace& face : part.mortar) {
+                for (Vec3& corner : face.corners) corner += shift;
+            }
+            parts.push_back(std::move(part));
+        }
+        return parts;
+    }
     const Texture* texture() const { return m_model.asset.texture ? &*m_model.asset.texture : nullptr; }
 
     AssetModel m_model;
     FragmentMesher m_mesher;
+    MortarFaces m_mortar;
     std::shared_ptr<SceneGeometry> m_geometry;
     std::shared_ptr<SceneGeometry> m_hulls;
     bool m_hasBonds;
@@ -132,8 +157,8 @@ AssetModel modelOf(const Asset& asset, std::shared_ptr<const Bake> bake, const S
 
 AssetModel playModelOf(const Asset& asset, std::shared_ptr<const Bake> bake, const SceneOptions& options) {
     ModelBuilder builder({.asset = asset, .bake = bake}, options);
-    builder.addWhole(*bake, Vec3(0.0));
     const RoughCuts cuts(*bake, asset);
+    builder.addWhole(*bake, Vec3(0.0), &cuts);
     for (std::uint32_t k = 0; k < bake->fragmentCount(); ++k) builder.addFragment(k, bake->fragment(k), cuts);
     return builder.finished();
 }

@@ -56,14 +56,21 @@ void setSizeCode(SceneGeometry& geometry, std::size_t first) {
 
 }  // namespace
 
-void addSolid(SceneGeometry& geometry, const Mesh& mesh, const Texture* texture) {
+void addSolid(SceneGeometry& geometry, std::span<const SolidPart> parts, const Texture* texture) {
     const std::size_t firstVertex = geometry.vertices.size();
     SolidBuilder builder(geometry);
-    for (std::size_t first = 0; first < mesh.faces.size();) {
-        std::size_t end = first + 1;
-        while (end < mesh.faces.size() && mesh.faces[end].normal == mesh.faces[first].normal) ++end;
-        addFaces(mesh, texture, first, end, builder);
-        first = end;
+    for (const auto& [mesh, mortar] : parts) {
+        for (std::size_t first = 0; first < mesh.faces.size();) {
+            std::size_t end = first + 1;
+            while (end < mesh.faces.size() && mesh.faces[end].normal == mesh.faces[first].normal) ++end;
+            addFaces(mesh, texture, first, end, builder);
+            first = end;
+        }
+        for (const PlainFace& face : mortar) {
+            builder.beginFace(face.normal, VertexSide::Mortar);
+            for (const Vec3 corner : face.corners) builder.addCorner(corner, Vec2(0.0), false);
+            builder.endFace();
+        }
     }
     setSizeCode(geometry, firstVertex);
 }

@@ -7,12 +7,13 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace rubble {
 
-/// What gives a vertex its colour. Textured: on the outside, with the image of its batch.
-enum class VertexSide : std::uint8_t { Outside, Inside, Textured };
+/// What gives a vertex its colour. Textured: on the outside, with the image of its batch. Mortar: that of mortar.
+enum class VertexSide : std::uint8_t { Outside, Inside, Textured, Mortar };
 
 /// A vertex as uploaded to the GPU. Faces are flat and share no vertices.
 struct SceneVertex {
@@ -39,10 +40,22 @@ struct SceneGeometry {
     std::uint32_t solidCount() const { return static_cast<std::uint32_t>(boxes.size()); }
 };
 
-/// Appends a solid with the faces of a mesh, or of several hulls; the faces are convex. Edges between coplanar faces of
-/// a mesh (the convex parts of a cap) are hidden.
-/// `texture`: of the mesh's outside; null: none.
-void addSolid(SceneGeometry& geometry, const Mesh& mesh, const Texture* texture = nullptr);
+/// A convex face without visible edges.
+struct PlainFace {
+    Vec3 normal{0.0, 0.0, 1.0};  // length 1
+    std::vector<Vec3> corners;   // m, counter-clockwise from outside
+};
+
+/// A part of a solid: a mesh, and the mortar around it.
+struct SolidPart {
+    Mesh mesh;
+    std::vector<PlainFace> mortar;
+};
+
+/// Appends a solid with the faces of several parts, or of several hulls; the faces are convex. Edges between coplanar
+/// faces of a mesh (the convex parts of a cap) are hidden.
+/// `texture`: of the outside of meshes; null: none.
+void addSolid(SceneGeometry& geometry, std::span<const SolidPart> parts, const Texture* texture = nullptr);
 void addSolid(SceneGeometry& geometry, std::span<const Polytope> hulls);
 
 }  // namespace rubble

@@ -63,9 +63,15 @@ bool Fragment::isConvex() const { return record().isConvex; }
 
 Polygon Fragment::outline() const { return pieceOutline(m_all->shapes(), piece(), record().moments.centre); }
 
-std::vector<std::uint32_t> Fragment::edgeNeighbours() const {
+Polygon Fragment::cell() const { return pieceOutline(m_all->partition, piece(), record().moments.centre); }
+
+std::vector<std::uint32_t> Fragment::edgeNeighbours() const { return neighboursIn(m_all->shapes()); }
+
+std::vector<std::uint32_t> Fragment::cellNeighbours() const { return neighboursIn(m_all->partition); }
+
+std::vector<std::uint32_t> Fragment::neighboursIn(const Partition& partition) const {
     std::vector<std::uint32_t> fragments;
-    forEachEdge(m_all->shapes(), piece(), [&](std::uint32_t, std::uint32_t, std::uint32_t piece) {
+    forEachEdge(partition, piece(), [&](std::uint32_t, std::uint32_t, std::uint32_t piece) {
         fragments.push_back(fragmentOf(*m_all, piece));
     });
     return fragments;

@@ -39,6 +39,8 @@ public:
     bool isConvex() const;                              // up to rounding
     Polygon outline() const;                            // the exact piece, m, in the fragment's frame
     std::vector<std::uint32_t> edgeNeighbours() const;  // of each edge, ring after ring: a fragment; kNone: outside
+    Polygon cell() const;                               // the piece before a gap was taken off, in the same frame
+    std::vector<std::uint32_t> cellNeighbours() const;  // as edgeNeighbours(), of the cell
     std::vector<FragmentContact> contacts() const;      // ascending fragment
 
     /// The convex hulls that fill the fragment, in its frame: one if its outline is convex, otherwise one per convex
@@ -51,6 +53,7 @@ public:
 
 private:
     const PieceRecord& record() const;
+    std::vector<std::uint32_t> neighboursIn(const Partition& partition) const;
 
     const Fragments* m_all;
     std::uint32_t m_index;
