@@ -44,6 +44,16 @@ public:
           m_hulls(options.hasHulls ? std::make_shared<SceneGeometry>() : nullptr),
           m_hasBonds(needBonds(options)) {}
 
+    /// Makes room for the fragments of one level, so that they are not moved while others are added. Each corner of a
+    /// fragment is a vertex of two fans and of two quads.
+    void reserve(const Fragments& fragments) {
+        const std::size_t corners = fragments.partition.corners.size(), count = fragments.partition.pieceCount();
+        m_geometry->vertices.reserve(m_geometry->vertices.size() + 6 * corners + 2 * count);
+        m_geometry->indices.reserve(m_geometry->indices.size() + 12 * corners);
+        m_geometry->boxes.reserve(m_geometry->boxes.size() + count);
+        m_model.solids.reserve(m_model.solids.size() + count);
+    }
+
     void addFragment(std::uint32_t number, const BakedFragment& fragment, const RoughCuts& cuts) {
         const Fragment& solid = fragment.solid;
         const Colour colour = fragmentColour(m_model.bake->fragmentId(number));
@@ -148,6 +158,7 @@ AssetModel modelOf(const Asset& asset, std::shared_ptr<const Bake> bake, const S
         return builder.finished();
     }
     const RoughCuts cuts(*bake, asset);
+    if (bake->fractures.size() == 1) builder.reserve(bake->fractures.front().fragments);
     for (std::uint32_t k = 0; k < bake->fragmentCount(); ++k) {
         const BakedFragment fragment = bake->fragment(k);
         if (isShown(fragment, options.level)) builder.addFragment(k, fragment, cuts);

@@ -5,12 +5,16 @@
 namespace rubble {
 namespace {
 
+constexpr std::size_t kUsualCorners = 16;  // of a face
+
 constexpr std::uint8_t kOnEdge = 0, kOnOppositeEdge = 255, kAway = 128;
 
 }  // namespace
 
 SolidBuilder::SolidBuilder(SceneGeometry& geometry) : m_geometry(geometry), m_solid(geometry.solidCount()) {
     geometry.boxes.emplace_back();
+    m_corners.reserve(kUsualCorners);
+    m_isEdge.reserve(kUsualCorners);
 }
 
 void SolidBuilder::beginFace(Vec3 normal, VertexSide side) {

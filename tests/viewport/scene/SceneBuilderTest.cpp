@@ -5,6 +5,7 @@
 #include "core/geometry/hull/AspectRatio.h"
 #include "core/structure/clusters/ClusterColours.h"
 #include "tests/support/Closeness.h"
+#include "tests/support/ProcessorTime.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/ClusteredRow.h"
 #include "tests/support/files/TestImages.h"
@@ -40,6 +41,31 @@ int colourDistance(std::uint32_t a, std::uint32_t b) {
         most = std::max(most, std::abs(static_cast<int>(a >> shift & 0xff) - static_cast<int>(b >> shift & 0xff)));
     }
     return most;
+}
+
+Project wallOf(std::uint32_t fragments) {
+    Project project = starterProject();
+    project.assets[0].pattern.layers = {
+        {.id = project.nextId++, .randomSeed = 1, .parameters = UniformScatter{.count = fragments}}};
+    project.instances.resize(1);
+    return project;
+}
+
+/// The processor time for what a hundred moves of the explode slider, with all fragments selected, make of a scene, ms.
+double sceneTime(std::uint32_t fragments) {
+    const Project project = wallOf(fragments);
+    const AssetBakes bakes = allBakes(project);
+    SceneBuilder builder;
+    SceneOptions options{.colouring = SceneColouring::Volume};
+    const RenderScene first = builder.sceneOf(project, bakes, options);
+    options.marks.selected = first.picks;
+    const double start = test::processorTime();
+    for (int k = 1; k <= 100; ++k) {
+        options.explodeFactor = 0.01 * k;
+        const RenderScene scene = builder.sceneOf(project, bakes, options);
+        if (scene.batches != first.batches) qFatal("The geometry was built again.");
+    }
+    return test::processorTime() - start;
 }
 
 }  // namespace
@@ -285,6 +311,21 @@ private slots:
         const RenderScene scene = sceneOf(project, allBakes(project), {.hasHulls = true});
         QCOMPARE(scene.batches[0].hulls->solidCount(), scene.batches[0].geometry->solidCount());
         QVERIFY(!sceneOf(project, allBakes(project)).batches[0].hulls);
+    }
+    /// The geometry of 50,000 fragments is 100 MB, which took as long to move about while it grew as to compute.
+    void geometryHasRoomForAllFragmentsAtOnce() {
+        const Project project = wallOf(3000);
+        const RenderScene scene = sceneOf(project, allBakes(project));
+        const SceneGeometry& geometry = *scene.batches[0].geometry;
+        const auto isTight = [](const auto& values) { return 10 * values.capacity() < 11 * values.size(); };
+        QVERIFY(isTight(geometry.vertices));
+        QVERIFY(isTight(geometry.indices));
+        QVERIFY(isTight(geometry.boxes));
+    }
+    /// Linear: 4. Quadratic: 16.
+    void explodingAndSelectingGrowWithTheFragments() {
+        const double small = sceneTime(4000), large = sceneTime(16'000);
+        QVERIFY2(large < 9.0 * small, qPrintable(QString("%1 ms, %2 ms").arg(small).arg(large)));
     }
 };
 
