@@ -36,7 +36,10 @@ SoundActions::SoundActions(Views& views, PreferenceStore& preferences, QMenu& me
     connect(&preferences, &PreferenceStore::changed, this, &SoundActions::applyPreferences);
     const PlayController& play = views.workspace().play();
     connect(&play, &PlayController::stateChanged, this, &SoundActions::updateHearing);
-    connect(&play, &PlayController::frameChanged, this, &SoundActions::updateListener);
+    connect(&play, &PlayController::frameChanged, this, [this, &play] {
+        updateListener();
+        if (play.frame() && play.frame()->isAtRest != m_isAtRest) updateHearing();
+    });
     connect(&views.scene().viewport(), &ViewportWidget::cameraChanged, this, &SoundActions::updateListener);
 }
 
@@ -107,9 +110,11 @@ bool SoundActions::isHeard() const {
     return m_preferences.preferences().hasSound && m_views.workspace().play().isPlaying();
 }
 
-/// Nothing is heard of what is paused or sought; the device keeps running until the simulation ends.
+/// Nothing is heard of what is paused or sought; the device keeps running until the simulation ends or is at rest.
 void SoundActions::updateHearing() {
-    const bool isWanted = m_preferences.preferences().hasSound && m_views.workspace().play().isInPlay();
+    const PlayController& play = m_views.workspace().play();
+    m_isAtRest = play.frame() && play.frame()->isAtRest;
+    const bool isWanted = m_preferences.preferences().hasSound && play.isInPlay() && !m_isAtRest;
     if (isWanted) createPlayer();
     if (!m_player) return;
     updateListener();

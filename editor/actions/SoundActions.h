@@ -42,6 +42,7 @@ private:
     QAction* m_action = nullptr;
     QActionGroup* m_volumes = nullptr;
     std::shared_ptr<SoundPlayer> m_player;
+    bool m_isAtRest = false;  // nothing moves in the simulation that could be heard
 };
 
 }  // namespace rubble

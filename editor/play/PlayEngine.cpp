@@ -5,6 +5,7 @@
 #include "core/play/queries/WouldFall.h"
 #include "core/play/scene/SupportProblems.h"
 #include "core/play/session/PlayTestRun.h"
+#include "viewport/scene/play/Dust.h"
 
 #include <algorithm>
 #include <iterator>
@@ -15,9 +16,10 @@ namespace rubble {
 namespace {
 
 constexpr double kTrajectorySeconds = 4.0;
-constexpr double kLoopBefore = 0.5;         // s
-constexpr double kLoopAfter = 1.0;          // s
-constexpr double kForecastInterval = 0.25;  // s, between forecasts of the same throw while the scene moves
+constexpr double kLoopBefore = 0.5;            // s
+constexpr double kLoopAfter = 1.0;             // s
+constexpr double kRestTime = kDustTime + 0.5;  // s
+constexpr double kForecastInterval = 0.25;     // s, between forecasts of the same throw while the scene moves
 
 StepCost costOf(const Session& session) {
     const StepTimes& times = session.world().times();
@@ -141,9 +143,17 @@ void PlayEngine::setLoop(std::optional<PlayLoop> loop) {
 
 void PlayEngine::seek(std::uint64_t step, const TaskContext& task) {
     const Status gone = m_timeline.seek(step, task, [this] { recordStep(); });
+    m_lastMotion = session().stepsDone();
     if (!gone && gone.error().code != ErrorCode::Cancelled) {
         report(DiagnosticCode::UnappliedInput, gone.error().message);
     }
+}
+
+bool PlayEngine::isAtRest() const {
+    const std::uint64_t now = session().stepsDone();
+    const bool isInputAhead = !m_timeline.inputs().empty() && m_timeline.inputs().back().step >= now;
+    if (m_loop || isInputAhead || !m_timeline.isAtEnd() || !session().isAtRest()) return false;
+    return now >= m_lastMotion + stepOf(kRestTime, session().stepLength());
 }
 
 void PlayEngine::report(DiagnosticCode code, std::string message) {
@@ -154,6 +164,7 @@ void PlayEngine::report(DiagnosticCode code, std::string message) {
 void PlayEngine::recordStep() {
     const std::uint64_t step = session().stepsDone();
     m_builder.record(session());
+    if (!session().isAtRest()) m_lastMotion = step;
     if (step <= m_log.steps()) return;
     if (auto events = m_log.record(session())) m_update.events.push_back(std::move(events));
     std::ranges::copy(session().events().diagnostics, std::back_inserter(m_update.diagnostics));
@@ -204,6 +215,7 @@ void PlayEngine::switchTo(std::uint32_t branch) {
     m_scriptSteps = 0;
     m_loop.reset();
     m_grabDistance.reset();
+    m_lastMotion = fork;
 }
 
 std::vector<PlayBranch> PlayEngine::branches() const {
@@ -355,6 +367,7 @@ PlayFrame PlayEngine::frame() {
                     .collapse = m_collapse,
                     .grabbed = grabbedBody(session().world()),
                     .hasDestruction = hasDestruction(),
+                    .isAtRest = isAtRest(),
                     .loop = m_loop,
                     .branches = branches()};
     if (aimed) frame.trajectory = trajectoryOf(session(), *aimed, kTrajectorySeconds);

@@ -77,6 +77,10 @@ public:
     /// Whether the last step of the script has just been played.
     bool isAtScriptEnd() const { return !m_loop && m_scriptSteps > 0 && session().stepsDone() == m_scriptSteps; }
 
+    /// Whether no further step would change what is shown, until the next input: the session is at rest at the end of
+    /// its timeline, for long enough that dust and what overlays show of impacts are gone.
+    bool isAtRest() const;
+
     /// Returns and clears the pending update, with the current frame.
     PlayUpdate takeUpdate();
 
@@ -114,6 +118,7 @@ private:
     std::optional<Throw> m_forecastThrow;  // of the newest order
     std::uint64_t m_forecastStep = 0;      // of the newest order
     bool m_hasForecast = false;            // the result of that throw is known
+    std::uint64_t m_lastMotion = 0;        // the last step at which the session was not at rest, or was sought
     std::uint64_t m_scriptSteps = 0;       // 0: there is no script, or the user has acted on it
     std::optional<double> m_grabDistance;  // from the eye, m; nothing: no body is grabbed
     PlayUpdate m_update;

@@ -84,6 +84,7 @@ struct PlayFrame {
     std::optional<CollapseForecast> collapse;  // if its overlay is on
     std::optional<GrabbedBody> grabbed;
     bool hasDestruction = true;  // bodies can break from here on
+    bool isAtRest = false;       // see PlayEngine::isAtRest()
     std::optional<PlayLoop> loop;
     std::vector<PlayBranch> branches;  // oldest first
 };

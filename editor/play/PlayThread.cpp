@@ -160,7 +160,7 @@ bool PlayThread::isWorkWaiting() const {
     if (m_isQuitting || m_isStopping || m_factory) return true;
     if (!m_hasEngine) return false;
     constexpr double kSlack = 1e-9;  // s: sums of step lengths are rounded
-    return !m_tasks.empty() || m_seek || (m_isPlaying && nowLocked() + kSlack >= m_due);
+    return !m_tasks.empty() || m_seek || (m_isPlaying && !m_isResting && nowLocked() + kSlack >= m_due);
 }
 
 void PlayThread::run() {
@@ -180,7 +180,7 @@ void PlayThread::run() {
             continue;
         }
         m_idle.notify_all();
-        const bool isTimed = !m_isStepped && m_hasEngine && m_isPlaying;
+        const bool isTimed = !m_isStepped && m_hasEngine && m_isPlaying && !m_isResting;
         const auto hasWork = [this] { return isWorkWaiting(); };
         if (isTimed) {
             m_wake.wait_for(lock, Seconds(m_due - nowLocked()), hasWork);
@@ -207,8 +207,10 @@ void PlayThread::work(std::unique_lock<std::mutex>& lock) {
         const std::deque<Task> tasks = std::exchange(m_tasks, {});
         lock.unlock();
         for (const Task& task : tasks) task(*m_engine);
+        const bool isResting = m_engine->isAtRest();
         lock.lock();
-        if (!m_isPlaying && !m_seek) publish(lock, 0.0);
+        if (std::exchange(m_isResting, isResting) && !isResting) m_due = nowLocked() + interval();
+        if ((!m_isPlaying || m_isResting) && !m_seek) publish(lock, 0.0);
         return;
     }
     if (m_seek) {
@@ -218,6 +220,7 @@ void PlayThread::work(std::unique_lock<std::mutex>& lock) {
         lock.unlock();
         m_engine->seek(step, task);
         lock.lock();
+        m_isResting = false;
         m_due = nowLocked() + interval();
         return publish(lock, 0.0);
     }
@@ -227,7 +230,7 @@ void PlayThread::work(std::unique_lock<std::mutex>& lock) {
 /// Destroys the engine and creates the requested one, if any.
 void PlayThread::createEngine(std::unique_lock<std::mutex>& lock) {
     const EngineFactory factory = std::exchange(m_factory, nullptr);
-    m_isStopping = m_hasEngine = false;
+    m_isStopping = m_hasEngine = m_isResting = false;
     m_cancelStart = CancelToken();
     const TaskContext task{.cancel = m_cancelStart};
     lock.unlock();
@@ -252,10 +255,12 @@ void PlayThread::playStep(std::unique_lock<std::mutex>& lock) {
     const double shownAfter = interval();
     lock.unlock();
     const bool isStep = m_engine->advance();
+    const bool isResting = m_engine->isAtRest();
     const std::vector<SoundCue> cues = isStep ? cuesOf(m_engine->session()) : std::vector<SoundCue>();
     if (!cues.empty()) emit cuesPlayed(cues, shownAfter);
     lock.lock();
     m_due = std::max(m_due + interval(), nowLocked());
+    m_isResting = isResting;
     const bool isReplayOver = m_engine->isAtScriptEnd();
     if (isReplayOver) m_isPlaying = false;
     m_update.isReplayOver |= isReplayOver;

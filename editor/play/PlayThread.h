@@ -14,7 +14,8 @@
 namespace rubble {
 
 /// Runs a PlayEngine on a thread, one step every `dt / timeScale` seconds of a clock, and pauses at the end of a
-/// script. Slow steps make play fall behind; it does not catch up. Tasks run between steps, in order, asynchronously.
+/// script. Slow steps make play fall behind; it does not catch up. While the engine is at rest no step is played: the
+/// time of the simulation stands still until the next task. Tasks run between steps, in order, asynchronously.
 /// The engine's forecasts are computed beside it.
 class PlayThread : public QObject {
     Q_OBJECT
@@ -85,6 +86,7 @@ private:
     bool m_isQuitting = false;
     bool m_isBusy = false;
     bool m_isPlaying = false;
+    bool m_isResting = false;  // the engine is at rest
     bool m_isStarted = false;  // there is an engine, or one is being created
     bool m_hasEngine = false;
     double m_timeScale = 1.0;

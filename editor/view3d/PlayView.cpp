@@ -4,9 +4,11 @@
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "viewport/widget/ViewportWidget.h"
 
+#include <QEvent>
 #include <QLocale>
 
 #include <cmath>
+#include <utility>
 
 namespace rubble {
 
@@ -34,23 +36,52 @@ PlayView::PlayView(PlayController& controller, ViewportWidget& viewport)
     connect(&m_timer, &QTimer::timeout, this, &PlayView::refresh);
     connect(&controller, &PlayController::stateChanged, this, &PlayView::updateState);
     connect(&controller, &PlayController::frameChanged, this, [this] {
-        if (!m_timer.isActive()) refresh();
+        if (!m_timer.isActive() && isShown()) refresh();
     });
+    connect(&m_tool, &PlayTool::chargingStarted, this, &PlayView::updateTimer);
+    viewport.installEventFilter(this);
     connect(&viewport, &ViewportWidget::cameraChanged, this, [this] { m_hud->setContent(content()); });
     connect(&viewport, &ViewportWidget::drawn, this, [this] { ++m_counted; });
 }
 
 void PlayView::updateState() {
     m_hud->setVisible(m_controller.isInPlay());
-    if (m_controller.isInPlay()) {
-        if (!m_timer.isActive()) restartCount();
-        m_timer.start();
-    } else {
+    if (std::exchange(m_isInPlay, m_controller.isInPlay()) != m_isInPlay) restartCount();
+    if (!m_isInPlay) {
         m_timer.stop();
         m_shown = nullptr;
         m_viewport.setStepFraction(1.0);
     }
     refresh();
+}
+
+/// A minimized window is visible to Qt.
+bool PlayView::isShown() const { return m_viewport.isVisible() && !m_viewport.window()->isMinimized(); }
+
+/// Whether the next refresh() may show something else, with the same frame or the one that follows by itself.
+bool PlayView::isAnimated() const {
+    if (!m_controller.isInPlay()) return false;
+    if (m_tool.charge()) return true;
+    if (isMoving(m_viewport.scene()) && m_controller.stepFraction() < 1.0) return true;
+    return m_controller.isPlaying() && m_controller.frame() && !m_controller.frame()->isAtRest;
+}
+
+void PlayView::updateTimer() {
+    const bool isOn = isShown() && isAnimated();
+    if (isOn == m_timer.isActive()) return;
+    restartCount();
+    isOn ? m_timer.start() : m_timer.stop();
+}
+
+/// Follows the view and its window, of which only the latter is told that it is minimized.
+bool PlayView::eventFilter(QObject* watched, QEvent* event) {
+    const QEvent::Type type = event->type();
+    if (type != QEvent::Show && type != QEvent::Hide && type != QEvent::WindowStateChange)
+        return QObject::eventFilter(watched, event);
+    m_viewport.window()->installEventFilter(this);  // replaces an earlier one
+    if (isShown()) refresh();
+    updateTimer();
+    return QObject::eventFilter(watched, event);
 }
 
 void PlayView::refresh() {
@@ -59,6 +90,7 @@ void PlayView::refresh() {
     m_viewport.setStepFraction(isMoving(m_viewport.scene()) ? m_controller.stepFraction() : 1.0);
     if (m_tool.charge()) m_tool.updateAim();
     updateFrameRate();
+    updateTimer();
     m_hud->setContent(content());
 }
 
@@ -139,7 +171,10 @@ PlayHud::Content PlayView::content() const {
         case PlayState::Stopped: return content;
         case PlayState::Preparing: content.title = tr("Preparing…"); break;
         case PlayState::Paused: content.title = tr("Paused"); break;
-        case PlayState::Playing: content.title = tr("Playing"); break;
+        case PlayState::Playing:
+            content.title =
+                m_controller.frame() && m_controller.frame()->isAtRest ? tr("Playing · at rest") : tr("Playing");
+            break;
     }
     if (m_controller.timeScale() != 1.0)
         content.title += tr(" at %1×").arg(QLocale().toString(m_controller.timeScale()));

@@ -16,7 +16,8 @@ class PlayView : public QObject {
 public:
     PlayView(PlayController& controller, ViewportWidget& viewport);
 
-    /// Draws the current frame; called automatically about sixty times a second.
+    /// Draws the current frame; called automatically about sixty times a second while the view is shown and anything
+    /// moves in it.
     void refresh();
 
     /// Whether frame rate, bodies and computing times are shown; initially not.
@@ -25,8 +26,17 @@ public:
     PlayTool& tool() { return m_tool; }
     PlayHud& hud() { return *m_hud; }
 
+    /// Whether refresh() is called again and again.
+    bool isTicking() const { return m_timer.isActive(); }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void updateState();
+    void updateTimer();
+    bool isShown() const;
+    bool isAnimated() const;
     void showFrame();
     PlayHud::Content content() const;
     static QString collapseText(const CollapseForecast& collapse);
@@ -40,6 +50,7 @@ private:
     PlayTool m_tool;
     PlayHud* m_hud;
     QTimer m_timer;
+    bool m_isInPlay = false;
     const RenderScene* m_shown = nullptr;
     double m_countedSince = 0.0;           // s
     int m_counted = 0;                     // frames drawn since

@@ -143,6 +143,16 @@ void Session::step() {
     tellEvents(parts);
 }
 
+bool Session::isAtRest() const {
+    if (!m_state->pending.empty() || m_world.grabSpring() || m_state->dividedUntil > timeOf(*m_state, m_settings.dt))
+        return false;
+    const Debris& debris = m_scene->project.debris;
+    return std::ranges::none_of(m_state->bodies, [&](const PlayBody& body) {
+        const bool isAwake = m_world.kind(body.body) != BodyKind::Static && !m_world.state(body.body).asleep;
+        return isAwake || body.collapseStep != PlayBody::kNever || (debris.lifetime && body.isDebris());
+    });
+}
+
 std::vector<Impact> Session::impactsWithin(double dt) {
     m_world.recollide(dt, {});
     return m_world.impacts(breakableBodies(*m_state));

@@ -31,6 +31,10 @@ public:
 
     void step();
 
+    /// Whether nothing will change until the next input: all bodies sleep, none is grabbed, fades out or is about to
+    /// lose its support, and no input waits. Only the number of steps grows.
+    bool isAtRest() const;
+
     std::uint64_t stepsDone() const;
     double stepLength() const;
     bool isSleeping() const;  // true where bodies at rest are put to sleep

@@ -124,7 +124,10 @@ bool PlayTool::keyPress(const QKeyEvent& event) {
     if (event.isAutoRepeat()) return true;
     switch (event.key()) {
         case Qt::Key_F:
-            if (m_isPointing && !m_chargingSince) m_chargingSince = m_controller.thread().now();
+            if (m_isPointing && !m_chargingSince) {
+                m_chargingSince = m_controller.thread().now();
+                emit chargingStarted();
+            }
             break;
         case Qt::Key_H:
             if (m_isPointing) hammerAtPointer();

@@ -56,6 +56,10 @@ public:
     bool cancel() override;
     void paint(QPainter& /*painter*/, QSize /*size*/) const override {}  // see PlayHud
 
+signals:
+    /// A throw is being charged: see charge().
+    void chargingStarted();
+
 private:
     void throwCharged();
     void throwWith(double charge);

@@ -104,7 +104,7 @@ private slots:
     void scriptDoesNotWaitForASeek() {
         test::Stage stage(test::house());
         stage.start();
-        stage.advance(600);
+        stage.playOn(600);
         stage.controller.seek(0);
         stage.settle();
         QSemaphore isReleased;  // holds up the simulation, as a long seek does

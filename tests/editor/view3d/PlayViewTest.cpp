@@ -49,6 +49,39 @@ private slots:
         QVERIFY(&viewport.scene() != shown);
         QVERIFY(isMoving(viewport.scene()));
     }
+    /// At rest or hidden, the view takes no time at all.
+    void viewTicksOnlyWhileItIsShownAndSomethingMoves() {
+        test::Stage stage;
+        ViewportWidget viewport;
+        PlayView view(stage.controller, viewport);
+        viewport.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&viewport, kPatience));
+        QVERIFY(!view.isTicking());
+        stage.start();
+        QVERIFY(view.isTicking());
+        viewport.hide();
+        QVERIFY(!view.isTicking());
+        viewport.show();
+        QVERIFY(view.isTicking());
+        viewport.setWindowState(Qt::WindowMinimized);
+        QVERIFY(!view.isTicking());
+        viewport.setWindowState(Qt::WindowNoState);
+        QVERIFY(view.isTicking());
+        stage.controller.pause();
+        view.refresh();
+        QVERIFY(!view.isTicking());
+        stage.controller.play();
+        QVERIFY(view.isTicking());
+        stage.advance(200);
+        view.refresh();
+        QVERIFY(!view.isTicking());
+        QVERIFY2(view.hud().accessibleText().contains("at rest"), qPrintable(view.hud().accessibleText()));
+        stage.controller.setToolSettings(test::heavyBox());
+        stage.controller.throwAlong(test::kAtBlock);
+        stage.settle();
+        stage.advance(1);
+        QVERIFY(view.isTicking());
+    }
     void textsSayWhatWouldFall() {
         test::Stage stage(test::stackProject());
         ViewportWidget viewport;

@@ -25,9 +25,9 @@ struct LongPlay {
     LongPlay() {
         bar.resize(1000, bar.sizeHint().height());
         stage.start();
-        stage.advance(3000);
+        stage.playOn(3000);
         stage.controller.fire({.name = "shot", .action = test::throwAtBlock(3.0, 80.0)});
-        stage.advance(4080);
+        stage.playOn(4080);
         broken = stage.controller.events().breaks().front()->record.step;
     }
     test::Stage stage;

@@ -51,6 +51,16 @@ public:
         for (int k = 0; k < steps; ++k) controller.thread().advance(kStep);
         controller.applyUpdate();
     }
+    /// Plays steps on, also where everything rests, which the clock alone does not.
+    void playOn(int steps) {
+        controller.pause();
+        controller.thread().post([steps](PlayEngine& engine) {
+            for (int k = 0; k < steps; ++k) engine.step();
+        });
+        settle();
+        controller.play();
+        settle();
+    }
     /// The recording so far; of length 0 without a session.
     PlayScript script() {
         PlayScript received;

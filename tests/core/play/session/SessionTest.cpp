@@ -423,6 +423,42 @@ private slots:
         QCOMPARE(QString::fromStdString(added.error().message), sentence);
     }
 
+    void sessionIsAtRestUntilTheNextInput() {
+        Project project = floatingBlock();
+        project.gravity = {0.0, -9.81, 0.0};
+        Session session = sessionOf(project);
+        const auto stepUntilRest = [&session] {
+            for (int steps = 0; !session.isAtRest() && steps < 100'000; ++steps) session.step();
+            return session.isAtRest();
+        };
+        QVERIFY(!session.isAtRest());
+        QVERIFY(stepUntilRest());
+        addInput(session, ShotInput{"throw", throwAtBlock(3.0, 80.0)});
+        QVERIFY(!session.isAtRest());  // the input waits
+        session.step();
+        QVERIFY(!session.isAtRest());
+        QVERIFY(stepUntilRest());
+        const ContentHash hash = session.world().hash();
+        for (int k = 0; k < 120; ++k) {
+            session.step();
+            QVERIFY(session.isAtRest());
+        }
+        QVERIFY(session.world().hash() == hash);
+    }
+    void debrisThatWillFadeIsNotAtRest() {
+        Project project = floatingBlock();
+        project.gravity = {0.0, -9.81, 0.0};
+        project.debris.lifetime = 60.0;
+        Session session = sessionOf(project);
+        addInput(session, ShotInput{"throw", throwAtBlock(3.0, 80.0)});
+        for (int k = 0; k < 3599; ++k) {
+            session.step();
+            QVERIFY(!session.isAtRest());
+        }
+        for (int k = 0; !session.isAtRest() && k < 100'000; ++k) session.step();
+        QVERIFY(session.isAtRest());
+        QCOMPARE(test::countOf(session, PlayRole::Debris), 0u);
+    }
     void restoredSnapshotContinuesIdentically() {
         Project project = test::house();
         Session session = sessionOf(project);
