@@ -1,10 +1,13 @@
 #include "core/geometry/hull/Polytope.h"
 #include "core/geometry/predicates/Predicates.h"
+#include "core/geometry/search/BoxTree.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace rubble {
 
@@ -93,8 +96,40 @@ double tolerance(const Polytope& polytope) {
     return kPlanar * glm::length(high - low) + kRoundOff * glm::length(glm::max(glm::abs(low), glm::abs(high)));
 }
 
+/// Finds vertices in front of planes.
+class FrontSearch {
+public:
+    explicit FrontSearch(const Polytope& polytope) : m_polytope(polytope) {
+        if (polytope.vertices.size() < kSearchedVertices) return;
+        std::vector<Box3> boxes;
+        boxes.reserve(polytope.vertices.size());
+        for (const Vec3& vertex : polytope.vertices) boxes.push_back({vertex, vertex});
+        m_tree.emplace(boxes);
+    }
+
+    /// The first vertex more than `most` in front of a plane that is finite. O(log n) unless many are near it.
+    std::optional<std::uint32_t> first(const Plane& plane, double most) const {
+        std::optional<std::uint32_t> found;
+        const auto test = [&](std::uint32_t vertex) {
+            const bool isInFront = !(glm::dot(plane.normal, m_polytope.vertices[vertex]) - plane.offset <= most);
+            if (isInFront && !(found && *found < vertex)) found = vertex;
+        };
+        // A millionth less, which is far above the rounding of the sum.
+        if (m_tree) m_tree->visitBeyond(plane.normal, plane.offset + most * (1.0 - 1e-6), test);
+        for (std::uint32_t vertex = 0; !m_tree && !found && vertex < m_polytope.vertices.size(); ++vertex) test(vertex);
+        return found;
+    }
+
+private:
+    static constexpr std::size_t kSearchedVertices = 64;  // of fewer, a tree takes longer than it saves
+
+    const Polytope& m_polytope;
+    std::optional<BoxTree> m_tree;
+};
+
 Fault shapeFault(const Polytope& polytope) {
     const double most = tolerance(polytope);
+    const FrontSearch front(polytope);
     for (std::size_t i = 0; i < polytope.faces.size(); ++i) {
         const Plane& plane = polytope.planes[i];
         if (!(std::abs(glm::length(plane.normal) - 1.0) < 1e-9))
@@ -108,10 +143,9 @@ Fault shapeFault(const Polytope& polytope) {
                 return face(i) + " is not planar: vertex " + std::to_string(vertex) + " is off its plane.";
             }
         }
-        for (std::size_t v = 0; v < polytope.vertices.size(); ++v) {
-            if (!(glm::dot(plane.normal, polytope.vertices[v]) - plane.offset <= most)) {
-                return face(i) + " faces inward or is not convex: vertex " + std::to_string(v) + " is in front of it.";
-            }
+        if (const auto vertex = front.first(plane, most)) {
+            return face(i) + " faces inward or is not convex: vertex " + std::to_string(*vertex) +
+                   " is in front of it.";
         }
     }
     return std::nullopt;

@@ -1,13 +1,17 @@
 #include "core/geometry/polygon/NarrowFeatures.h"
 
 #include "core/geometry/polygon/LocalFrame.h"
+#include "core/geometry/predicates/Predicates.h"
 #include "core/geometry/predicates/SegmentDistance.h"
 #include "core/geometry/search/BoxTree.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace rubble {
 
@@ -73,6 +77,104 @@ private:
     std::vector<Box3> m_boxes;  // of each edge
 };
 
+/// The edges directly above and below each corner, by a sweep line.
+class SweepNeighbours {
+public:
+    explicit SweepNeighbours(const IndexedCorners& corners) : m_corners(corners), m_status(IsBelow{&m_edges}) {
+        m_edges.reserve(corners.cornerCount());
+        for (std::uint32_t edge = 0; edge < corners.cornerCount(); ++edge) {
+            const Vec2 from = corners.points[edge], to = corners.points[corners.next[edge]];
+            m_edges.push_back(lexicographicLess(from, to) ? SweptEdge{from, to} : SweptEdge{to, from});
+        }
+        m_entries.resize(m_edges.size(), m_status.end());
+    }
+
+    /// Whether visit(corner, edge) is true for one of them; the edges are not those of the corner.
+    template <class Visit>
+    bool anyOf(Visit visit) {
+        for (const std::uint32_t corner : sweepOrder(m_corners)) {
+            const Vec2 point = m_corners.points[corner];
+            const std::array<std::uint32_t, 2> own{corner, m_corners.previous[corner]};
+            for (const std::uint32_t edge : own) {
+                if (m_edges[edge].right == point) m_status.erase(m_entries[edge]);
+            }
+            const auto above = m_status.lower_bound(point);
+            if (above != m_status.end() && visit(corner, *above)) return true;
+            if (above != m_status.begin() && visit(corner, *std::prev(above))) return true;
+            for (const std::uint32_t edge : own) {
+                if (m_edges[edge].left == point) m_entries[edge] = m_status.insert(edge).first;
+            }
+        }
+        return false;
+    }
+
+private:
+    struct SweptEdge {
+        Vec2 left;
+        Vec2 right;
+    };
+    /// Orders edges that do not cross from bottom to top where the sweep line is, and points among them.
+    struct IsBelow {
+        using is_transparent = void;
+        const std::vector<SweptEdge>* edges;
+        bool operator()(std::uint32_t first, std::uint32_t second) const {
+            const SweptEdge &a = (*edges)[first], &b = (*edges)[second];
+            if (first == second) return false;
+            if (a.left == b.left) return orient2d(a.left, a.right, b.right) > 0;
+            if (lexicographicLess(a.left, b.left)) return orient2d(a.left, a.right, b.left) > 0;
+            return orient2d(b.left, b.right, a.left) < 0;
+        }
+        bool operator()(std::uint32_t edge, Vec2 point) const {
+            return orient2d((*edges)[edge].left, (*edges)[edge].right, point) > 0;
+        }
+        bool operator()(Vec2 point, std::uint32_t edge) const {
+            return orient2d((*edges)[edge].left, (*edges)[edge].right, point) < 0;
+        }
+    };
+    using Status = std::set<std::uint32_t, IsBelow>;
+
+    const IndexedCorners& m_corners;
+    std::vector<SweptEdge> m_edges;
+    Status m_status;
+    std::vector<Status::iterator> m_entries;  // of each edge in the status
+};
+
+/// Whether two corners are within a distance of each other.
+bool hasNearCorners(const IndexedCorners& corners, double distance) {
+    std::vector<Box3> boxes;
+    boxes.reserve(corners.points.size());
+    for (const Vec2 point : corners.points) boxes.push_back(boxOf(point, point));
+    const BoxTree tree(boxes);
+    bool isAny = false;
+    const Vec3 margin(distance, distance, 0.0);
+    for (std::uint32_t corner = 0; corner < boxes.size() && !isAny; ++corner) {
+        tree.visitOverlapping({boxes[corner].min - margin, boxes[corner].max + margin},
+                              [&](std::uint32_t other) { isAny |= other != corner; });
+    }
+    return isAny;
+}
+
+/// A sufficient test that no corner is within a distance of an edge that is not its own, in O(n log n) also where many
+/// long edges run side by side, of which all boxes overlap.
+///
+/// If there are any, those at the least distance have no other edge between them. The corner either is within twice the
+/// distance of an end of the edge, or lies beside its middle, and then the edge is the corner's neighbour along y or,
+/// if it is steep, along x.
+bool areEdgesApart(const IndexedCorners& corners, double distance) {
+    const double ample = 1.1 * distance;  // above the rounding of distances
+    if (hasNearCorners(corners, 2.0 * ample)) return false;
+    IndexedCorners turned = corners;
+    for (Vec2& point : turned.points) std::swap(point.x, point.y);
+    for (const IndexedCorners* swept : {&corners, static_cast<const IndexedCorners*>(&turned)}) {
+        const auto isNear = [&](std::uint32_t corner, std::uint32_t edge) {
+            return distanceToSegment(swept->points[corner], swept->points[edge], swept->points[swept->next[edge]]) <=
+                   ample;
+        };
+        if (SweepNeighbours(*swept).anyOf(isNear)) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 Clearance requiredClearance(const Polygon& polygon) {
@@ -98,7 +200,8 @@ std::vector<NarrowFeature> narrowFeatures(const IndexedCorners& corners, const C
     addLocalFeatures(corners, clearance, features);
     const bool hasShortEdges =
         std::ranges::any_of(features, [](const NarrowFeature& feature) { return feature.kind == Kind::ShortEdge; });
-    if (!hasShortEdges) NearEdges(corners, clearance.distance).addFeatures(features);
+    if (!hasShortEdges && !areEdgesApart(corners, clearance.distance))
+        NearEdges(corners, clearance.distance).addFeatures(features);
     std::ranges::sort(features);
     features.erase(std::unique(features.begin(), features.end()), features.end());
     return features;

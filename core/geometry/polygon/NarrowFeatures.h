@@ -39,8 +39,8 @@ struct NarrowFeature {
 bool hasAmpleClearance(std::span<const Vec2> ring, const Clearance& clearance);
 
 /// All narrow features of a polygon without polygonFaults(), sorted; corners near edges are searched for only if no
-/// edge is too short. Distances have an error of at most a hundredth of the clearance. O(n log n + k) for k pairs of
-/// edges with nearby bounding boxes.
+/// edge is too short. Distances have an error of at most a hundredth of the clearance. O(n log n) if there are none,
+/// otherwise O(n log n + k) for k pairs of edges with nearby bounding boxes.
 std::vector<NarrowFeature> narrowFeatures(const IndexedCorners& corners, const Clearance& clearance);
 
 }  // namespace rubble

@@ -35,6 +35,11 @@ public:
     template <class Visit>
     void visitOverlapping(const Box3& box, Visit visit) const;
 
+    /// Calls `visit(item)` for all items, by index, whose boxes reach beyond a plane: to a point with
+    /// dot(normal, point) > offset, as rounded; perhaps for others near them, too.
+    template <class Visit>
+    void visitBeyond(Vec3 normal, double offset, Visit visit) const;
+
 private:
     static constexpr std::uint32_t kLeafSize = 4;
 
@@ -55,6 +60,12 @@ private:
         const bool y = (a.min.y <= b.max.y) & (b.min.y <= a.max.y);
         const bool z = (a.min.z <= b.max.z) & (b.min.z <= a.max.z);
         return x & y & z;
+    }
+
+    /// The largest dot product of a normal with a point of a box. Rounding is monotonic: no point of the box has a
+    /// larger one.
+    static double reach(const Box3& box, Vec3 normal) {
+        return glm::dot(normal, glm::mix(box.min, box.max, glm::greaterThan(normal, Vec3(0.0))));
     }
 
     std::vector<Node> m_nodes;
@@ -109,6 +120,22 @@ void BoxTree::visitOverlapping(const Box3& box, Visit visit) const {
             else
                 visit(m_items[k]);
         }
+        if (node.count > 0) continue;
+        stack[size++] = node.first + 1;
+        stack[size++] = node.first;
+    }
+}
+
+template <class Visit>
+void BoxTree::visitBeyond(Vec3 normal, double offset, Visit visit) const {
+    if (m_items.empty()) return;
+    std::uint32_t stack[64];
+    int size = 0;
+    stack[size++] = 0;
+    while (size > 0) {
+        const Node& node = m_nodes[stack[--size]];
+        if (!(reach(node.box, normal) > offset)) continue;
+        for (std::uint32_t k = node.first; k < node.first + node.count; ++k) visit(m_items[k]);
         if (node.count > 0) continue;
         stack[size++] = node.first + 1;
         stack[size++] = node.first;

@@ -2,12 +2,14 @@
 #include "core/geometry/hull/MassProperties.h"
 #include "core/geometry/hull/Polytope.h"
 #include "core/geometry/search/Box3.h"
+#include "tests/support/ProcessorTime.h"
 #include "tests/support/TestProgram.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 using namespace rubble;
 
@@ -18,6 +20,15 @@ const Ring kUnitSquare{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
 Polytope unitCube() { return extruded(kUnitSquare, 0.0, 1.0); }
 
 std::string faultOf(const Polytope& polytope) { return verifyPolytope(polytope).value_or(""); }
+
+Ring polygonOf(int corners) {
+    Ring ring;
+    for (int k = 0; k < corners; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / corners;
+        ring.push_back({std::cos(angle), std::sin(angle)});
+    }
+    return ring;
+}
 
 }  // namespace
 
@@ -101,6 +112,30 @@ private slots:
         for (const Vec3& vertex : turned.vertices) after.include(vertex);
         QVERIFY(glm::distance(after.min, Vec3(2.0 - before.max.y, 3.0 + before.min.x, 5.0 + before.min.z)) < 1e-12);
         QVERIFY(glm::distance(after.max, Vec3(2.0 - before.min.y, 3.0 + before.max.x, 5.0 + before.max.z)) < 1e-12);
+    }
+    /// A vertex in front of a face is found among many, the first of several.
+    void facesOfLargePrismsAreChecked() {
+        Polytope prism = extruded(polygonOf(500), 0.0, 1.0);
+        QCOMPARE(faultOf(prism), "");
+        prism.vertices[321] *= 1.0 + 1e-6;
+        const std::string fault = faultOf(prism);
+        QVERIFY2(!fault.empty(), fault.c_str());
+        prism = extruded(polygonOf(500), 0.0, 1.0);
+        std::swap(prism.planes[0], prism.planes[1]);
+        QVERIFY(!faultOf(prism).empty());
+    }
+    /// Linear: 4. By all pairs of faces and vertices: 16.
+    void checkOfLargePrismsTakesNearlyLinearTime() {
+        const auto time = [](int corners, int repeats) {
+            const Polytope prism = extruded(polygonOf(corners), 0.0, 1.0);
+            const double start = test::processorTime();
+            for (int k = 0; k < repeats; ++k) {
+                if (!faultOf(prism).empty()) qFatal("The prism is valid.");
+            }
+            return (test::processorTime() - start) / repeats;
+        };
+        const double small = time(4000, 8), large = time(16'000, 2);
+        QVERIFY2(large < 9.0 * small, qPrintable(QString("%1 ms, %2 ms").arg(small).arg(large)));
     }
     void farPrismsAreValid() { QCOMPARE(faultOf(translated(unitCube(), {1e6, -1e6, 1e6})), ""); }
     void everyFaultIsReported_data() {

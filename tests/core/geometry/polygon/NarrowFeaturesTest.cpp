@@ -1,6 +1,8 @@
 #include "core/geometry/polygon/NarrowFeatures.h"
 
 #include "core/base/Random.h"
+#include "core/geometry/predicates/SegmentDistance.h"
+#include "tests/support/ProcessorTime.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/geometry/Outlines.h"
 
@@ -33,6 +35,47 @@ Ring randomConvexRing(Random& random) {
     return ring;
 }
 
+/// A ring around the origin, with corners at random distances.
+Ring randomStar(Random& random) {
+    const std::size_t count = 5 + random.below(40);
+    Ring ring;
+    for (std::size_t k = 0; k < count; ++k) {
+        const double angle = 2.0 * std::numbers::pi * (static_cast<double>(k) + 0.8 * random.unit()) / double(count);
+        const double radius = random.between(0.2, 3.0);
+        ring.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    return ring;
+}
+
+/// All corners near edges that are not theirs.
+Features cornersNearEdges(const IndexedCorners& corners, double distance) {
+    Features found;
+    for (std::uint32_t corner = 0; corner < corners.cornerCount(); ++corner) {
+        for (std::uint32_t edge = 0; edge < corners.cornerCount(); ++edge) {
+            if (corner == edge || corner == corners.next[edge]) continue;
+            const Vec2 from = corners.points[edge], to = corners.points[corners.next[edge]];
+            if (distanceToSegment(corners.points[corner], from, to) <= distance)
+                found.push_back({corner, edge, FeatureKind::CornerNearEdge});
+        }
+    }
+    return found;
+}
+
+/// The processor time for a ring of `spikes` spikes side by side, ms.
+double timeOfSpikes(int spikes) {
+    Ring ring;
+    for (int k = 0; k < 2 * spikes; ++k) {
+        const double angle = std::numbers::pi * k / spikes, radius = k % 2 == 0 ? 1.0 : 0.9;
+        ring.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    const Polygon star{ring, {}};
+    const double start = test::processorTime();
+    for (int k = 0; k < 4; ++k) {
+        if (!featuresOf(star, requiredClearance(star)).empty()) qFatal("The spikes are not apart.");
+    }
+    return test::processorTime() - start;
+}
+
 }  // namespace
 
 class NarrowFeaturesTest : public QObject {
@@ -60,6 +103,25 @@ private slots:
         const Polygon square{rectangle({0, 0}, {4, 4}), {{{0.05, 2}, {1, 3}, {1, 1}}}};
         QCOMPARE(featuresOf(square), (Features{{4, 3, FeatureKind::CornerNearEdge}}));
         QVERIFY(featuresOf(square, {.distance = 0.04, .sine = 0.04}).empty());
+    }
+    void cornersNearEdgesAreThoseOfAllPairs() {
+        Random random(20261129);
+        int found = 0, none = 0;
+        for (int round = 0; round < 3000; ++round) {
+            const IndexedCorners corners = indexedCorners({randomStar(random), {}});
+            const Clearance clearance{.distance = round % 2 == 0 ? 0.15 : 0.005, .sine = 0.0};
+            const Features features = narrowFeatures(corners, clearance);
+            if (std::ranges::count(features, FeatureKind::ShortEdge, &NarrowFeature::kind) > 0) continue;
+            const Features expected = cornersNearEdges(corners, clearance.distance);
+            QVERIFY2(features == expected, qPrintable(QString("round %1").arg(round)));
+            ++(expected.empty() ? none : found);
+        }
+        QVERIFY2(found > 30 && none > 300, qPrintable(QString("%1, %2").arg(found).arg(none)));
+    }
+    /// Linear: 4. The bounding boxes of spikes that run side by side overlap: by pairs of these, 16.
+    void spikesTakeNearlyLinearTime() {
+        const double small = timeOfSpikes(4000), large = timeOfSpikes(16'000);
+        QVERIFY2(large < 9.0 * small, qPrintable(QString("%1 ms, %2 ms").arg(small).arg(large)));
     }
     void ringsWithAmpleClearanceHaveNoNarrowFeature() {
         int ample = 0, narrow = 0;

@@ -115,6 +115,40 @@ private slots:
             }
         }
     }
+    void beyondAPlaneAreThoseOfALinearScan() {
+        Random random(20261130);
+        std::vector<Box3> boxes;
+        for (int k = 0; k < 500; ++k) {
+            const Vec3 low(random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-1.0, 1.0));
+            boxes.push_back({low, low + Vec3(0.1 * random.unit(), 0.1 * random.unit(), 0.0)});
+        }
+        const BoxTree tree(boxes);
+        for (int round = 0; round < 200; ++round) {
+            const Vec3 normal =
+                glm::normalize(Vec3(random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-1.0, 1.0)));
+            const double offset = random.between(-1.5, 1.5);
+            std::vector<bool> isVisited(boxes.size(), false);
+            tree.visitBeyond(normal, offset, [&](std::uint32_t item) { isVisited[item] = true; });
+            for (std::size_t k = 0; k < boxes.size(); ++k) {
+                bool isBeyond = false;
+                for (int corner = 0; corner < 8; ++corner)
+                    isBeyond |= glm::dot(normal, boxes[k].corner(corner)) > offset;
+                QVERIFY(!isBeyond || isVisited[k]);
+            }
+        }
+    }
+    void beyondATangentAreFewItems() {
+        constexpr int kCount = 20'000;
+        std::vector<Box3> points;
+        for (int k = 0; k < kCount; ++k) {
+            const double angle = 2.0 * std::numbers::pi * k / kCount;
+            const Vec3 point(std::cos(angle), std::sin(angle), 0.0);
+            points.push_back({point, point});
+        }
+        int visited = 0;
+        BoxTree(points).visitBeyond(glm::normalize(Vec3(1.0, 2.0, 0.0)), 1.0 + 1e-9, [&](std::uint32_t) { ++visited; });
+        QVERIFY2(visited < 1000, qPrintable(QString::number(visited)));
+    }
     void emptyTreeVisitsNothing() {
         BoxTree({}).visitOverlapping({Vec3(-1.0), Vec3(1.0)}, [](std::uint32_t) { QFAIL("there are no items"); });
         QCOMPARE(BoxTree({}).visitNear(Vec3(0.0), [](std::uint32_t) { return 0.0; }), std::size_t{0});
