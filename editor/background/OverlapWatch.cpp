@@ -8,7 +8,6 @@ namespace rubble {
 namespace {
 
 constexpr int kOverlapDelayMilliseconds = 150;
-constexpr std::size_t kMaxReported = 100;  // one by one; the others as a number
 
 Message messageOf(const InstanceOverlap& overlap, const Project& project) {
     Message message{.severity = Severity::Warning, .text = QString::fromStdString(sentenceOf(overlap, project))};
@@ -38,23 +37,30 @@ OverlapWatch::OverlapWatch(const Document& document, Messages& messages, QObject
 
 void OverlapWatch::check() {
     if (m_job.isRunning()) return m_delay.start();
-    m_job.start([project = m_document.project()](const TaskContext&) { return instanceOverlaps(project); },
-                [this](std::vector<InstanceOverlap> overlaps) { report(std::move(overlaps)); });
+    m_job.start(
+        [project = m_document.project()](const TaskContext&) {
+            FoundOverlaps found;
+            found.overlaps = instanceOverlaps(project, &found.isComplete);
+            return found;
+        },
+        [this](FoundOverlaps found) { report(std::move(found)); });
 }
 
-void OverlapWatch::report(std::vector<InstanceOverlap> overlaps) {
+void OverlapWatch::report(FoundOverlaps found) {
+    std::vector<InstanceOverlap>& overlaps = found.overlaps;
     const Project& project = m_document.project();
     const auto isGone = [&](Id id) { return id != 0 && findInstance(project, id) == nullptr; };
     std::erase_if(overlaps,
                   [&](const InstanceOverlap& overlap) { return isGone(overlap.first) || isGone(overlap.second); });
     m_overlaps = std::move(overlaps);
     std::vector<Message> messages;
-    for (std::size_t k = 0; k < std::min(m_overlaps.size(), kMaxReported); ++k) {
+    for (std::size_t k = 0; k < std::min(m_overlaps.size(), kListedOverlaps); ++k) {
         messages.push_back(messageOf(m_overlaps[k], project));
     }
-    if (m_overlaps.size() > kMaxReported) {
-        messages.push_back({.severity = Severity::Warning,
-                            .text = tr("Instances overlap in %1 more places.").arg(m_overlaps.size() - kMaxReported)});
+    if (m_overlaps.size() > kListedOverlaps) {
+        const QString text = found.isComplete ? tr("Instances overlap in %1 more places.")
+                                              : tr("Instances overlap in more than %1 more places.");
+        messages.push_back({.severity = Severity::Warning, .text = text.arg(m_overlaps.size() - kListedOverlaps)});
     }
     // Compared by text, since names may have changed.
     if (std::ranges::equal(messages, m_reported, {}, &Message::text)) return;

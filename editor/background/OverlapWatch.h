@@ -27,7 +27,11 @@ signals:
 
 private:
     void check();
-    void report(std::vector<InstanceOverlap> overlaps);
+    struct FoundOverlaps {
+        std::vector<InstanceOverlap> overlaps;
+        bool isComplete = true;
+    };
+    void report(FoundOverlaps found);
 
     const Document& m_document;
     Messages& m_messages;

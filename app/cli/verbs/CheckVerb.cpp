@@ -233,6 +233,19 @@ std::vector<Finding> lengthWarnings(const std::string& file, const Project& proj
     return warnings;
 }
 
+std::vector<Finding> overlapWarnings(const std::string& path, const Project& project) {
+    std::vector<Finding> warnings;
+    const auto warnOf = [&](std::string sentence) {
+        warnings.push_back({Severity::Warning, "OverlappingInstances", {.file = path}, std::move(sentence)});
+    };
+    bool isComplete = true;
+    const std::vector<InstanceOverlap> overlaps = instanceOverlaps(project, &isComplete);
+    for (std::size_t k = 0; k < std::min(overlaps.size(), kListedOverlaps); ++k)
+        warnOf(sentenceOf(overlaps[k], project));
+    if (overlaps.size() > kListedOverlaps) warnOf(otherOverlapsText(overlaps.size(), isComplete));
+    return warnings;
+}
+
 void checkProject(const std::string& path, const CheckArguments& arguments, VerbReport& report,
                   const CliContext& context, std::vector<CheckResult>& all) {
     const auto add = [&](const Finding& finding) { warn(finding, arguments.isStrict, report, context); };
@@ -257,9 +270,7 @@ void checkProject(const std::string& path, const CheckArguments& arguments, Verb
         std::ranges::for_each(warnings, add);
     }
     std::ranges::for_each(lengthWarnings(path, *project), add);
-    for (const InstanceOverlap& overlap : instanceOverlaps(*project)) {
-        add({Severity::Warning, "OverlappingInstances", {.file = path}, sentenceOf(overlap, *project)});
-    }
+    std::ranges::for_each(overlapWarnings(path, *project), add);
 }
 
 /// Returns what is wrong with pack.bin beside a pack.json, which follows from it; nothing if there is none.

@@ -1,7 +1,7 @@
 #include "core/physics/queries/Penetration.h"
 
-#include "core/base/Assert.h"
 #include "core/geometry/hull/HullOverlap.h"
+#include "core/geometry/search/BoxTree.h"
 
 #include <algorithm>
 #include <tuple>
@@ -9,71 +9,58 @@
 namespace rubble {
 namespace {
 
-/// The bounding box of a hull in world space.
-struct HullBox {
+/// A hull of one of several bodies.
+struct BodyHull {
     std::uint32_t body = 0;
     std::uint32_t hull = 0;
-    Vec3 low;
-    Vec3 high;
 };
 
-HullBox boxOf(const PosedHulls& body, std::uint32_t hull) {
+Box3 boxOf(const PosedHulls& body, const Polytope& hull) {
     const Mat3 rotation = glm::mat3_cast(body.pose.orientation);
-    HullBox box;
-    box.hull = hull;
-    bool isFirst = true;
-    for (const Vec3& vertex : body.hulls[hull].vertices) {
-        const Vec3 point = rotation * vertex + body.pose.position;
-        box.low = isFirst ? point : glm::min(box.low, point);
-        box.high = isFirst ? point : glm::max(box.high, point);
-        isFirst = false;
-    }
+    Box3 box;
+    for (const Vec3& vertex : hull.vertices) box.include(rotation * vertex + body.pose.position);
     return box;
 }
 
-/// The boxes of all hulls, sorted by their low x.
-std::vector<HullBox> boxesOf(std::span<const PosedHulls> bodies) {
-    std::vector<HullBox> boxes;
+/// Every two hulls that overlap, by their bodies.
+std::vector<BodyOverlap> hullDepths(std::span<const PosedHulls> bodies, OverlapSearch& search) {
+    std::vector<BodyHull> hulls;
+    std::vector<Box3> boxes;
     for (std::uint32_t body = 0; body < bodies.size(); ++body) {
         for (std::uint32_t hull = 0; hull < bodies[body].hulls.size(); ++hull) {
-            boxes.push_back(boxOf(bodies[body], hull));
-            boxes.back().body = body;
+            hulls.push_back({body, hull});
+            boxes.push_back(boxOf(bodies[body], bodies[body].hulls[hull]));
         }
     }
-    std::stable_sort(boxes.begin(), boxes.end(), [](const HullBox& a, const HullBox& b) { return a.low.x < b.low.x; });
-    return boxes;
-}
-
-bool overlapInYz(const HullBox& a, const HullBox& b) {
-    return a.low.y <= b.high.y && b.low.y <= a.high.y && a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
-
-/// Every two hulls that overlap, by their bodies. Adds the number of compared boxes to `compared`.
-std::vector<BodyOverlap> hullDepths(std::span<const PosedHulls> bodies, std::size_t& compared) {
-    const std::vector<HullBox> boxes = boxesOf(bodies);
+    const BoxTree tree(boxes);
     std::vector<BodyOverlap> depths;
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        for (std::size_t k = i + 1; k < boxes.size() && boxes[k].low.x <= boxes[i].high.x; ++k) {
-            ++compared;
-            const auto& [a, b] = std::minmax(
-                boxes[i], boxes[k], [](const HullBox& left, const HullBox& right) { return left.body < right.body; });
-            if (a.body == b.body || !overlapInYz(a, b) || (!bodies[a.body].isDynamic && !bodies[b.body].isDynamic))
-                continue;
-            const double depth = hullOverlap(bodies[a.body].hulls[a.hull], bodies[a.body].pose,
-                                             bodies[b.body].hulls[b.hull], bodies[b.body].pose)
-                                     .depth;
-            if (depth > 0.0) depths.push_back({a.body, b.body, depth});
-        }
+    const auto compare = [&](const BodyHull& a, const BodyHull& b) {
+        const PosedHulls &first = bodies[a.body], &second = bodies[b.body];
+        const double depth = hullOverlap(first.hulls[a.hull], first.pose, second.hulls[b.hull], second.pose).depth;
+        if (depth > search.least) depths.push_back({a.body, b.body, depth});
+    };
+    for (std::uint32_t i = 0; i < hulls.size() && search.isComplete; ++i) {
+        tree.visitOverlapping(boxes[i], [&](std::uint32_t k) {
+            const bool isPair =
+                hulls[i].body < hulls[k].body && (bodies[hulls[i].body].isDynamic || bodies[hulls[k].body].isDynamic);
+            if (!isPair || !search.isComplete) return;
+            ++search.compared;
+            compare(hulls[i], hulls[k]);
+            search.isComplete = depths.size() <= search.most;
+        });
     }
     return depths;
 }
 
 }  // namespace
 
-std::vector<BodyOverlap> overlapsOf(std::span<const PosedHulls> bodies, std::size_t* compared) {
-    std::size_t count = 0;
-    std::vector<BodyOverlap> depths = hullDepths(bodies, count);
-    if (compared) *compared += count;
+std::vector<BodyOverlap> overlapsOf(std::span<const PosedHulls> bodies) {
+    OverlapSearch all;
+    return overlapsOf(bodies, all);
+}
+
+std::vector<BodyOverlap> overlapsOf(std::span<const PosedHulls> bodies, OverlapSearch& search) {
+    std::vector<BodyOverlap> depths = hullDepths(bodies, search);
     // The deepest of each pair of bodies first.
     std::sort(depths.begin(), depths.end(), [](const BodyOverlap& a, const BodyOverlap& b) {
         return std::tuple(a.first, a.second, -a.depth) < std::tuple(b.first, b.second, -b.depth);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -31,10 +32,18 @@ struct BodyOverlap {
     double depth = 0.0;  // m, of the two deepest hulls
 };
 
+/// What overlapsOf() looks for, and what it did.
+struct OverlapSearch {
+    double least = 0.0;                                          // m: only deeper overlaps count
+    std::size_t most = std::numeric_limits<std::size_t>::max();  // hulls that overlap; it ends when it finds more
+    std::size_t compared = 0;                                    // pairs of hulls whose bounding boxes overlap
+    bool isComplete = true;                                      // there are no more than `most`
+};
+
 /// All pairs of overlapping bodies, ascending, by hullOverlap() of all pairs of hulls whose bounding boxes overlap:
-/// independent of the simulation's own collision detection. O(n log n + k) for k pairs of hulls that overlap along x;
-/// adds k to `compared`.
-std::vector<BodyOverlap> overlapsOf(std::span<const PosedHulls> bodies, std::size_t* compared = nullptr);
+/// independent of the simulation's own collision detection. O(n log n + k) for k pairs of hulls whose boxes overlap.
+std::vector<BodyOverlap> overlapsOf(std::span<const PosedHulls> bodies);
+std::vector<BodyOverlap> overlapsOf(std::span<const PosedHulls> bodies, OverlapSearch& search);
 
 /// The largest and mean depth of overlapsOf().
 Penetration penetrationOf(std::span<const PosedHulls> bodies);

@@ -26,7 +26,7 @@ double depthInGround(const PosedHulls& body, const Ground& ground) {
 
 }  // namespace
 
-std::vector<InstanceOverlap> instanceOverlaps(const Project& project) {
+std::vector<InstanceOverlap> instanceOverlaps(const Project& project, bool* isComplete) {
     const AssetHulls hulls = assetHulls(project);
     std::vector<PosedHulls> bodies;
     for (const Instance& instance : project.instances) {
@@ -40,10 +40,10 @@ std::vector<InstanceOverlap> instanceOverlaps(const Project& project) {
             overlaps.push_back({project.instances[k].id, 0, depth});
         }
     }
-    for (const auto& [first, second, depth] : overlapsOf(bodies)) {
-        if (depth <= kTouchTolerance) continue;
+    OverlapSearch search{.least = kTouchTolerance, .most = kMaxOverlaps};
+    for (const auto& [first, second, depth] : overlapsOf(bodies, search))
         overlaps.push_back({project.instances[first].id, project.instances[second].id, depth});
-    }
+    if (isComplete) *isComplete = search.isComplete;
     std::ranges::sort(overlaps, {}, [](const InstanceOverlap& o) { return std::pair(o.first, o.second); });
     return overlaps;
 }
@@ -53,6 +53,11 @@ std::string sentenceOf(const InstanceOverlap& overlap, const Project& project) {
     const std::string depth = quantityText(QuantityKind::Length, overlap.depth);
     if (overlap.second == 0) return first + " stands " + depth + " deep in the ground.";
     return first + " and " + nameOf(project, overlap.second) + " overlap by " + depth + ".";
+}
+
+std::string otherOverlapsText(std::size_t found, bool isComplete) {
+    const std::string number = std::to_string(found - std::min(found, kListedOverlaps));
+    return "Instances overlap in " + (isComplete ? number : "more than " + number) + " more places.";
 }
 
 }  // namespace rubble

@@ -63,9 +63,27 @@ private slots:
         std::vector<PosedHulls> bodies;
         for (std::size_t k = 0; k < kCount; ++k)
             bodies.push_back({box, {.position = {0.75 * static_cast<double>(k), 0.0, 0.0}}});
-        std::size_t compared = 0;
-        QCOMPARE(overlapsOf(bodies, &compared).size(), kCount - 1);
-        QCOMPARE(compared, kCount - 1);
+        OverlapSearch search;
+        QCOMPARE(overlapsOf(bodies, search).size(), kCount - 1);
+        QCOMPARE(search.compared, kCount - 1);
+        for (std::size_t k = 0; k < kCount; ++k)  // a column, all above each other
+            bodies[k].pose.position = {0.0, 0.75 * static_cast<double>(k), 0.0};
+        search = {};
+        QCOMPARE(overlapsOf(bodies, search).size(), kCount - 1);
+        QCOMPARE(search.compared, kCount - 1);
+    }
+    void searchEndsAtItsLimit() {
+        const std::array<Polytope, 1> box{test::boxOf({1.0, 1.0, 1.0})};
+        const std::vector<PosedHulls> bodies(300, {box, {}});  // in one place
+        OverlapSearch search{.most = 500};
+        QCOMPARE(overlapsOf(bodies, search).size(), std::size_t{501});
+        QCOMPARE(search.compared, std::size_t{501});
+        QVERIFY(!search.isComplete);
+        search = {.least = 0.999};
+        QCOMPARE(overlapsOf(bodies, search).size(), std::size_t{300 * 299 / 2});
+        QVERIFY(search.isComplete);
+        search = {.least = 1.001};
+        QVERIFY(overlapsOf(bodies, search).empty());
     }
 };
 

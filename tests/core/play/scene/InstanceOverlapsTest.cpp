@@ -58,6 +58,16 @@ private slots:
         const Project project = rowOf(2, 1.0);
         QCOMPARE(sentenceOf({10, 11, 1.5}, project), std::string("\"wall 1\" and \"wall 2\" overlap by 1.5 m."));
     }
+    void overlapsInOnePlaceAreCountedUpToALimit() {
+        bool isComplete = true;
+        const auto overlaps = instanceOverlaps(rowOf(1000, 0.0), &isComplete);  // 499,500
+        QVERIFY(overlaps.size() > kListedOverlaps && overlaps.size() <= kMaxOverlaps + 1);
+        QVERIFY(!isComplete);
+        QCOMPARE(otherOverlapsText(10'001, false), std::string("Instances overlap in more than 9901 more places."));
+        QCOMPARE(otherOverlapsText(101, true), std::string("Instances overlap in 1 more places."));
+        QCOMPARE(instanceOverlaps(rowOf(20, 0.0), &isComplete).size(), std::size_t{190});
+        QVERIFY(isComplete);
+    }
     void everyTwoNeighboursOfAThousandAreFound() {
         QCOMPARE(instanceOverlaps(rowOf(1000, 0.999)).size(), std::size_t{999});
     }
