@@ -128,7 +128,7 @@ private:
         auto scene = std::make_shared<PlayScene>(*m_shared);
         scene->project = projectWith(scene->project, entry.asset);
         scene->assets[{entry.asset.id}] = *ready;
-        addStructures(*scene);
+        if (const Status added = addStructures(*scene); !added) return added;
         Result<Session> session = start(entry, std::move(scene));
         if (!session) return session.error();
         const auto moved = std::make_shared<Session>(std::move(*session));

@@ -1,5 +1,6 @@
 #include "core/play/scene/PlayMortar.h"
 
+#include "core/base/MessageText.h"
 #include "core/play/scene/JoinedSupport.h"
 #include "core/structure/graph/Support.h"
 
@@ -63,8 +64,8 @@ public:
         for (const auto& [id, member] : members) m_added[id];
     }
 
-    /// Adds the joints of a mortar where no earlier one has any, and returns them.
-    std::vector<MortarJoint> add(const Mortar& mortar, std::span<const FixedSolid> surroundings) {
+    /// Adds the joints of a mortar where no earlier one has any, and returns them. Errors: Limit.
+    Result<std::vector<MortarJoint>> add(const Mortar& mortar, std::span<const FixedSolid> surroundings) {
         const auto isJoined = [&](Id instance) {
             return mortar.instances.empty() || std::ranges::binary_search(mortar.instances, instance);
         };
@@ -78,7 +79,9 @@ public:
             supports.insert(supports.end(), solid.hulls.begin(), solid.hulls.end());
         }
         std::vector<MortarJoint> joined;
-        for (const Bond& bond : mortarBonds(all.nodes, mortar.tolerance, mortar.leastArea)) {
+        const std::vector<Bond> bonds = mortarBonds(all.nodes, mortar.tolerance, mortar.leastArea, &m_budget);
+        if (m_budget == 0) return tooManyPairs(mortar);
+        for (const Bond& bond : bonds) {
             const MortarNodes::Place &first = all.places[bond.first], &second = all.places[bond.second];
             if (!m_joined.emplace(first, second).second) continue;
             const std::uint32_t ofFirst = add(first, bond, 1.0, mortar.impulsePerArea);
@@ -97,6 +100,13 @@ public:
     const std::map<Id, AddedAnchors>& added() const { return m_added; }
 
 private:
+    static Error tooManyPairs(const Mortar& mortar) {
+        return {ErrorCode::Limit, "Mortar " + quotedName(mortar.name) +
+                                      ", with those before it, would look for joints between more than " +
+                                      std::to_string(kMaxMortarPairs) +
+                                      " pairs of fragments. Move apart the instances that stand in each other, lower "
+                                      "its tolerance, or let fewer mortars join the same instances."};
+    }
     /// Returns the index of the link.
     std::uint32_t add(const MortarNodes::Place& place, const Bond& bond, double side, double impulsePerArea) {
         AddedAnchors& added = m_added[place.instance];
@@ -109,6 +119,7 @@ private:
     const std::map<Id, MortarMember>& m_members;
     std::map<Id, AddedAnchors> m_added;
     std::set<std::pair<MortarNodes::Place, MortarNodes::Place>> m_joined;
+    std::size_t m_budget = kMaxMortarPairs;
 };
 
 /// The instances that are anchored, themselves or through mortar.
@@ -209,11 +220,15 @@ std::set<Id> joinedInstances(const std::map<Id, std::shared_ptr<const PlayStruct
     return all;
 }
 
-std::vector<JoinedMortar> addMortar(const Project& project, std::span<const FixedSolid> surroundings,
-                                    std::map<Id, MortarMember>& members) {
+Result<std::vector<JoinedMortar>> addMortar(const Project& project, std::span<const FixedSolid> surroundings,
+                                            std::map<Id, MortarMember>& members) {
     MortarJoints joints(members);
     std::vector<JoinedMortar> joined;
-    for (const Mortar& mortar : project.mortars) joined.push_back({mortar.id, joints.add(mortar, surroundings)});
+    for (const Mortar& mortar : project.mortars) {
+        Result<std::vector<MortarJoint>> added = joints.add(mortar, surroundings);
+        if (!added) return added.error();
+        joined.push_back({mortar.id, std::move(*added)});
+    }
     const std::set<Id> anchored = anchoredThroughMortar(members, joints);
     std::map<Id, std::uint32_t> firstMortar;
     for (const auto& [id, member] : members) firstMortar[id] = member.structure->graph.bondCount();

@@ -45,7 +45,12 @@ std::set<Id> joinedInstances(const std::map<Id, std::shared_ptr<const PlayStruct
 /// Mortar holds what stands: of instances of which none is anchored, nothing is joined.
 ///
 /// Replaces the structures of `members`. Returns what each mortar of the project joins, in its order.
-std::vector<JoinedMortar> addMortar(const Project& project, std::span<const FixedSolid> surroundings,
-                                    std::map<Id, MortarMember>& members);
+///
+/// Errors: Limit if the mortars together look at more than kMaxMortarPairs fragments and pairs of fragments that are
+/// near each other: those of 200 walls in one place, or a thousand mortars that join everything. Nothing changes then.
+Result<std::vector<JoinedMortar>> addMortar(const Project& project, std::span<const FixedSolid> surroundings,
+                                            std::map<Id, MortarMember>& members);
+/// Some seconds, and 500 MB.
+inline constexpr std::size_t kMaxMortarPairs = 2'000'000;
 
 }  // namespace rubble

@@ -48,10 +48,12 @@ Status checkAssets(const PlayScene& scene) {
     return success();
 }
 
-void joinByMortar(PlayScene& scene, std::span<const FixedSolid> surroundings) {
+Status joinByMortar(PlayScene& scene, std::span<const FixedSolid> surroundings) {
     std::map<Id, MortarMember> members;
     for (const auto& [id, structure] : scene.structures) members[id] = {findInstance(scene.project, id), structure};
-    scene.mortars = addMortar(scene.project, surroundings, members);
+    Result<std::vector<JoinedMortar>> joined = addMortar(scene.project, surroundings, members);
+    if (!joined) return joined.error();
+    scene.mortars = std::move(*joined);
     for (std::size_t k = 0; k < scene.mortars.size(); ++k) {
         if (scene.mortars[k].isHeld) continue;
         Diagnostic idle;
@@ -61,6 +63,7 @@ void joinByMortar(PlayScene& scene, std::span<const FixedSolid> surroundings) {
         scene.diagnostics.push_back(std::move(idle));
     }
     for (auto& [id, member] : members) scene.structures[id] = std::move(member.structure);
+    return success();
 }
 
 /// Whether bonds do not join all fragments of a structure, or of one at a level of an instance without strength.
@@ -75,7 +78,7 @@ bool hasUnjoinedStructures(const PlayScene& scene) {
 
 }  // namespace
 
-void addStructures(PlayScene& scene) {
+Status addStructures(PlayScene& scene) {
     const Project& project = scene.project;
     scene.assetStructures.clear();
     scene.structures.clear();
@@ -99,13 +102,16 @@ void addStructures(PlayScene& scene) {
         scene.structures[instance.id] =
             instanceStructure(*whole->second, asset, *findMaterial(project, asset.material), instance, surroundings);
     }
-    if (!project.mortars.empty()) joinByMortar(scene, surroundings);
+    if (!project.mortars.empty()) {
+        if (const Status joined = joinByMortar(scene, surroundings); !joined) return joined;
+    }
     for (const Instance& instance : project.instances) {
         const auto found = scene.structures.find(instance.id);
         if (found != scene.structures.end())
             found->second = withSupportLimits(found->second, instance, project.gravity);
     }
     scene.hasUnjoined = hasUnjoinedStructures(scene);
+    return success();
 }
 
 std::shared_ptr<const PlayStructure> structureIn(const PlayScene& scene, const PlayOrigin& origin,
@@ -142,7 +148,7 @@ Result<std::shared_ptr<const PlayScene>> playScene(const Project& project, const
         scene->assets[variant] = std::move(*ready);
     }
     if (const Status checked = checkAssets(*scene); !checked) return checked.error();
-    addStructures(*scene);
+    if (const Status added = addStructures(*scene); !added) return added.error();
     std::ranges::move(supportProblems(*scene), std::back_inserter(scene->diagnostics));
     return std::shared_ptr<const PlayScene>(std::move(scene));
 }

@@ -20,7 +20,9 @@ struct PlayScene {
 };
 
 /// Prepares the structures of bonded assets and instances, anew where an asset of the scene was replaced.
-void addStructures(PlayScene& scene);
+///
+/// Errors: those of addMortar().
+Status addStructures(PlayScene& scene);
 
 /// The structure of the whole (kNone) or a fragment of an origin; null if it has no bonds.
 std::shared_ptr<const PlayStructure> structureIn(const PlayScene& scene, const PlayOrigin& origin,

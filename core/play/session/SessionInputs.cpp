@@ -25,6 +25,8 @@ namespace {
 
 using Sentence = std::optional<std::string>;
 
+constexpr std::size_t kMaxBodiesInPlace = 64;
+
 bool isAlive(const SessionState& state, std::uint32_t number) {
     return std::ranges::binary_search(state.bodies, number, {}, &PlayBody::number);
 }
@@ -110,6 +112,15 @@ Sentence faultOfInput(const RemoveInput& input, const PlayScene& scene, const Se
     return std::nullopt;
 }
 
+/// Whether more bodies are in the place of a new one than it may start in: each of them gets contacts with all others
+/// there, of which a thousand in one place have half a million.
+bool isPlaceTaken(const World& world, const std::vector<Polytope>& hulls, const Pose& pose) {
+    return std::ranges::any_of(hulls, [&](const Polytope& hull) {
+        const Result<std::vector<BodyId>> bodies = world.overlapping(hull, pose);
+        return bodies && bodies->size() >= kMaxBodiesInPlace;
+    });
+}
+
 void applyAction(const SessionParts& parts, const std::string& name, const Throw& thrown) {
     const Result<BodyDefinition> definition = projectileBodyOf(thrown, parts.scene, parts.state);
     if (!definition) {  // its material has changed since the input was added
@@ -123,6 +134,11 @@ void applyAction(const SessionParts& parts, const std::string& name, const Throw
     } else {
         body.hull = std::make_shared<const Polytope>(projectileHull(thrown));
         origin.thrown = thrown;
+    }
+    if (isPlaceTaken(parts.world, hullsOf(body), definition->pose)) {
+        return addUnapplied(parts, nullptr,
+                            "Saved throw " + quotedName(name) + ": " + std::to_string(kMaxBodiesInPlace) +
+                                " bodies are in its place already; let it start elsewhere or later.");
     }
     const Result<std::uint32_t> added = addBody(parts, *definition, body);
     if (!added) {

@@ -3,6 +3,7 @@
 #include "core/geometry/search/BoxTree.h"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 namespace rubble {
@@ -79,20 +80,25 @@ std::vector<Bond> bondsOfContacts(std::vector<HullContact> contacts, std::span<c
 
 }  // namespace
 
-std::vector<Bond> mortarBonds(std::span<const MortarNode> nodes, double tolerance, double leastArea) {
+std::vector<Bond> mortarBonds(std::span<const MortarNode> nodes, double tolerance, double leastArea,
+                              std::size_t* budget) {
     const double farthest = tolerance + kFaceRounding;
     const std::vector<NodeHull> hulls = hullsOf(nodes);
     const BoxTree tree = treeOf(hulls);
     std::vector<HullContact> contacts;
-    for (std::size_t k = 0; k < hulls.size(); ++k) {
+    std::size_t left = budget != nullptr ? *budget : std::numeric_limits<std::size_t>::max();
+    left -= std::min(left, hulls.size());
+    for (std::size_t k = 0; k < hulls.size() && left > 0; ++k) {
         const NodeHull& hull = hulls[k];
         tree.visitOverlapping(boxOfHull(*hull.hull, farthest), [&](std::uint32_t j) {
             const NodeHull& other = hulls[j];
-            if (other.node <= hull.node || nodes[other.node].body == nodes[hull.node].body) return;
+            if (other.node <= hull.node || nodes[other.node].body == nodes[hull.node].body || left == 0) return;
+            --left;
             if (const auto contact = faceContact(*hull.hull, *other.hull, farthest, 0.0))
                 contacts.push_back({hull.node, other.node, {k, j}, *contact});
         });
     }
+    if (budget != nullptr) *budget = left;
     return bondsOfContacts(std::move(contacts), nodes, leastArea);
 }
 

@@ -3,6 +3,7 @@
 #include "core/structure/bonds/Bond.h"
 #include "core/structure/bonds/FaceContact.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,7 +24,11 @@ inline constexpr double kFaceRounding = 1e-6;
 /// The bonds between fragments of different bodies whose faces lie against each other, see faceContact(): those of all
 /// their hulls are one bond. By first, then second. Pairs of less than `leastArea` (m²) are not joined.
 /// O(n log n) in the hulls, and their contacts.
-std::vector<Bond> mortarBonds(std::span<const MortarNode> nodes, double tolerance, double leastArea);
+///
+/// `budget`: how many hulls and pairs of them may still be looked at, reduced by those that were; at 0 the result is
+/// incomplete.
+std::vector<Bond> mortarBonds(std::span<const MortarNode> nodes, double tolerance, double leastArea,
+                              std::size_t* budget = nullptr);
 
 /// The bonds of fragments to anchors, where they lie against solids that hold them: one per fragment,
 /// ascending. Likewise.

@@ -36,6 +36,34 @@ private slots:
         QVERIFY(std::abs(mortarArea(structureOfInstance(*scene, 2)) - 2.0) < 1e-9);
         QVERIFY(structureOfInstance(*scene, 2).isHeld());
     }
+    /// They take ever more time and memory: 12 s and 1.3 GB for 200 walls in one place.
+    void mortarOfTooManyPairsIsRefused_data() {
+        QTest::addColumn<int>("beams");
+        QTest::addColumn<int>("mortars");
+        QTest::newRow("instances in one place") << 200 << 1;
+        QTest::newRow("mortars of all instances") << 30 << 600;
+    }
+    void mortarOfTooManyPairsIsRefused() {
+        QFETCH(const int, beams);
+        QFETCH(const int, mortars);
+        Project project = test::mortarPortal();
+        const Instance beam = project.instances[2];
+        for (int k = 1; k < beams; ++k) {
+            project.instances.push_back(beam);
+            project.instances.back().id = project.nextId++;
+            project.instances.back().name += std::to_string(k);
+        }
+        const Mortar mortar = project.mortars[0];
+        for (int k = 1; k < mortars; ++k) {
+            project.mortars.push_back(mortar);
+            project.mortars.back().id = project.nextId++;
+            project.mortars.back().name += std::to_string(k);
+        }
+        const auto scene = playScene(project);
+        QVERIFY(!scene);
+        QVERIFY2(scene.error().code == ErrorCode::Limit, scene.error().message.c_str());
+        QVERIFY2(scene.error().message.starts_with("Mortar \"joints"), scene.error().message.c_str());
+    }
     void jointsAreKnown() {
         const auto scene = test::playSceneOf(test::mortarPortal());
         QCOMPARE(scene->mortars.size(), std::size_t{1});

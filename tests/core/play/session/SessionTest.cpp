@@ -423,6 +423,21 @@ private slots:
         QCOMPARE(QString::fromStdString(added.error().message), sentence);
     }
 
+    /// Five thousand in one place would need 40 GB for their contacts.
+    void throwsIntoOnePlaceAreLimited() {
+        Session session = sessionOf(floatingBlock());
+        for (int k = 0; k < 300; ++k) {
+            Throw thrown = throwAtBlock(3.0, 10.0);
+            thrown.from.z += 1e-4 * k;
+            addInput(session, ShotInput{"throw", thrown});
+        }
+        session.step();
+        QCOMPARE(test::countOf(session, PlayRole::Projectile), 64u);
+        const std::vector<Diagnostic>& told = session.events().diagnostics;
+        QCOMPARE(told.size(), std::size_t{236});
+        QVERIFY2(told[0].message.find("64 bodies are in its place already") != std::string::npos,
+                 told[0].message.c_str());
+    }
     void sessionIsAtRestUntilTheNextInput() {
         Project project = floatingBlock();
         project.gravity = {0.0, -9.81, 0.0};
