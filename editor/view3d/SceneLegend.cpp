@@ -18,6 +18,7 @@ constexpr int kScaleWidth = 150;
 constexpr int kScaleHeight = 11;
 constexpr int kSample = 18;
 constexpr int kBetween = 6;
+constexpr int kBetweenEnds = 16;
 const QColor kBondColour(250, 140, 26);
 
 QString titleOf(SceneColouring colouring) {
@@ -74,9 +75,20 @@ QStringList SceneLegend::texts() const {
     return texts;
 }
 
+/// The text below the scale: at its ends, or about all of it.
+QStringList SceneLegend::scaleTexts() const {
+    if (!m_content.range) return {};
+    const QStringList all = texts();
+    if (m_content.range->most > m_content.range->least) return {all[1], all[2]};
+    return {tr("all: %1").arg(all[1])};
+}
+
 QSize SceneLegend::plateSize(const QFontMetrics& lines) const {
     int width = m_content.range ? kScaleWidth : 0, height = 2 * kPlatePadding - 4;
     for (const QString& text : texts()) width = std::max(width, lines.horizontalAdvance(text));
+    int ends = -kBetweenEnds;
+    for (const QString& text : scaleTexts()) ends += lines.horizontalAdvance(text) + kBetweenEnds;
+    width = std::max(width, ends);
     if (m_content.range) height += 2 * lines.height() + kScaleHeight + 2;
     if (m_content.largestBondArea > 0.0) {
         width = std::max(width, kSample + kBetween + lines.horizontalAdvance(texts().back()));
@@ -109,9 +121,9 @@ void SceneLegend::paint(QPainter& painter, QSize size) const {
         }
         const QRect ends(bar.left(), bar.bottom() + 2, bar.width(), line);
         painter.setPen(kPlateSecondaryText);
-        if (isOne) painter.drawText(ends, Qt::AlignHCenter | Qt::AlignTop, tr("all: %1").arg(labels[1]));
-        if (!isOne) painter.drawText(ends, Qt::AlignLeft | Qt::AlignTop, labels[1]);
-        if (!isOne) painter.drawText(ends, Qt::AlignRight | Qt::AlignTop, labels[2]);
+        const QStringList values = scaleTexts();
+        painter.drawText(ends, (isOne ? Qt::AlignHCenter : Qt::AlignLeft) | Qt::AlignTop, values.front());
+        if (!isOne) painter.drawText(ends, Qt::AlignRight | Qt::AlignTop, values.back());
         inside.setTop(ends.bottom() + kBetween);
     }
     if (m_content.largestBondArea <= 0.0) return;

@@ -33,6 +33,7 @@ public:
     QString accessibleText() const override { return texts().join(", "); }
 
 private:
+    QStringList scaleTexts() const;
     QSize plateSize(const QFontMetrics& lines) const;
 
     Content m_content;

@@ -24,6 +24,7 @@ constexpr double kLegendPadding = 8.0;
 constexpr double kSampleWidth = 22.0;
 constexpr double kRowHeight = 17.0;
 constexpr double kScaleWidth = 130.0;
+constexpr double kBetweenEnds = 16.0;  // at least, between the numbers below a scale
 constexpr double kScaleHeight = 42.0;
 constexpr double kSampleMarkerRadius = 4.0;
 constexpr double kEdgeMargin = 10.0;
@@ -93,6 +94,9 @@ public:
         if (m_rows.empty() && scales == 0) return {};
         const QFontMetricsF metrics(legendFont(font));
         double width = scales > 0 ? kScaleWidth : 0.0;
+        double ends = -kBetweenEnds;
+        for (const QString& text : scaleTexts()) ends += metrics.horizontalAdvance(text) + kBetweenEnds;
+        width = std::max(width, ends);
         for (const Row& row : m_rows) {
             width = std::max(width, kSampleWidth + metrics.horizontalAdvance(row.text));
         }
@@ -247,14 +251,19 @@ private:
         const CellColouring colouring = m_contents.overlays.colouring;
         const QRectF ends =
             paintBar(painter, area, scaleTitle(colouring), [](double place) { return toQColor(rampColour(place)); });
+        const QStringList texts = scaleTexts();
+        const bool isOne = texts.size() == 1;
+        painter.drawText(ends, (isOne ? Qt::AlignHCenter : Qt::AlignLeft) | Qt::AlignTop, texts.front());
+        if (!isOne) painter.drawText(ends, Qt::AlignRight | Qt::AlignTop, texts.back());
+    }
+
+    /// The text below the scale: at its ends, or about all of it.
+    QStringList scaleTexts() const {
+        if (!hasScale()) return {};
+        const CellColouring colouring = m_contents.overlays.colouring;
         const auto& [least, most] = m_contents.range;
-        if (least == most) {
-            painter.drawText(ends, Qt::AlignHCenter | Qt::AlignTop,
-                             CanvasLegendTexts::tr("all: %1").arg(scaleText(colouring, least, m_contents)));
-            return;
-        }
-        painter.drawText(ends, Qt::AlignLeft | Qt::AlignTop, scaleText(colouring, least, m_contents));
-        painter.drawText(ends, Qt::AlignRight | Qt::AlignTop, scaleText(colouring, most, m_contents));
+        if (least == most) return {CanvasLegendTexts::tr("all: %1").arg(scaleText(colouring, least, m_contents))};
+        return {scaleText(colouring, least, m_contents), scaleText(colouring, most, m_contents)};
     }
 
     /// The factors of bonds, on a logarithmic scale around 1.

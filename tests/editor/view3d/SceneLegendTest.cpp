@@ -26,6 +26,20 @@ private slots:
         QCOMPARE(legend.texts().size(), 1);
         QVERIFY(legend.texts().front().startsWith("Contact area "));
     }
+    /// Of volumes in the unit of the largest one, the least has many digits.
+    void valuesAtTheEndsDoNotOverlap() {
+        SceneLegend legend;
+        legend.setContent({SceneColouring::Volume, ValueRange{1.234e-9, 0.0123}, 0.0});
+        QFont large;
+        large.setPixelSize(24);
+        for (const QFont& font : {QFont(), large}) {
+            const QFontMetrics lines(font);
+            const QStringList texts = legend.texts();
+            const int needed =
+                lines.horizontalAdvance(texts[1]) + lines.horizontalAdvance(" ") + lines.horizontalAdvance(texts[2]);
+            QVERIFY(legend.plates({800, 600}, font).front().width() > needed);
+        }
+    }
     void emitsChangedForNewContentOnly() {
         SceneLegend legend;
         QSignalSpy changed(&legend, &SceneLegend::changed);

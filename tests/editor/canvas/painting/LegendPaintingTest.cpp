@@ -49,6 +49,16 @@ private slots:
         QVERIFY(legendHeight(legendContents(CellColouring::Area)) >
                 legendHeight(legendContents(CellColouring::Fragment)));
     }
+    void valuesAtTheEndsDoNotOverlap() {
+        CanvasContents contents = legendContents(CellColouring::Mass);
+        const auto width = [&] {
+            return legendArea(QFont(), kLegendCanvas, contents, canvasColours(QPalette())).width();
+        };
+        contents.range = {1.0, 2.0};
+        const double usual = width();
+        contents.range = {1.234e-12, 123.4};  // in one unit
+        QVERIFY(width() > usual);
+    }
     void eachOverlayHasARow() {
         CanvasContents contents = legendContents(CellColouring::Fragment);
         double before = legendHeight(contents);
