@@ -423,57 +423,6 @@ private slots:
         QCOMPARE(QString::fromStdString(added.error().message), sentence);
     }
 
-    /// Five thousand in one place would need 40 GB for their contacts.
-    void throwsIntoOnePlaceAreLimited() {
-        Session session = sessionOf(floatingBlock());
-        for (int k = 0; k < 300; ++k) {
-            Throw thrown = throwAtBlock(3.0, 10.0);
-            thrown.from.z += 1e-4 * k;
-            addInput(session, ShotInput{"throw", thrown});
-        }
-        session.step();
-        QCOMPARE(test::countOf(session, PlayRole::Projectile), 64u);
-        const std::vector<Diagnostic>& told = session.events().diagnostics;
-        QCOMPARE(told.size(), std::size_t{236});
-        QVERIFY2(told[0].message.find("64 bodies are in its place already") != std::string::npos,
-                 told[0].message.c_str());
-    }
-    void sessionIsAtRestUntilTheNextInput() {
-        Project project = floatingBlock();
-        project.gravity = {0.0, -9.81, 0.0};
-        Session session = sessionOf(project);
-        const auto stepUntilRest = [&session] {
-            for (int steps = 0; !session.isAtRest() && steps < 100'000; ++steps) session.step();
-            return session.isAtRest();
-        };
-        QVERIFY(!session.isAtRest());
-        QVERIFY(stepUntilRest());
-        addInput(session, ShotInput{"throw", throwAtBlock(3.0, 80.0)});
-        QVERIFY(!session.isAtRest());  // the input waits
-        session.step();
-        QVERIFY(!session.isAtRest());
-        QVERIFY(stepUntilRest());
-        const ContentHash hash = session.world().hash();
-        for (int k = 0; k < 120; ++k) {
-            session.step();
-            QVERIFY(session.isAtRest());
-        }
-        QVERIFY(session.world().hash() == hash);
-    }
-    void debrisThatWillFadeIsNotAtRest() {
-        Project project = floatingBlock();
-        project.gravity = {0.0, -9.81, 0.0};
-        project.debris.lifetime = 60.0;
-        Session session = sessionOf(project);
-        addInput(session, ShotInput{"throw", throwAtBlock(3.0, 80.0)});
-        for (int k = 0; k < 3599; ++k) {
-            session.step();
-            QVERIFY(!session.isAtRest());
-        }
-        for (int k = 0; !session.isAtRest() && k < 100'000; ++k) session.step();
-        QVERIFY(session.isAtRest());
-        QCOMPARE(test::countOf(session, PlayRole::Debris), 0u);
-    }
     void restoredSnapshotContinuesIdentically() {
         Project project = test::house();
         Session session = sessionOf(project);
