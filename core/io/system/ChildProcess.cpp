@@ -197,6 +197,7 @@ Result<ChildResult> runChild(const std::filesystem::path& program, const std::ve
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
 
+    const Deadline deadline = Clock::now() + std::chrono::duration<double>(limits.seconds);
     const pid_t child = ::fork();
     if (child < 0) return cannotStart(program, errno);
     if (child == 0)
@@ -213,7 +214,6 @@ Result<ChildResult> runChild(const std::filesystem::path& program, const std::ve
     } while (count < 0 && errno == EINTR);
     const bool hasFailed = count == sizeof code;
     ChildResult result;
-    const Deadline deadline = Clock::now() + std::chrono::duration<double>(limits.seconds);
     ReadEnd readEnd = readPipes(output.read, error.read, result, limits, deadline, context);
     const int status = waitFor(child, deadline, context, readEnd);
     if (hasFailed) return cannotStart(program, code);

@@ -1,6 +1,8 @@
 #include "core/io/system/ChildProcess.h"
+#include "tests/support/ProcessorTime.h"
 #include "tests/support/TestProgram.h"
 
+#include <QElapsedTimer>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -60,6 +62,25 @@ private slots:
         // A child that is not killed would keep the test from ending.
         QVERIFY(run("exec sleep 10000", {.seconds = 0.2})->exit == ChildExit::TimedOut);
         QVERIFY(run("exec >&- 2>&- sleep 10000", {.seconds = 0.2})->exit == ChildExit::TimedOut);
+    }
+    /// Also of a child that is busy, ignores signals, writes without end or is stopped. The limit of its processor time
+    /// is a whole second, which comes later.
+    void timeLimitIsThatOfTheClock_data() {
+        QTest::addColumn<std::string>("script");
+        QTest::newRow("busy") << std::string("while :; do :; done");
+        QTest::newRow("ignores signals") << std::string("trap '' TERM INT HUP XCPU; while :; do :; done");
+        QTest::newRow("writes") << std::string("while :; do echo line; done");
+        QTest::newRow("stopped") << std::string("kill -STOP $$");
+    }
+    void timeLimitIsThatOfTheClock() {
+        QFETCH(const std::string, script);
+        const double start = test::processorTime();
+        QElapsedTimer clock;
+        clock.start();
+        const Result<ChildResult> outcome = run(script, {.seconds = 0.5});
+        QVERIFY(outcome->exit == ChildExit::TimedOut);
+        QVERIFY(clock.elapsed() >= 500);
+        QVERIFY(test::processorTime() - start < 500.0);  // it waits for the child, without being busy itself
     }
     void processorTimeIsLimited() {
         QCOMPARE(run("ulimit -St; ulimit -Ht", {.seconds = 3.0})->output, std::string("3\n4\n"));
