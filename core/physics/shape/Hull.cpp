@@ -56,11 +56,19 @@ void append(VectorRows& rows, Vec3f v) {
     rows.z.push_back(v.z);
 }
 
+/// Makes room for a number of rows with their padding: a scene has many hulls, and what vectors grow by is half as much
+/// again.
+void reserve(VectorRows& rows, std::size_t count) {
+    const std::size_t padded = (count + kRowMultiple - 1) / kRowMultiple * kRowMultiple;
+    for (auto* values : {&rows.x, &rows.y, &rows.z}) values->reserve(padded);
+}
+
 void pad(VectorRows& rows, Vec3f v) {
     while (rows.x.size() % kRowMultiple != 0) append(rows, v);
 }
 
 void addCorners(Hull& hull, const Polytope& polytope, Vec3 centre) {
+    reserve(hull.corners, polytope.vertices.size());
     Vec3f low(std::numeric_limits<float>::infinity()), high = -low;
     for (Vec3 vertex : polytope.vertices) {
         const Vec3f corner = toFloat(vertex - centre);
@@ -78,6 +86,11 @@ void addCorners(Hull& hull, const Polytope& polytope, Vec3 centre) {
 }
 
 void addFaces(Hull& hull, const Polytope& polytope, Vec3 centre) {
+    std::size_t corners = 0;
+    for (const std::vector<std::uint32_t>& loop : polytope.faces) corners += loop.size();
+    hull.planes.reserve(polytope.faces.size());
+    hull.loops.reserve(corners);
+    hull.firstInLoop.reserve(polytope.faces.size() + 1);
     hull.firstInLoop.push_back(0);
     for (std::size_t face = 0; face < polytope.faces.size(); ++face) {
         const Plane& plane = polytope.planes[face];
@@ -97,6 +110,7 @@ float innerRadiusOf(const Hull& hull) {
 }
 
 void addSides(Hull& hull) {
+    hull.sides.reserve(hull.loops.size());
     for (int face = 0; face < static_cast<int>(hull.planes.size()); ++face) {
         const std::span<const std::uint16_t> loop = hull.face(face);
         for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -121,6 +135,9 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint16_t> facesByEdge(con
 
 void addEdges(Hull& hull, const Polytope& polytope) {
     const auto faces = facesByEdge(polytope);
+    hull.edges.reserve(polytope.edges.size());
+    for (VectorRows* rows : {&hull.edgeVectors, &hull.edgeCorners, &hull.edgeFirstNormals, &hull.edgeSecondNormals})
+        reserve(*rows, polytope.edges.size());
     for (const auto& [from, to] : polytope.edges) {
         const HullEdge edge{static_cast<std::uint16_t>(from), static_cast<std::uint16_t>(to), faces.at({from, to}),
                             faces.at({to, from})};

@@ -31,6 +31,15 @@ private slots:
         QCOMPARE(hull.firstInLoop.size(), std::size_t{7});
         for (int face = 0; face < 6; ++face) QCOMPARE(hull.face(face).size(), std::size_t{4});
     }
+    void hullTakesNoMoreMemoryThanItNeeds() {
+        const Hull hull = hullOf(boxOf({2.0, 4.0, 6.0}));
+        const auto isTight = [](const auto& values) { return values.capacity() == values.size(); };
+        QVERIFY(isTight(hull.planes) && isTight(hull.edges) && isTight(hull.loops));
+        QVERIFY(isTight(hull.firstInLoop) && isTight(hull.sides));
+        for (const VectorRows* rows :
+             {&hull.corners, &hull.edgeVectors, &hull.edgeCorners, &hull.edgeFirstNormals, &hull.edgeSecondNormals})
+            QVERIFY(isTight(rows->x) && isTight(rows->y) && isTight(rows->z));
+    }
     void measuresOfABox() {
         const Hull hull = brick();
         QVERIFY(isNear(hull.middle, Vec3f(0.0f)));
