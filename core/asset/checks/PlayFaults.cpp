@@ -56,15 +56,6 @@ Sentence actionFault(const std::string& owner, const Explosion& explosion) {
 
 }  // namespace
 
-std::optional<std::string> cutFault(const std::string& owner, const CutAtImpact& cut) {
-    if (!rangeOf(ProjectNumber::ImpactFragments).contains(cut.fragments)) {
-        return owner + ": the number of fragments of the fracture at the impact is " + std::to_string(cut.fragments) +
-               ", but it must be from " + std::to_string(CutAtImpact::kMinFragments) + " to " +
-               std::to_string(CutAtImpact::kMaxFragments) + ".";
-    }
-    return rangeFault(owner, {{ProjectNumber::ImpactFalloffRadius, cut.falloffRadius}});
-}
-
 std::optional<std::string> playFault(const Asset& asset) {
     const std::string owner = ownerText("Asset", asset.id, asset.name);
     if (asset.cutAtImpact) {

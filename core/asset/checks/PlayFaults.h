@@ -11,9 +11,6 @@ namespace rubble {
 /// far above zero.
 inline constexpr double kMinThrowLength = 1e-6;
 
-/// A fault of the fracture at the impact. `owner`: `Asset 3 "wall"`.
-std::optional<std::string> cutFault(const std::string& owner, const CutAtImpact& cut);
-
 /// The parts of valueFault() for play: fracture at the impact, strength requirements, debris, shots and play-tests.
 std::optional<std::string> playFault(const Asset& asset);
 std::optional<std::string> faultOf(const Debris& debris);

@@ -1,6 +1,5 @@
 #include "core/asset/library/MaterialPreset.h"
 
-#include "core/asset/checks/PlayFaults.h"
 #include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"
 #include "core/base/Utf8.h"

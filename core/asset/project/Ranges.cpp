@@ -201,4 +201,13 @@ std::optional<std::string> prismRangeFault(const std::string& owner, const Prism
                               {ProjectNumber::OutlineSize, bounds.max.y - bounds.min.y, "height of the outline"}});
 }
 
+std::optional<std::string> cutFault(const std::string& owner, const CutAtImpact& cut) {
+    if (!rangeOf(ProjectNumber::ImpactFragments).contains(cut.fragments)) {
+        return owner + ": the number of fragments of the fracture at the impact is " + std::to_string(cut.fragments) +
+               ", but it must be from " + std::to_string(CutAtImpact::kMinFragments) + " to " +
+               std::to_string(CutAtImpact::kMaxFragments) + ".";
+    }
+    return rangeFault(owner, {{ProjectNumber::ImpactFalloffRadius, cut.falloffRadius}});
+}
+
 }  // namespace rubble

@@ -9,6 +9,8 @@
 
 namespace rubble {
 
+struct CutAtImpact;
+
 /// Every number of a project, except for the parameters of pattern layers (see LayerParameter::range); and the numbers
 /// with which a project is imported, simulated and drawn.
 enum class ProjectNumber {
@@ -130,5 +132,8 @@ std::optional<std::string> rangeFault(const std::string& owner, ProjectNumber nu
 
 /// The same for a prism: its depth, the coordinates of its outline and holes, and the outline's size.
 std::optional<std::string> prismRangeFault(const std::string& owner, const Prism& prism);
+
+/// A fault of the fracture at the impact. `owner`: `Asset 3 "wall"`.
+std::optional<std::string> cutFault(const std::string& owner, const CutAtImpact& cut);
 
 }  // namespace rubble
