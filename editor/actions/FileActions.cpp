@@ -53,9 +53,10 @@ FileActions::FileActions(Views& views, const PreferenceStore& preferences, Recen
     m_export = add({"file-export", tr("&Export…"), tr("Export packs and meshes for engines and other programs"),
                     QKeySequence("Ctrl+E")},
                    &FileActions::exportWithDialog);
-    m_exportAgain = add({"file-export-again", tr("Export A&gain"), tr("Repeat the last export of this project"),
-                         QKeySequence("Ctrl+Shift+E")},
-                        &FileActions::exportAgain);
+    m_exportAgain =
+        add({"file-export-again", tr("Export A&gain"),
+             tr("Repeat all exports of this project, to each of their folders"), QKeySequence("Ctrl+Shift+E")},
+            &FileActions::exportAgain);
     m_menu->addAction((new PictureActions(views))->action());
     m_menu->addSeparator();
     add({"file-close", tr("&Close Window"), tr("Close this window"), QKeySequence::Close}, &FileActions::closeWindow);
@@ -271,10 +272,14 @@ void FileActions::exportWithDialog() {
 }
 
 void FileActions::exportAgain() {
-    const std::optional<ExportOptions> last = lastExportOptions(m_workspace);
-    const bool areAssetsGone = last && last->assets && last->assets->empty();
-    if (!last || areAssetsGone) return exportWithDialog();
-    exportWith(*last);
+    std::vector<ExportOptions> targets = exportTargets(m_workspace);
+    std::erase_if(targets, [](const ExportOptions& target) { return target.assets && target.assets->empty(); });
+    if (targets.size() > 1)
+        std::erase_if(targets, [](const ExportOptions& target) { return !QFileInfo::exists(target.folder); });
+    if (targets.empty()) return exportWithDialog();
+    QStringList sentences;
+    for (const ExportOptions& target : targets) sentences += exportWith(target).sentence;
+    m_views.showStatus(sentences.join(' '));
 }
 
 ExportSummary FileActions::exportWith(const ExportOptions& options) {

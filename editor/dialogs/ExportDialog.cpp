@@ -144,6 +144,7 @@ void ExportDialog::addForm() {
 }
 
 void ExportDialog::addOptions(QFormLayout& form) {
+    if (QWidget* targets = createTargets()) form.addRow(buddyLabel(tr("Ea&rlier exports:"), m_targetList), targets);
     form.addRow(tr("&Assets:"), m_assets);
     form.addRow(tr("Co&ntents:"), m_contents);
     form.addRow(buddyLabel(tr("&Folder:"), m_folder), createPathRow(*m_folder, [this] { browse(); }));
@@ -168,7 +169,52 @@ QGridLayout* ExportDialog::createFormats() const {
     return formats;
 }
 
+/// The list of earlier exports; null where there is at most the one that is shown anyway.
+QWidget* ExportDialog::createTargets() {
+    m_targets = exportTargets(m_workspace);
+    if (m_targets.size() < 2) return nullptr;
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    m_targetList = new QComboBox;
+    m_targetList->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_targetList->setMinimumContentsLength(1);
+    m_targetList->setToolTip(tr("Show the options of an export of this project; Export Again repeats all of them"));
+    auto* forget = new QPushButton(tr("Forget"));
+    forget->setAutoDefault(false);
+    forget->setToolTip(tr("Let Export Again leave this export out; its files stay"));
+    layout->addWidget(m_targetList, 1);
+    layout->addWidget(forget);
+    listTargets();
+    connect(m_targetList, &QComboBox::activated, this, [this](int index) {
+        showOptions(m_targets[static_cast<std::size_t>(index)]);
+        refresh();
+    });
+    connect(forget, &QPushButton::clicked, this, &ExportDialog::forgetTarget);
+    return row;
+}
+
+/// Lists the targets, the last one selected.
+void ExportDialog::listTargets() {
+    m_targetList->clear();
+    for (const ExportOptions& target : m_targets)
+        m_targetList->addItem(m_target->itemText(static_cast<int>(target.target)) + " · " + pathText(target.folder));
+    m_targetList->setCurrentIndex(m_targetList->count() - 1);
+}
+
+void ExportDialog::forgetTarget() {
+    const int index = m_targetList->currentIndex();
+    if (index < 0) return;
+    forgetExportTarget(m_workspace, m_targets[static_cast<std::size_t>(index)].folder);
+    m_targets = exportTargets(m_workspace);
+    listTargets();
+    if (m_targets.empty()) return m_targetList->parentWidget()->setEnabled(false);
+    showOptions(m_targets.back());
+    refresh();
+}
+
 void ExportDialog::showOptions(const ExportOptions& options) {
+    m_assets->clear();
     for (const Asset& asset : m_workspace.project().assets) {
         auto* item = new QListWidgetItem(nameText(asset.name), m_assets);
         item->setData(Qt::UserRole, asset.id);

@@ -28,6 +28,9 @@ private:
     void addFields();
     void addForm();
     void addOptions(QFormLayout& form);
+    QWidget* createTargets();
+    void listTargets();
+    void forgetTarget();
     QGridLayout* createFormats() const;
     void showOptions(const ExportOptions& options);
     void showFormats(const MeshOptions& meshes);
@@ -37,6 +40,8 @@ private:
     void refresh();
 
     Workspace& m_workspace;
+    std::vector<ExportOptions> m_targets;  // of earlier exports
+    QComboBox* m_targetList = nullptr;
     QListWidget* m_assets;
     QLineEdit* m_folder;
     QComboBox* m_contents;

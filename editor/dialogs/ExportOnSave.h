@@ -4,10 +4,11 @@
 #include "editor/document/jobs/BackgroundJob.h"
 
 #include <memory>
+#include <vector>
 
 namespace rubble {
 
-/// Repeats the last export of a project in the background after it was saved, where its options say so. Nothing is
+/// Repeats the exports of a project in the background after it was saved, where their options say so. Nothing is
 /// asked: errors and files that were changed since, which are kept, become messages.
 class ExportOnSave : public QObject {
     Q_OBJECT
@@ -26,12 +27,13 @@ signals:
     void finished(const QString& sentence);
 
 private:
-    void deliver(const Result<OutputExport>& run);
+    using Runs = Result<std::vector<Result<OutputExport>>>;  // one per job; an error of memory
+    static Runs runAll(const std::vector<ExportJob>& jobs, const TaskContext& task);
+    void deliver(const Runs& runs);
 
     Workspace& m_workspace;
     Messages& m_messages;
-    QString m_folder;
-    std::shared_ptr<const ExportJob> m_export;  // the last one that was started
+    std::shared_ptr<const std::vector<ExportJob>> m_exports;  // those that were started last
     BackgroundJob m_job;
 };
 

@@ -15,6 +15,9 @@ namespace rubble {
 
 namespace {
 
+constexpr const char* kTargetsKey = "targets";
+constexpr std::size_t kMaxTargets = 8;
+
 struct ExportTexts {
     Q_DECLARE_TR_FUNCTIONS(Export)
 };
@@ -26,10 +29,7 @@ QString settingsGroup(const QString& projectPath) {
     return "exports/" + QString::fromLatin1(hash);
 }
 
-void store(const QString& group, const ExportOptions& options) {
-    if (group.isEmpty()) return;
-    QSettings settings;
-    settings.beginGroup(group);
+void write(QSettings& settings, const ExportOptions& options) {
     settings.setValue("folder", settingOf(options.folder));
     const std::string_view target = kExportTargets[static_cast<std::size_t>(options.target)];
     settings.setValue("target", QString::fromUtf8(target.data(), static_cast<qsizetype>(target.size())));
@@ -45,10 +45,56 @@ void store(const QString& group, const ExportOptions& options) {
     settings.setValue("triangles", options.meshes.faces == FaceShape::Triangles);
     settings.setValue("zUp", options.meshes.objFrame.up == UpAxis::Z);
     settings.setValue("unit", static_cast<int>(options.meshes.objFrame.unit));
-    if (!options.assets) return settings.remove("assets");
+    if (!options.assets) return;
     QStringList assets;
     for (const Id asset : *options.assets) assets.append(QString::number(asset));
     settings.setValue("assets", assets);
+}
+
+/// Reads the options of a target. Assets that no longer exist are left out.
+ExportOptions read(const QSettings& settings, const Project& project) {
+    ExportOptions options{.folder = pathOf(settings.value("folder"))};
+    const auto target = std::ranges::find(kExportTargets, settings.value("target").toString().toStdString());
+    if (target != kExportTargets.end()) options.target = static_cast<ExportTarget>(target - kExportTargets.begin());
+    options.isWithScene = settings.value("scene", true).toBool();
+    options.isRepeatedOnSave = settings.value("onSave").toBool();
+    options.meshes.obj = settings.value("obj").toBool();
+    options.meshes.glb = settings.value("glb").toBool();
+    const MeshOptions needed = optionsFor(options.target).meshes;  // what versions before these settings wrote
+    options.meshes.usd = settings.value("usd", needed.usd).toBool();
+    options.meshes.mjcf = settings.value("mjcf", needed.mjcf).toBool();
+    const int glbKind = settings.value("glbKind", static_cast<int>(needed.glbKind)).toInt();
+    options.meshes.glbKind = static_cast<GlbKind>(std::clamp(glbKind, 0, static_cast<int>(GlbKind::Named)));
+    if (settings.value("filePerFragment").toBool()) options.meshes.split = FileSplit::PerFragment;
+    if (settings.value("centred").toBool()) options.meshes.place = PartPlacement::Centred;
+    if (settings.value("triangles").toBool()) options.meshes.faces = FaceShape::Triangles;
+    if (settings.value("zUp").toBool()) options.meshes.objFrame.up = UpAxis::Z;
+    options.meshes.objFrame.unit = static_cast<ObjUnit>(std::clamp(settings.value("unit").toInt(), 0, 2));
+    if (!settings.contains("assets")) return options;
+    options.assets.emplace();
+    for (const QString& asset : settings.value("assets").toStringList()) {
+        if (findAsset(project, asset.toUInt())) options.assets->push_back(asset.toUInt());
+    }
+    return options;
+}
+
+void store(const QString& group, std::vector<ExportOptions> targets) {
+    if (group.isEmpty()) return;
+    QSettings settings;
+    settings.remove(group);
+    settings.beginGroup(group);
+    settings.beginWriteArray(kTargetsKey);
+    for (std::size_t k = 0; k < targets.size(); ++k) {
+        settings.setArrayIndex(static_cast<int>(k));
+        write(settings, targets[k]);
+    }
+    settings.endArray();
+}
+
+/// The targets without that of a folder.
+std::vector<ExportOptions> without(std::vector<ExportOptions> targets, const QString& folder) {
+    std::erase_if(targets, [&](const ExportOptions& one) { return one.folder == folder; });
+    return targets;
 }
 
 /// What the program needs, with the meshes that were selected.
@@ -123,40 +169,42 @@ ExportSummary summaryOf(const OutputExport& run, const QString& folder, Messages
     summary.sentence = ExportTexts::tr("Exported %n asset(s) to %1", nullptr, written).arg(pathText(folder));
     if (unchanged > 0) summary.sentence += ExportTexts::tr("; %L1 unchanged").arg(unchanged);
     if (kept > 0) summary.sentence += ExportTexts::tr("; %L1 kept as changed").arg(kept);
+    for (const RenamedFolder& renamed : run.renamed)
+        summary.sentence += ExportTexts::tr("; the folder \"%1\" is \"%2\" now")
+                                .arg(fileNameText(QString::fromStdString(renamed.from)),
+                                     fileNameText(QString::fromStdString(renamed.to)));
+    for (const std::string& stale : run.stale)
+        summary.sentence += ExportTexts::tr("; the folder \"%1\" is of an asset that is gone, remove it yourself")
+                                .arg(fileNameText(QString::fromStdString(stale)));
     summary.sentence += '.';
     return summary;
 }
 
 }  // namespace
 
-std::optional<ExportOptions> lastExportOptions(Workspace& workspace) {
+std::vector<ExportOptions> exportTargets(Workspace& workspace) {
     const QString group = settingsGroup(workspace.file().path());
     QSettings settings;
-    if (group.isEmpty() || !settings.contains(group + "/folder")) return std::nullopt;
+    if (group.isEmpty()) return {};
     settings.beginGroup(group);
-    ExportOptions options{.folder = pathOf(settings.value("folder"))};
-    const auto target = std::ranges::find(kExportTargets, settings.value("target").toString().toStdString());
-    if (target != kExportTargets.end()) options.target = static_cast<ExportTarget>(target - kExportTargets.begin());
-    options.isWithScene = settings.value("scene", true).toBool();
-    options.isRepeatedOnSave = settings.value("onSave").toBool();
-    options.meshes.obj = settings.value("obj").toBool();
-    options.meshes.glb = settings.value("glb").toBool();
-    const MeshOptions needed = optionsFor(options.target).meshes;  // what versions before these settings wrote
-    options.meshes.usd = settings.value("usd", needed.usd).toBool();
-    options.meshes.mjcf = settings.value("mjcf", needed.mjcf).toBool();
-    const int glbKind = settings.value("glbKind", static_cast<int>(needed.glbKind)).toInt();
-    options.meshes.glbKind = static_cast<GlbKind>(std::clamp(glbKind, 0, static_cast<int>(GlbKind::Named)));
-    if (settings.value("filePerFragment").toBool()) options.meshes.split = FileSplit::PerFragment;
-    if (settings.value("centred").toBool()) options.meshes.place = PartPlacement::Centred;
-    if (settings.value("triangles").toBool()) options.meshes.faces = FaceShape::Triangles;
-    if (settings.value("zUp").toBool()) options.meshes.objFrame.up = UpAxis::Z;
-    options.meshes.objFrame.unit = static_cast<ObjUnit>(std::clamp(settings.value("unit").toInt(), 0, 2));
-    if (!settings.contains("assets")) return options;
-    options.assets.emplace();
-    for (const QString& asset : settings.value("assets").toStringList()) {
-        if (findAsset(workspace.project(), asset.toUInt())) options.assets->push_back(asset.toUInt());
+    std::vector<ExportOptions> targets;
+    if (settings.contains("folder")) targets.push_back(read(settings, workspace.project()));  // of an older version
+    const int count = settings.beginReadArray(kTargetsKey);
+    for (int k = 0; k < count; ++k) {
+        settings.setArrayIndex(k);
+        targets.push_back(read(settings, workspace.project()));
     }
-    return options;
+    settings.endArray();
+    return targets;
+}
+
+std::optional<ExportOptions> lastExportOptions(Workspace& workspace) {
+    std::vector<ExportOptions> targets = exportTargets(workspace);
+    return targets.empty() ? std::nullopt : std::optional(std::move(targets.back()));
+}
+
+void forgetExportTarget(Workspace& workspace, const QString& folder) {
+    store(settingsGroup(workspace.file().path()), without(exportTargets(workspace), folder));
 }
 
 ExportListing exportListing(Workspace& workspace, const ExportOptions& options) {
@@ -190,7 +238,10 @@ ExportSummary addMessages(Messages& messages, const Result<OutputExport>& run, c
 }
 
 ExportSummary exportProject(Workspace& workspace, const ExportOptions& options, Messages& messages, QWidget* parent) {
-    store(settingsGroup(workspace.file().path()), options);
+    std::vector<ExportOptions> targets = without(exportTargets(workspace), options.folder);
+    targets.push_back(options);
+    if (targets.size() > kMaxTargets) targets.erase(targets.begin());
+    store(settingsGroup(workspace.file().path()), std::move(targets));
     ExportJob job = exportJob(workspace, options);
     const auto run = [&] {
         TaskDialog dialog(ExportTexts::tr("Exporting…"), parent);

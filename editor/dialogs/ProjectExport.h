@@ -19,9 +19,13 @@ struct ExportOptions {
     bool isRepeatedOnSave = false;
 };
 
-/// Returns the options of the project's last export, which QSettings keep by the project's path; none if it was never
-/// exported. Assets that no longer exist are left out.
+/// Returns the options of the project's exports, one per output folder, the last one last; QSettings keep up to eight by
+/// the project's path. Assets that no longer exist are left out.
+std::vector<ExportOptions> exportTargets(Workspace& workspace);
+/// Those of the last export; none if it was never exported.
 std::optional<ExportOptions> lastExportOptions(Workspace& workspace);
+/// Exports to a folder no more, until it is exported there anew.
+void forgetExportTarget(Workspace& workspace, const QString& folder);
 
 /// The folders and files that an export writes.
 struct ExportListing {

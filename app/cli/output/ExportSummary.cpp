@@ -83,6 +83,8 @@ Status printExport(const ExportOutcome& outcome, const std::string& project, Ver
             errors.push_back(refusalOf(pack));
         }
     }
+    for (const auto& [from, to] : outcome.renamed)
+        summary += "Folder " + from + " renamed to " + to + ", as its asset.\n";
     for (const PrunedFolder& pruned : outcome.pruned) {
         if (pruned.status) {
             summary += pruned.folder.string() + (outcome.isPlanned ? " would be removed\n" : " removed\n");

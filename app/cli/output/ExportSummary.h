@@ -13,6 +13,7 @@ struct ExportOutcome {
     bool isPlanned = false;  // nothing was written
     std::vector<AssetExport> packs;
     std::vector<PrunedFolder> pruned;
+    std::vector<RenamedFolder> renamed;
     Status finished = success();  // an error if what is beside the packs could not be written
 };
 

@@ -158,6 +158,7 @@ Result<ExportOutcome> exportOrPlan(const ExportArguments& arguments, const Proje
     if (!exported) return refusal(exported.error());
     return ExportOutcome{.packs = std::move(exported->packs),
                          .pruned = std::move(exported->pruned),
+                         .renamed = std::move(exported->renamed),
                          .finished = std::move(exported->finished)};
 }
 

@@ -30,6 +30,11 @@ ExportIndex readIndexMembers(const JsonValue& root) {
     if (root["identity"].isPresent()) index.project.identity = root["identity"].text();
     index.folders = root["folders"].list([](const JsonValue& folder) { return folder.text(); });
     index.files = readEntries(root);
+    if (!root["assets"].isPresent()) return index;
+    for (const JsonValue entry : root["assets"].elements()) {
+        entry.requireObject({"folder", "asset", "variant"});
+        index.assets[entry["folder"].text()] = {entry["asset"].index(), entry["variant"].index()};
+    }
     return index;
 }
 
@@ -45,6 +50,17 @@ std::string exportIndexJson(const ExportIndex& index) {
     json.openArray("folders");
     for (const std::string& folder : index.folders) json.text({}, folder);
     json.close();
+    if (!index.assets.empty()) {
+        json.openArray("assets");
+        for (const auto& [folder, asset] : index.assets) {
+            json.openObject({}, JsonLayout::Inline);
+            json.text("folder", folder);
+            json.wholeNumber("asset", std::uint64_t{asset.id});
+            json.wholeNumber("variant", std::uint64_t{asset.variant});
+            json.close();
+        }
+        json.close();
+    }
     writeEntries(json, index.files);
     json.close();
     return std::move(json).finished();
@@ -66,7 +82,7 @@ Result<std::optional<ExportIndex>> readExportIndex(const fs::path& folder) {
                             root["format"].text() == kIndexFormat;
     if (!isOfFormat) return unreadable(ErrorCode::BadInput, "it is of another format.");
     if (root["version"].index() != kIndexVersion) return unreadable(ErrorCode::Unsupported, "its version is newer.");
-    root.requireObject({"format", "version", "project", "folders", "files"}, {"identity"});
+    root.requireObject({"format", "version", "project", "folders", "files"}, {"identity", "assets"});
     ExportIndex index = readIndexMembers(root);
     if (const auto fault = document->firstError()) return unreadable(ErrorCode::BadInput, fault->message);
     const bool areHere = std::ranges::all_of(index.folders, isPlainName) &&

@@ -3,8 +3,10 @@
 #include "core/base/Result.h"
 #include "core/io/output/ExportManifest.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -23,11 +25,19 @@ struct IndexedProject {
     bool operator==(const IndexedProject&) const = default;
 };
 
+/// The asset that a folder is of, which it keeps where it is renamed.
+struct IndexedAsset {
+    std::uint32_t id = 0;
+    std::uint32_t variant = 0;
+    auto operator<=>(const IndexedAsset&) const = default;
+};
+
 /// What an output folder holds, so that later exports know what is theirs: docs/formats/manifest.md.
 struct ExportIndex {
     IndexedProject project;
-    std::vector<std::string> folders;  // of packs, names without a path
-    std::vector<ManifestEntry> files;  // of the export in the output folder itself, without this one
+    std::vector<std::string> folders;            // of packs, names without a path
+    std::map<std::string, IndexedAsset> assets;  // of `folders`, as far as it is known
+    std::vector<ManifestEntry> files;            // of the export in the output folder itself, without this one
     bool operator==(const ExportIndex&) const = default;
 };
 

@@ -1,17 +1,22 @@
 #include "core/io/pack/OutputFolder.h"
 
 #include "core/base/MessageText.h"
+#include "core/io/output/ExportCheck.h"
 #include "core/io/output/OutputFiles.h"
 #include "core/io/pack/SceneFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/CreatedDirectories.h"
 #include "core/io/system/FolderExchange.h"
+#include "core/io/system/FolderReading.h"
 #include "unreal_script.h"
 
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <map>
 #include <set>
+#include <utility>
 
 namespace rubble {
 namespace {
@@ -114,6 +119,52 @@ Status checkFilesOfOthers(const OutputRequest& request, const Project& project,
     return files ? checkOutputFiles(request.folder, *files, earlier, owner, request.edited) : Status(files.error());
 }
 
+/// Sets the assets of an index's folders.
+void listAssets(ExportIndex& index, const Project& project, const PackOptions& options,
+                const std::optional<ExportIndex>& before) {
+    std::map<std::string, IndexedAsset> known;
+    if (before) known = before->assets;
+    for (const auto& [variant, names] : packNames(project, options))
+        known[names.folder] = {variant.asset, variant.variant};
+    for (const std::string& folder : index.folders) {
+        if (const auto found = known.find(folder); found != known.end()) index.assets.insert(*found);
+    }
+}
+
+/// Renames the files of engines in a folder that are called after files of its former name.
+void renameEngineFiles(const fs::path& folder, const RenamedFolder& names) {
+    const Result<std::vector<fs::directory_entry>> entries = entriesOf(folder);
+    for (const fs::directory_entry& entry : entries ? *entries : std::vector<fs::directory_entry>()) {
+        const std::string name = entry.path().filename().string();
+        const bool isCalledAfter = name.starts_with(names.from + '-') || name.starts_with(names.from + '.');
+        const fs::path renamed = folder / (names.to + name.substr(std::min(names.from.size(), name.size())));
+        if (isCalledAfter && isEngineFile(entry) && !isThere(renamed)) ::rename(entry.path().c_str(), renamed.c_str());
+    }
+}
+
+/// Renames the folders of assets that have another name since an earlier export of the project, where nothing is in the
+/// way: the packs are then written into these.
+std::vector<RenamedFolder> renameFolders(const OutputRequest& request, const Project& project,
+                                         std::span<const Id> assets, const std::optional<ExportIndex>& earlier) {
+    std::vector<RenamedFolder> renamed;
+    if (!isIndexOf(earlier, indexed(request, project))) return renamed;
+    const std::vector<std::string> current = folderNames(project, request.options);
+    for (const auto& [variant, names] : packNames(project, request.options)) {
+        const IndexedAsset asset{variant.asset, variant.variant};
+        const auto former = std::ranges::find(earlier->assets, asset, [](const auto& entry) { return entry.second; });
+        if (std::ranges::find(assets, variant.asset) == assets.end() || former == earlier->assets.end()) continue;
+        const RenamedFolder folders{former->first, names.folder};
+        const fs::path from = request.folder / folders.from, to = request.folder / folders.to;
+        std::error_code ignored;
+        const bool isFree = !isThere(to) && std::ranges::find(current, folders.from) == current.end();
+        if (folders.from == folders.to || !isFree || !fs::is_directory(fs::symlink_status(from, ignored))) continue;
+        if (::rename(from.c_str(), to.c_str()) != 0) continue;  // it is exported anew
+        renameEngineFiles(to, folders);
+        renamed.push_back(folders);
+    }
+    return renamed;
+}
+
 /// Writes the scene, and how to use it, if all packs are in place, and updates the index. `earlier` is that before the
 /// packs were written.
 ///
@@ -133,6 +184,7 @@ Status finishExport(const OutputRequest& request, const Project& project, std::s
             const std::vector<std::string> stale = stalePacks(request, project, before);
             ExportIndex index = indexAfterExport(before, owner, current, exported, stale);
             if (files) index.files.assign(files->begin(), files->end());
+            listAssets(index, project, request.options, before);
             return index;
         };
         return changeExportIndex(request.folder, change);
@@ -165,16 +217,15 @@ Result<OutputExport> exportToFolder(const OutputRequest& request, const Project&
     const Result<std::optional<ExportIndex>> earlier = readExportIndex(request.folder);
     if (!earlier) return earlier.error();
     if (const Status free = checkFilesOfOthers(request, project, *earlier, task); !free) return free.error();
+    OutputExport result{.renamed = renameFolders(request, project, assets, *earlier)};
     Result<std::vector<AssetExport>> packs =
         exportPacks(project, assets, request.folder, request.options, request.edited, task, FolderLocking::ByCaller);
     if (!packs) return packs.error();
-    OutputExport result{.packs = std::move(*packs)};
-    if (request.isPruning) {
-        for (const std::string& name : stalePacks(request, project, *earlier)) {
-            const fs::path folder = request.folder / name;
-            result.pruned.push_back(
-                {folder, removeExportFolder(folder, {.cancel = task.cancel}, FolderLocking::ByCaller)});
-        }
+    result.packs = std::move(*packs);
+    result.stale = stalePacks(request, project, *earlier);
+    for (const std::string& name : request.isPruning ? std::exchange(result.stale, {}) : std::vector<std::string>()) {
+        const fs::path folder = request.folder / name;
+        result.pruned.push_back({folder, removeExportFolder(folder, {.cancel = task.cancel}, FolderLocking::ByCaller)});
     }
     result.finished = finishExport(request, project, result.packs, *earlier, task);
     return result;

@@ -39,14 +39,22 @@ struct PrunedFolder {
     Status status = success();  // an error if it is not removed
 };
 
+/// A folder whose asset has another name now.
+struct RenamedFolder {
+    std::string from, to;  // names
+};
+
 /// What an export into an output folder did.
 struct OutputExport {
     std::vector<AssetExport> packs;    // as exportPacks() reports them
     std::vector<PrunedFolder> pruned;  // none if it was not to prune
-    Status finished = success();       // an error if the scene, how to use it, or the index could not be written
+    std::vector<std::string> stale;    // stalePacks() that were not to be pruned
+    std::vector<RenamedFolder> renamed;
+    Status finished = success();  // an error if the scene, how to use it, or the index could not be written
 };
 
-/// Exports assets of a project: their packs, see exportPacks(); the scene and how to use it, if all packs are in place;
+/// Exports assets of a project: renames the folders of renamed assets, with what engines wrote for their files; writes
+/// their packs, see exportPacks(); the scene and how to use it, if all packs are in place;
 /// and the index. The output folder is locked meanwhile: processes that export into one folder take turns, and the last
 /// one wins.
 ///

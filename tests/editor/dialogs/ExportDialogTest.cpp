@@ -189,6 +189,33 @@ private slots:
         ExportDialog later(*m_workspace, nullptr);
         for (const char* name : {"U&SD", "MuJo&Co"}) QVERIFY(boxNamed(later, name).isChecked());
     }
+    void exportsToSeveralFoldersAreRemembered() {
+        const auto exportFor = [&](ExportTarget target, const char* folder) {
+            exportProject(*m_workspace,
+                          {.folder = m_folder->filePath(folder), .target = target, .meshes = optionsFor(target).meshes},
+                          m_messages, nullptr);
+        };
+        exportFor(ExportTarget::Blender, "blender");
+        exportFor(ExportTarget::Unity, "unity");
+        exportFor(ExportTarget::Blender, "blender");  // again
+        const std::vector<ExportOptions> targets = exportTargets(*m_workspace);
+        QCOMPARE(targets.size(), std::size_t{2});
+        QVERIFY(targets[0].target == ExportTarget::Unity && targets[1].target == ExportTarget::Blender);
+        ExportDialog dialog(*m_workspace, nullptr);
+        QComboBox& earlier = boxNamedAfter(dialog, "unity");
+        QCOMPARE(earlier.currentText(), "Blender · " + m_folder->filePath("blender"));
+        earlier.setCurrentIndex(0);
+        emit earlier.activated(0);
+        QVERIFY(dialog.options().target == ExportTarget::Unity);
+        QCOMPARE(dialog.options().folder, m_folder->filePath("unity"));
+        QCOMPARE(dialog.findChild<QListWidget*>()->count(), 2);
+        for (auto* button : dialog.findChildren<QPushButton*>()) {
+            if (button->text() == "Forget") button->click();
+        }
+        QCOMPARE(exportTargets(*m_workspace).size(), std::size_t{1});
+        QVERIFY(dialog.options().target == ExportTarget::Blender);
+        QVERIFY(QFile::exists(m_folder->filePath("unity/README.md")));
+    }
     /// Which had what the program selects.
     void settingsOfEarlierVersionsAreRead() {
         for (const ExportTarget target : {ExportTarget::Godot, ExportTarget::Usd}) {
@@ -282,6 +309,15 @@ private slots:
     }
 
 private:
+    /// The box that has an item whose text ends with a word.
+    static QComboBox& boxNamedAfter(const ExportDialog& dialog, const QString& end) {
+        for (auto* box : dialog.findChildren<QComboBox*>()) {
+            for (int k = 0; k < box->count(); ++k) {
+                if (box->itemText(k).endsWith(end)) return *box;
+            }
+        }
+        qFatal("There is no box with \"%s\".", qPrintable(end));
+    }
     void addInstance() {
         const Id wall = m_workspace->project().assets.front().id;
         m_workspace->document().push(placeInstance(m_workspace->project(), wall, {.position = {3.0, 0.0, 5.0}}).edit);

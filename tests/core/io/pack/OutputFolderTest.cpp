@@ -107,8 +107,49 @@ private slots:
         QVERIFY(fs::exists(request.folder / kOnlyPack));
         request.project = "renamed.rubble";
         second.assets.front().name = "third";
-        QCOMPARE(exportToFolder(request, second, kAssets)->pruned.size(), 1U);
+        QCOMPARE(exportToFolder(request, second, kAssets)->renamed.size(), 1U);
         QVERIFY(fs::exists(request.folder / kOnlyPack) && !fs::exists(request.folder / "another"));
+        second.assets.front().id = second.nextId++;  // a new asset in place of that
+        const std::vector<Id> assets{second.assets.front().id};
+        second.instances.clear();
+        second.assets.front().name = "fourth";
+        QCOMPARE(exportToFolder(request, second, assets)->pruned.size(), 1U);
+        QVERIFY(fs::exists(request.folder / kOnlyPack) && !fs::exists(request.folder / "third"));
+    }
+    void foldersAreRenamedWithTheirAssets() {
+        const QTemporaryDir place;
+        const OutputRequest request = requestFor(place);
+        Project project = starterProject();
+        QVERIFY(exportToFolder(request, project, kAssets)->finished.hasValue());
+        std::ofstream(request.folder / "wall" / "wall-intact.glb.import") << "of the engine";
+        project.assets.front().name = "facade";
+        const auto renamed = exportToFolder(request, project, kAssets);
+        QVERIFY(renamed && renamed->finished.hasValue() && renamed->packs[0].status && renamed->stale.empty());
+        QCOMPARE(renamed->renamed.size(), 1U);
+        QVERIFY(!fs::exists(request.folder / "wall"));
+        QCOMPARE(textOf(request.folder / "facade" / "facade-intact.glb.import"), "of the engine");
+        QVERIFY(!fs::exists(request.folder / "facade" / "wall-intact.glb"));
+        QCOMPARE(readExportIndex(request.folder)->value().folders, std::vector<std::string>{"facade"});
+        project.assets.front().name = "wall";
+        fs::create_directory(request.folder / "wall");
+        std::ofstream(request.folder / "wall" / "mine.txt") << "mine";
+        const auto refused = exportToFolder(request, project, kAssets);
+        QVERIFY(refused && !refused->packs[0].status && refused->renamed.empty());
+        QVERIFY(fs::exists(request.folder / "facade") && fs::exists(request.folder / "wall" / "mine.txt"));
+    }
+    void foldersOfDeletedAssetsAreTold() {
+        const QTemporaryDir place;
+        OutputRequest request = requestFor(place);
+        Project project = starterProject();
+        Asset second = project.assets.front();
+        second.id = project.nextId++;
+        second.name = "second";
+        for (PatternLayer& layer : second.pattern.layers) layer.id = project.nextId++;
+        project.assets.push_back(second);
+        QVERIFY(exportToFolder(request, project, std::vector<Id>{kAssets[0], second.id})->finished.hasValue());
+        project.assets.pop_back();
+        QCOMPARE(exportToFolder(request, project, kAssets)->stale, std::vector<std::string>{"second"});
+        QVERIFY(fs::exists(request.folder / "second"));
     }
     void versionsExportedAtOnceIntoANewFolderTakeTurns() {
         constexpr int kRounds = 10, kVersions = 8;

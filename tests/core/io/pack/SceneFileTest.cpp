@@ -146,7 +146,7 @@ private slots:
         const auto refused = write(first, *entries);  // which lists "one"
         QVERIFY(!refused && refused.error().code == ErrorCode::Edited);
         QCOMPARE(*readFile(out / "scene.json"), std::string("two"));
-        QVERIFY(writeOutputFiles(out, first, ExportIndex{{.name = "other.rubble"}, {}, *write(second, {})},
+        QVERIFY(writeOutputFiles(out, first, ExportIndex{.project = {.name = "other.rubble"}, .folders = {}, .files = *write(second, {})},
                                  {.name = "p.rubble"}, EditedFiles::Kept, announce)
                     .error()
                     .code == ErrorCode::Edited);
