@@ -5,6 +5,7 @@
 #include "core/io/play/ReplayFile.h"
 #include "core/io/play/StateFile.h"
 #include "editor/actions/EventActions.h"
+#include "editor/actions/PlayContextMenu.h"
 #include "editor/actions/SoundActions.h"
 #include "editor/actions/TimelineActions.h"
 #include "editor/actions/VideoActions.h"
@@ -19,6 +20,7 @@
 #include "editor/widgets/Action.h"
 #include "editor/widgets/Icon.h"
 #include "editor/widgets/TaskDialog.h"
+#include "editor/workspace/PlayToolStore.h"
 #include "editor/workspace/PreferenceStore.h"
 #include "editor/workspace/Workspace.h"
 #include "viewport/widget/ViewportWidget.h"
@@ -28,6 +30,7 @@
 #include <QLocale>
 #include <QMainWindow>
 #include <QMenu>
+#include <QSettings>
 #include <QStandardPaths>
 
 namespace rubble {
@@ -52,6 +55,11 @@ PlayActions::PlayActions(Views& views, PreferenceStore& preferences, VideoAction
       m_video(video),
       m_events(new EventActions(views)),
       m_menu(new QMenu(tr("&Play"), &views.window())) {
+    controller().setToolSettings(readPlayTools(QSettings()));
+    connect(&controller(), &PlayController::toolSettingsChanged, this, [this] {
+        QSettings settings;
+        writePlayTools(controller().toolSettings(), settings);
+    });
     addRun();
     m_menu->addSeparator();
     addTools();
@@ -186,6 +194,7 @@ void PlayActions::addOverlays() {
         action->setCheckable(true);
         action->setStatusTip(tip);
         action->setToolTip(tip);
+        if (member == &PlayOverlays::hasCollapse) m_contextMenu = new PlayContextMenu(m_views, action);
         connect(action, &QAction::toggled, this, [this, flag = member](bool isOn) {
             PlayOverlays shown = controller().overlays();
             shown.*flag = isOn;

@@ -12,6 +12,7 @@ class EventActions;
 class SoundActions;
 class TimelineActions;
 class VideoActions;
+class PlayContextMenu;
 class PlayController;
 class PreferenceStore;
 struct PlayScript;
@@ -71,6 +72,7 @@ private:
     QAction* m_reset = nullptr;
     QList<QAction*> m_tools;  // throw, hammer and blast
     QAction* m_destruction = nullptr;
+    PlayContextMenu* m_contextMenu = nullptr;
     SoundActions* m_sound = nullptr;
     QAction* m_saveShot = nullptr;
     QAction* m_saveReplay = nullptr;

@@ -215,6 +215,10 @@ void PlayController::explosionAlong(const Ray& ray) {
     post([explosion = m_toolSettings.explosion, ray](PlayEngine& engine) { engine.explosionAlong(explosion, ray); });
 }
 
+void PlayController::removeAlong(RemovalExtent removal, const Ray& ray) {
+    post([removal, ray](PlayEngine& engine) { engine.removeAlong(removal, ray); });
+}
+
 void PlayController::grabAlong(const Ray& ray) {
     post([force = m_toolSettings.grabForce, ray](PlayEngine& engine) { engine.grabAlong(force, ray); });
 }

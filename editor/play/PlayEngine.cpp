@@ -272,6 +272,27 @@ void PlayEngine::release() {
     m_grabDistance.reset();
 }
 
+void PlayEngine::removeAlong(RemovalExtent removal, const Ray& ray) {
+    const World& world = session().world();
+    const std::optional<CastHit> hit = firstHit(world, ray);
+    const PlayBody* body = hit ? session().body(static_cast<std::uint32_t>(world.tag(hit->body))) : nullptr;
+    if (body == nullptr || body->role == PlayRole::Ground)
+        return report(DiagnosticCode::UnappliedInput, "Nothing was removed: there is no body at the pointer.");
+    InstancePart part{.instance = session().origins()[body->origin].instance};
+    std::vector<std::uint32_t> fragments;
+    const std::optional<std::uint32_t> hitFragment = fragmentAt(world, *body, hit->point);
+    if (removal == RemovalExtent::Fragment && hitFragment) fragments = {*hitFragment};
+    if (removal == RemovalExtent::Body && isPartial(*body)) fragments = fragmentsOf(*body);
+    for (const std::uint32_t fragment : fragments) part.fragments.push_back(body->asset->bake->fragmentPath(fragment));
+    std::ranges::sort(part.fragments);
+    const bool isPiece = body->fragment != kNone && fragments.empty();
+    if (part.instance == 0 || isPiece) {
+        return report(DiagnosticCode::UnappliedInput,
+                      "Nothing was removed: only instances and fragments of bonded ones can be.");
+    }
+    add(RemoveInput{std::move(part)});
+}
+
 void PlayEngine::aim(std::optional<ChargedThrow> thrown, const Ray& ray) {
     m_aim.reset();
     if (thrown) m_aim = Aim{*thrown, ray};

@@ -65,6 +65,8 @@ public:
     void grabAlong(double force, const Ray& ray);
     void dragAlong(const Ray& ray);
     void release();
+    /// Takes the instance that the ray hits away: what holds together there or, of a bonded one, the fragment.
+    void removeAlong(RemovalExtent removal, const Ray& ray);
     /// Sets the throw whose trajectory and forecast are shown; nullopt shows none.
     void aim(std::optional<ChargedThrow> thrown, const Ray& ray);
 

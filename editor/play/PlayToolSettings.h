@@ -18,6 +18,9 @@ struct PlayToolSettings {
     bool operator==(const PlayToolSettings&) const = default;
 };
 
+/// What is taken away at a point.
+enum class RemovalExtent { Body, Fragment };
+
 /// A throw as the user charges it.
 struct ChargedThrow {
     Throw projectile;

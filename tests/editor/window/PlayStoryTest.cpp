@@ -55,6 +55,19 @@ private slots:
         QVERIFY(!canvas().isVisible());  // the 3D view has the middle for itself
         QCOMPARE(hint(), QString());     // the 3D view shows the keys
     }
+    void rightClickOffersWhatCanBeDoneWithABody() {
+        emit viewport().customContextMenuRequested(target());
+        auto* menu = window().findChild<QMenu*>("play-body");
+        QVERIFY(menu && menu->isVisible());
+        QStringList texts;
+        for (const QAction* action : menu->actions()) {
+            if (!action->isSeparator()) texts += QString(action->text()).remove('&');
+        }
+        QCOMPARE(texts, (QStringList{"Remove", "What Would Fall", "Frame", "Never Breaks"}));
+        menu->close();
+        emit viewport().customContextMenuRequested({2, 2});  // the sky
+        QVERIFY(!menu->isVisible());
+    }
     void thrownBodyIsVisibleWithinTwoFrames() {
         m_unbroken = picture();
         QTest::mouseMove(&viewport(), target());
