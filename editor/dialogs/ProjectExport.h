@@ -19,8 +19,8 @@ struct ExportOptions {
     bool isRepeatedOnSave = false;
 };
 
-/// Returns the options of the project's exports, one per output folder, the last one last; QSettings keep up to eight by
-/// the project's path. Assets that no longer exist are left out.
+/// Returns the options of the project's exports, one per output folder, the last one last; QSettings keep up to eight
+/// by the project's path. Assets that no longer exist are left out.
 std::vector<ExportOptions> exportTargets(Workspace& workspace);
 /// Those of the last export; none if it was never exported.
 std::optional<ExportOptions> lastExportOptions(Workspace& workspace);

@@ -300,23 +300,6 @@ private slots:
         QCOMPARE(stage.hash(), hash);
         QCOMPARE(stage.controller.events().breaks().size(), 1u);
     }
-    void instanceAtTheRayIsRemoved() {
-        test::Stage stage;
-        stage.start();
-        stage.advance(1);
-        const int before = stage.controller.frame()->statistics.bodies;
-        stage.controller.removeAlong(RemovalExtent::Body, test::kAtBlock);
-        stage.advance(2);
-        QCOMPARE(stage.controller.frame()->statistics.bodies, before - 1);
-        const QSignalSpy messages(&stage.controller, &PlayController::statusMessage);
-        stage.controller.removeAlong(RemovalExtent::Body, test::kAtBlock);
-        stage.advance(2);
-        QCOMPARE(messages.size(), 1);
-        QVERIFY(messages[0][0].toString().startsWith("Nothing was removed"));
-        stage.controller.reset();
-        stage.advance(1);
-        QCOMPARE(stage.controller.frame()->statistics.bodies, before);
-    }
     void grabbedBodyFollowsTheRay() {
         test::Stage stage;
         stage.start();

@@ -30,6 +30,23 @@ private slots:
         QCOMPARE(messages.size(), isAnchored ? 0 : 1);
         if (!isAnchored) QVERIFY(messages[0][0].toString().contains("joints"));
     }
+    void instanceAtTheRayIsRemoved() {
+        test::Stage stage;
+        stage.start();
+        stage.advance(1);
+        const int before = stage.controller.frame()->statistics.bodies;
+        stage.controller.removeAlong(RemovalExtent::Body, test::kAtBlock);
+        stage.advance(2);
+        QCOMPARE(stage.controller.frame()->statistics.bodies, before - 1);
+        const QSignalSpy messages(&stage.controller, &PlayController::statusMessage);
+        stage.controller.removeAlong(RemovalExtent::Body, test::kAtBlock);
+        stage.advance(2);
+        QCOMPARE(messages.size(), 1);
+        QVERIFY(messages[0][0].toString().startsWith("Nothing was removed"));
+        stage.controller.reset();
+        stage.advance(1);
+        QCOMPARE(stage.controller.frame()->statistics.bodies, before);
+    }
     /// Ten minutes of the clock take no step and no frame, and a throw goes on at once.
     void nothingIsPlayedWhileEverythingRests() {
         test::Stage stage;

@@ -1,5 +1,5 @@
-// Tests editor/actions/PlayActions.cpp, editor/actions/EventActions.cpp, editor/actions/TimelineActions.cpp and
-// editor/view3d/TimelinePanel.cpp.
+// Tests editor/actions/PlayActions.cpp, editor/actions/PlayContextMenu.cpp, editor/actions/EventActions.cpp,
+// editor/actions/TimelineActions.cpp and editor/view3d/TimelinePanel.cpp.
 #include "core/io/play/ReplayFile.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/panels/docks/EventTable.h"

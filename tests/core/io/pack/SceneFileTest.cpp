@@ -146,8 +146,10 @@ private slots:
         const auto refused = write(first, *entries);  // which lists "one"
         QVERIFY(!refused && refused.error().code == ErrorCode::Edited);
         QCOMPARE(*readFile(out / "scene.json"), std::string("two"));
-        QVERIFY(writeOutputFiles(out, first, ExportIndex{.project = {.name = "other.rubble"}, .folders = {}, .files = *write(second, {})},
-                                 {.name = "p.rubble"}, EditedFiles::Kept, announce)
+        QVERIFY(writeOutputFiles(
+                    out, first,
+                    ExportIndex{.project = {.name = "other.rubble"}, .folders = {}, .files = *write(second, {})},
+                    {.name = "p.rubble"}, EditedFiles::Kept, announce)
                     .error()
                     .code == ErrorCode::Edited);
         QVERIFY(write({}, {manifestEntry("scene.json", "one")}));  // an edited file is not removed
