@@ -11,7 +11,8 @@ namespace rubble {
 
 /// The error of work that ran out of memory while `doing`: "exporting".
 inline Error outOfMemory(const std::string& doing) {
-    return {ErrorCode::Limit, "Out of memory while " + doing + "; use fewer fragments, or close other programs."};
+    return {ErrorCode::Limit,
+            "Out of memory while " + doing + "; use fewer fragments or smaller textures, or close other programs."};
 }
 
 /// The error of work that needs a thread while `doing`, where the system allows no more.

@@ -29,7 +29,7 @@ Application::Application(int& argumentCount, char** arguments)
     : QApplication(argumentCount, arguments),
       m_memorySentence(
           tr("Out of memory: the last action was not completed. Save the project, then use fewer fragments "
-             "or close other programs.")),
+             "or smaller textures, or close other programs.")),
       m_threadSentence(
           tr("The system allows no more threads: the last action was not completed. Save the project, then "
              "close other programs.")) {

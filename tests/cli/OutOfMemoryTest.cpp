@@ -54,7 +54,7 @@ private slots:
         QVERIFY(saveProject(file.toStdString(), boxProject(UniformScatter{.count = count})));
         const ProgramOutcome ended = runWithin(250, QStringList{verb} + options);
         QCOMPARE(ended.error, "Out of memory while running rubble-cli " + verb +
-                                  "; use fewer fragments, or close other programs.\n");
+                                  "; use fewer fragments or smaller textures, or close other programs.\n");
         QCOMPARE(ended.exit, 1);
         QCOMPARE(ended.output, "");
         QCOMPARE(QDir(place.path()).entryList(QDir::Files | QDir::Dirs | QDir::Hidden | QDir::NoDotAndDotDot),

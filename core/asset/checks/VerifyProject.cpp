@@ -80,6 +80,8 @@ Sentence idFault(const Project& project) {
     return twice->owner + " and " + std::next(twice)->owner + " have the same id.";
 }
 
+constexpr std::size_t kMaxNameBytes = 10'000;
+
 /// Checks the order and the names of one list.
 template <class Element>
 Sentence listFault(const std::vector<Element>& elements, const char* kind) {
@@ -92,6 +94,11 @@ Sentence listFault(const std::vector<Element>& elements, const char* kind) {
         if (elements[k].name.empty()) return owner + " has no name.";
         if (!isUtf8(elements[k].name)) {
             return ownerText(kind, elements[k].id, "") + " has a name that is not text in UTF-8.";
+        }
+        if (elements[k].name.size() > kMaxNameBytes) {
+            return std::string(kind) + ' ' + std::to_string(elements[k].id) + " has a name of " +
+                   std::to_string(elements[k].name.size()) + " bytes, but at most " + std::to_string(kMaxNameBytes) +
+                   " are read; shorten it.";
         }
         if (!names.insert(elements[k].name).second) return owner + " has a name that is already taken.";
     }

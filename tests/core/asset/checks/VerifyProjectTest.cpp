@@ -94,6 +94,8 @@ private slots:
         });
         row("Instance 5 \"left\" comes after the one with id 6; ids must ascend.",
             [](Project& p) { std::swap(p.instances[0], p.instances[1]); });
+        row("Asset 2 has a name of 10001 bytes, but at most 10000 are read; shorten it.",
+            [](Project& p) { p.assets[0].name = std::string(10'001, 'a'); });
         row("Material 1 has no name.", [](Project& p) { p.materials[0].name.clear(); });
         row("Material 1 has a name that is not text in UTF-8.", [](Project& p) { p.materials[0].name = "br\xfc"; });
         row("Instance 6 \"left\" has a name that is already taken.", [](Project& p) { p.instances[1].name = "left"; });
