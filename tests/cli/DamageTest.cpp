@@ -119,14 +119,18 @@ private slots:
         QCOMPARE(fault({"write", "--project", demoPath("house"), "--instance", "roof", "--out", "-"}).left(40),
                  QString("The project has no instance \"roof\"; it h"));
     }
-    void optionsOfOtherActionsAreRefused() {
-        const auto fault = [&](const QStringList& arguments) { return damage(arguments).error.trimmed(); };
-        QCOMPARE(fault({"merge", "a", "--out", "b", "--project", "c"}), QString("merge does not take --project."));
-        QCOMPARE(fault({"write", "--out", "b"}), QString("write needs --project."));
-        QCOMPARE(fault({"compare", "a"}), QString("compare takes two files."));
-        QCOMPARE(fault({"apply", "a", "--project", "c", "--out", "b"}),
-                 QString("apply takes a FILE for each --instance, in the same order."));
-        QCOMPARE(fault({"merge", "a"}), QString("merge needs --out."));
+    void optionsThatDoNotFitAreErrorsOfUsage() {
+        const auto fault = [&](const QStringList& arguments, const QString& sentence) {
+            const auto run = damage(arguments);
+            QCOMPARE(run.error.trimmed(), sentence + "; see rubble-cli damage --help.");
+            QCOMPARE(run.exit, 2);
+        };
+        fault({"merge", "a", "--out", "b", "--project", "c"}, "merge does not take --project");
+        fault({"write", "--out", "b"}, "write needs --project");
+        fault({"compare", "a"}, "compare takes two files");
+        fault({"apply", "a", "--project", "c", "--out", "b"},
+              "apply takes a FILE for each --instance, in the same order");
+        fault({"merge", "a"}, "merge needs --out");
     }
 };
 

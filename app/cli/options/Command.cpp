@@ -160,8 +160,21 @@ void Command::hide() { m_app->group(""); }
 
 bool Command::isReportWanted() const { return m_hasReport && m_app->count("--json") > 0; }
 
+void Command::addCheck(std::function<void()> check) {
+    m_checks->push_back(std::move(check));
+    m_app->callback([checks = m_checks] {
+        for (const std::function<void()>& one : *checks) one();
+    });
+}
+
+void Command::requireFit(std::function<std::string()> fault) {
+    addCheck([fault = std::move(fault)] {
+        if (const std::string sentence = fault(); !sentence.empty()) throw CLI::ValidationError(sentence);
+    });
+}
+
 void Command::requireOne(CommandOption first, CommandOption second) {
-    m_app->callback([first = first.m_option, second = second.m_option] {
+    addCheck([first = first.m_option, second = second.m_option] {
         if (first->empty() && second->empty())
             throw CLI::RequiredError(first->get_name() + " or " + second->get_name());
     });

@@ -109,6 +109,9 @@ public:
     bool isReportWanted() const;
     /// Requires at least one of two options.
     void requireOne(CommandOption first, CommandOption second);
+    /// Refuses options that do not fit together, as an error of usage: `fault` returns a sentence on what is wrong with
+    /// those that were given, or nothing.
+    void requireFit(std::function<std::string()> fault);
 
     /// The files that were given.
     std::vector<FileUse> fileUses() const;
@@ -120,8 +123,12 @@ public:
     CommandOption operator[](const std::string& name) const;
 
 private:
+    void addCheck(std::function<void()> check);
+
     CLI::App* m_app;
     std::shared_ptr<FileOptions> m_files = std::make_shared<FileOptions>();
+    std::shared_ptr<std::vector<std::function<void()>>> m_checks =
+        std::make_shared<std::vector<std::function<void()>>>();  // of what was parsed
     bool m_hasReport = false;
 };
 

@@ -165,7 +165,6 @@ std::string optionFault(const DamageOptions& options) {
 }
 
 Status damage(const DamageOptions& options, VerbReport& report, const CliContext& context) {
-    if (const std::string fault = optionFault(options); !fault.empty()) return Error{ErrorCode::BadInput, fault};
     if (options.action == "write") return writeDamage(options, context);
     if (options.action == "apply") return applyDamages(options, context);
     if (options.action == "merge") return mergeDamages(options, context);
@@ -191,6 +190,7 @@ Verb addDamage(CLI::App& program) {
         .writes({".rubbledamage", ".rubblestate"})
         .valueName("FILE");
     addThreadsOption(command, options->threads);
+    command.requireFit([options] { return optionFault(*options); });
     return {command,
             [options](VerbReport& report, const CliContext& context) { return damage(*options, report, context); }};
 }

@@ -187,7 +187,6 @@ Status exportAssets(ExportArguments arguments, VerbReport& report, const CliCont
 /// Exports once, and again whenever the project has changed, until the program is interrupted. Neither errors nor
 /// findings end it.
 Status watch(const ExportArguments& arguments, const VerbReport& report, const CliContext& context) {
-    if (report.isJson) return Error{ErrorCode::BadInput, "--watch prints no document; leave out --json."};
     if (std::error_code missing; !fs::exists(arguments.project, missing)) {
         const Result<Project> project = openProject(arguments.project, context);
         if (!project) return project.error();
@@ -282,6 +281,7 @@ Verb addExport(CLI::App& program) {
         .writes({".d", ".dep", ".deps", ".mk", ".make"})
         .valueName("FILE");
     command.addReportFlag();
+    command["--watch"].excludes(command["--json"]);
     addThreadsOption(command, arguments->threads);
     return {command, [arguments](VerbReport& report, const CliContext& context) {
                 return arguments->isWatching ? watch(*arguments, report, context)

@@ -96,27 +96,19 @@ Result<std::string> answer(const QueryOptions& options, Session& session, const 
     return changedBoxesJson(since, steps, recorder.changedBoxes(since));
 }
 
-/// Options of the other question are refused: they would have no effect.
-Status verifyOptions(const QueryOptions& options) {
+/// Why options do not fit the question, as a sentence; empty if they do. Those of the other question would have no
+/// effect.
+std::string optionFault(const QueryOptions& options) {
     const bool isFall = options.question == "would-fall";
-    if (isFall && options.bodies.empty()) {
-        return Error{ErrorCode::BadInput, "would-fall needs --body, the name of a body to remove."};
-    }
-    if (!isFall && !options.bodies.empty()) {
-        return Error{ErrorCode::BadInput, "changed-boxes does not take --body, which would-fall does."};
-    }
-    if (isFall && options.since != 0) {
-        return Error{ErrorCode::BadInput, "would-fall does not take --since, which changed-boxes does."};
-    }
-    if (options.since > options.steps) {
-        return Error{ErrorCode::BadInput, "The changes would start at step " + std::to_string(options.since) +
-                                              " and end at step " + std::to_string(options.steps) + "."};
-    }
-    return success();
+    if (isFall && options.bodies.empty()) return "would-fall needs --body, the name of a body to remove.";
+    if (!isFall && !options.bodies.empty()) return "changed-boxes does not take --body, which would-fall does.";
+    if (isFall && options.since != 0) return "would-fall does not take --since, which changed-boxes does.";
+    if (options.since <= options.steps) return {};
+    return "The changes would start at step " + std::to_string(options.since) + " and end at step " +
+           std::to_string(options.steps) + ".";
 }
 
 Status query(const QueryOptions& options, const CliContext& context) {
-    if (const Status verified = verifyOptions(options); !verified) return verified;
     const Result<Project> project = openProject(options.file, context);
     if (!project) return project.error();
     ProgressLine line(context, "Simulating");
@@ -155,6 +147,7 @@ Verb addQuery(CLI::App& program) {
         .valueName("STEP");
     addPlayOptions(command, options->play);
     addThreadsOption(command, options->threads);
+    command.requireFit([options] { return optionFault(*options); });
     return {command, [options](VerbReport&, const CliContext& context) { return query(*options, context); }};
 }
 
