@@ -152,7 +152,7 @@ Status reportResults(const std::vector<CheckResult>& results, VerbReport& report
 
 /// Adds a warning or a note to the findings and prints it; strictly, a warning is a fault.
 void warn(const Finding& finding, bool isStrict, VerbReport& report, const CliContext& context) {
-    const std::string& owner = finding.place.asset.empty() ? finding.place.file : finding.place.asset;
+    const std::string owner = finding.place.asset.empty() ? finding.place.file : shownName(finding.place.asset);
     const std::string line = owner + ": " + finding.message;
     report.findings.push_back(finding);
     if (isStrict && finding.severity == Severity::Warning) return conclude(report, line);

@@ -196,7 +196,7 @@ private:
 std::vector<RecipeChange> recipeChanges(const Project& before, const Asset& earlier, const Project& after,
                                         const Asset& later) {
     Changes changes;
-    changes.add("name", earlier.name, later.name);
+    changes.add(earlier.name == later.name, "name", shownName(earlier.name), shownName(later.name));
     const Prism &from = earlier.prism, &to = later.prism;
     changes.add(from.outline == to.outline, "outline", outlineText(from.outline), outlineText(to.outline));
     changes.add("depth", messageText(from.depth) + " m", messageText(to.depth) + " m");
