@@ -1,6 +1,5 @@
 #pragma once
 
-#include "editor/commands/Renaming.h"
 #include "editor/document/Document.h"
 #include "editor/widgets/FormControls.h"
 
@@ -96,7 +95,6 @@ typename Form<Value>::Push pushOf(Document& document) {
             const Id id = value.id;
             edit.replacements.push_back(Replacement<Value>{id, std::move(value)});
         }
-        renameNamesakes(document.project(), edit);
         document.push(std::move(edit));
     };
 }

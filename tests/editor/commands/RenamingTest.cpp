@@ -30,23 +30,21 @@ private slots:
         applyEdit(project, edit);
         QCOMPARE(nameOf(project, Part::Material, 2), "tile");
     }
-    void assetAndInstanceOfOneNameAreRenamedTogether() {
+    void renamingChangesNoOtherName() {
         Project project = twoMaterials();
-        project.assets = {{.id = 3, .name = "wall"}, {.id = 4, .name = "roof"}};
-        project.instances = {{.id = 5, .name = "wall", .asset = 3},
-                             {.id = 6, .name = "wall 2", .asset = 3},
-                             {.id = 7, .name = "roof", .asset = 4}};
-        Edit edit = renameElement(project, Part::Instance, 5, "front");
+        project.assets = {{.id = 3, .name = "wall"}};
+        project.instances = {{.id = 5, .name = "wall", .asset = 3}, {.id = 6, .name = "wall 2", .asset = 3}};
+        Edit edit = renameElement(project, Part::Asset, 3, "side");
         applyEdit(project, edit);
-        QCOMPARE(nameOf(project, Part::Asset, 3), "front");
+        QCOMPARE(nameOf(project, Part::Asset, 3), "side");
+        QCOMPARE(nameOf(project, Part::Instance, 5), "wall");
         QCOMPARE(nameOf(project, Part::Instance, 6), "wall 2");
-        edit = renameElement(project, Part::Asset, 4, "wall 2");  // taken by an instance
+        edit = renameElement(project, Part::Asset, 3, "wall");
         applyEdit(project, edit);
-        QCOMPARE(nameOf(project, Part::Asset, 4), "wall 2");
-        QCOMPARE(nameOf(project, Part::Instance, 7), "roof");
-        edit = renameElement(project, Part::Asset, 3, "side");
+        edit = renameElement(project, Part::Instance, 5, "front");
         applyEdit(project, edit);
-        QCOMPARE(nameOf(project, Part::Instance, 5), "side");
+        QCOMPARE(nameOf(project, Part::Asset, 3), "wall");
+        QCOMPARE(nameOf(project, Part::Instance, 6), "wall 2");
     }
     void missingElementHasNoName() { QVERIFY(nameOf(twoMaterials(), Part::Asset, 7).isEmpty()); }
 };
