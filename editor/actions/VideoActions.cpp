@@ -19,13 +19,15 @@
 #include <QStatusBar>
 #include <QToolButton>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rubble {
 
 namespace {
 
-constexpr int kProgressWidth = 200;  // pixels
+constexpr int kProgressWidth = 200;  // pixels, at least
+constexpr int kProgressMargin = 24;  // pixels, around the text
 
 VideoSubject subjectOf(Workspace& workspace) {
     const auto& frame = workspace.play().frame();
@@ -42,6 +44,20 @@ VideoSubject subjectOf(Workspace& workspace) {
 QString durationText(double seconds) {
     if (seconds < 60.0) return fixedQuantity(std::ceil(seconds), 0, Units::seconds());
     return VideoActions::tr("%1 min").arg(std::round(seconds / 60.0));
+}
+
+/// "Video 12 %, 3 min left", as a format of a progress bar.
+QString progressFormat(double secondsLeft) {
+    return VideoActions::tr("Video %p %, %1 left").arg(durationText(secondsLeft));
+}
+
+/// The width of the longest text of the progress.
+int widestText(const QFontMetrics& metrics) {
+    const double seconds = 59.0, minutes = 60.0 * 999.0;
+    const auto width = [&](double left) {
+        return metrics.horizontalAdvance(progressFormat(left).replace("%p", QStringLiteral("100")));
+    };
+    return std::max(width(seconds), width(minutes));
 }
 
 /// The view of the 3D view, at the video's resolution and without the axes.
@@ -89,7 +105,7 @@ VideoActions::VideoActions(Views& views)
 void VideoActions::addProgress() {
     m_progress = new QProgressBar;
     m_progress->setObjectName("video-progress");
-    m_progress->setMaximumWidth(kProgressWidth);
+    m_progress->setFixedWidth(std::max(kProgressWidth, widestText(m_progress->fontMetrics()) + kProgressMargin));
     m_progress->setAccessibleName(tr("Video export"));
     QToolButton* cancel = panelButton({}, tr("Cancel"), tr("Cancel the video and delete its files"), &m_views.window());
     cancel->setObjectName("video-cancel");
@@ -118,7 +134,7 @@ void VideoActions::showProgress(double fraction) {
     }
     const double elapsed = 1e-3 * static_cast<double>(m_clock.elapsed());
     const double left = elapsed * (1.0 - fraction) / (fraction - m_clockStart);
-    m_progress->setFormat(tr("Video %p %, %1 left").arg(durationText(left)));
+    m_progress->setFormat(progressFormat(left));
 }
 
 bool VideoActions::isRecorded() const {

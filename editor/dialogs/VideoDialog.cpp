@@ -52,8 +52,6 @@ NumberField* createField(const FieldRange& range, const QString& unit, const QSt
     return field;
 }
 
-std::uint64_t stepsOf(const NumberField& field) { return static_cast<std::uint64_t>(field.value()); }
-
 QString withoutVideoSuffix(const QString& path) {
     if (!isVideoPath(toPath(path))) return path;
     return path.left(path.lastIndexOf('.'));
@@ -118,13 +116,16 @@ void VideoDialog::addTime(QFormLayout& form) {
         m_throw = comboBox(m_subject.throws, tr("Select the saved throw to simulate"));
         form.addRow(tr("Saved &throw:"), m_throw);
     }
-    const FieldRange steps = stepRange();
-    m_first = createField(steps, {}, tr("First step"), tr("Set the step of the first frame"));
-    m_last = createField(steps, {}, tr("Last step"), tr("Set the step of the last frame"));
-    m_last->setValue(m_subject.length > 0 ? steps.max : std::round(kDefaultDuration / m_subject.stepLength));
-    auto* row = createRow({m_first, new QLabel(tr("to")), m_last});
+    const FieldRange times{.min = 0.0, .max = longestTime()};
+    const NumberFormat seconds = Units::seconds();
+    m_first = createField(times, seconds.unit, tr("Start"), tr("Set the simulated time of the first frame"));
+    m_last = createField(times, seconds.unit, tr("End"), tr("Set the simulated time of the last frame"));
+    m_last->setValue(m_subject.length > 0 ? times.max : kDefaultDuration);
+    m_steps = new QLabel;
+    m_steps->setObjectName("video-steps");
+    auto* row = createRow({m_first, new QLabel(tr("to")), m_last, m_steps});
     row->addStretch(1);
-    form.addRow(buddyLabel(tr("St&eps:"), m_first), row);
+    form.addRow(buddyLabel(tr("Tim&e:"), m_first), row);
     m_frameRate = createField(fieldRange(ProjectNumber::FrameRate), tr("fps"), tr("Frame rate"),
                               tr("Set the frames per second; 24 to 60 look smooth"));
     form.addRow(tr("Frame &rate:"), m_frameRate);
@@ -164,10 +165,16 @@ ImageSize VideoOptions::frameSize() const {
     return {isCompared ? 2 * size.width + kPlaybackGap : size.width, size.height};
 }
 
-/// The steps that can be exported.
-FieldRange VideoDialog::stepRange() const {
-    if (m_subject.length == 0) return wholeFieldRange(ProjectNumber::Step);
-    return FieldRange::whole(0.0, static_cast<double>(m_subject.length));
+/// s, the time of the last step that can be exported.
+double VideoDialog::longestTime() const {
+    const double steps =
+        m_subject.length > 0 ? static_cast<double>(m_subject.length) : rangeOf(ProjectNumber::Step).max;
+    return steps * m_subject.stepLength;
+}
+
+/// The step nearest to a time.
+std::uint64_t VideoDialog::stepAt(const NumberField& time) const {
+    return static_cast<std::uint64_t>(std::llround(time.value() / m_subject.stepLength));
 }
 
 VideoOptions VideoDialog::options() const {
@@ -177,8 +184,8 @@ VideoOptions VideoDialog::options() const {
                          .samples = kSamples[m_quality->currentIndex()],
                          .frameRate = m_frameRate->value(),
                          .speed = m_speed->value(),
-                         .first = stepsOf(*m_first),
-                         .last = stepsOf(*m_last),
+                         .first = stepAt(*m_first),
+                         .last = stepAt(*m_last),
                          .savedThrow = m_throw ? m_throw->currentIndex() : 0,
                          .isCompared = m_compare->isChecked(),
                          .hasSound = m_sound->isEnabled() && m_sound->isChecked()};
@@ -218,10 +225,10 @@ void VideoDialog::browse() {
 
 /// Shows what will be written, or what is wrong with the options.
 void VideoDialog::updateSummary() {
-    const FieldRange steps = stepRange();
-    m_first->setRange(FieldRange::whole(0, m_last->value()));
-    m_last->setRange(FieldRange::whole(m_first->value(), steps.max));
+    m_first->setRange({.min = 0.0, .max = m_last->value()});
+    m_last->setRange({.min = m_first->value(), .max = longestTime()});
     const VideoOptions current = options();
+    m_steps->setText(tr("(steps %L1 to %L2)").arg(current.first).arg(current.last));
     const int frames = frameCount(static_cast<double>(current.first), static_cast<double>(current.last),
                                   current.stepsPerFrame(m_subject.stepLength));
     const QString wrong = error(current, frames);
@@ -234,7 +241,7 @@ QString VideoDialog::error(const VideoOptions& options, int frames) const {
     if (!options.isVideo && isVideoPath(toPath(options.path)))
         return tr("The target is a file. Enter a folder for the images.");
     if (frames <= kMaxPictures) return {};
-    return tr("The video would have %L1 frames; at most %L2 are possible. Use fewer steps, a lower frame rate or a "
+    return tr("The video would have %L1 frames; at most %L2 are possible. Use a shorter time, a lower frame rate or a "
               "higher speed.")
         .arg(frames)
         .arg(kMaxPictures);

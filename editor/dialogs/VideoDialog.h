@@ -18,7 +18,6 @@ class QPushButton;
 namespace rubble {
 
 class NumberField;
-struct FieldRange;
 
 /// The simulation that is to be exported.
 struct VideoSubject {
@@ -64,7 +63,8 @@ private:
     void updateSuffix();
     void browse();
     void updateSummary();
-    FieldRange stepRange() const;
+    double longestTime() const;
+    std::uint64_t stepAt(const NumberField& time) const;
     QString error(const VideoOptions& options, int frames) const;
     QString summary(const VideoOptions& options, int frames) const;
 
@@ -82,6 +82,7 @@ private:
     NumberField* m_speed;
     NumberField* m_first;
     NumberField* m_last;
+    QLabel* m_steps;
     QLabel* m_summary;
     QPushButton* m_export = nullptr;
 };

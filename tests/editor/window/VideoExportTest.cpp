@@ -4,6 +4,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Dialogs.h"
 #include "tests/support/editor/EditorStory.h"
+#include "tests/support/editor/TextFit.h"
 #include "tests/support/files/Ffmpeg.h"
 #include "tests/support/files/FileBytes.h"
 #include "tests/support/files/FileLimits.h"
@@ -56,6 +57,12 @@ private slots:
         ask([this](VideoDialog& dialog) {
             QVERIFY(dialog.options().isVideo && dialog.options().path.endsWith("house video.mp4"));
             QCOMPARE(dialog.options().last, 90u);
+            const auto* steps = dialog.findChild<QLabel*>("video-steps");
+            QCOMPARE(steps->text(), QString("(steps 0 to 90)"));
+            setNumber(dialog, "Start", 0.51);  // s; the nearest step is the 31st
+            QCOMPARE(steps->text(), QString("(steps 31 to 90)"));
+            QCOMPARE(dialog.options().first, 31u);
+            setNumber(dialog, "Start", 0.0);
             dialog.findChild<QLineEdit*>("video-path")->setText(m_folder->filePath("hit"));
             QCOMPARE(dialog.options().path, m_folder->filePath("hit.mp4"));
             QCOMPARE(summary(dialog),
@@ -183,6 +190,9 @@ private slots:
         const test::Ffmpeg none;
         exportVideo(m_folder->filePath("video"), 0, 90, 60.0);
         QTRY_VERIFY_WITH_TIMEOUT(progress().format().contains(" left"), kPatience);
+        progress().setFormat("Video %p %, 188 min left");
+        progress().setValue(100);
+        QCOMPARE(test::clippedTexts(*window().statusBar()), QStringList());
         videos().cancel();
     }
 
@@ -197,7 +207,7 @@ private:
         play().setTimeStep(1.0 / 120.0);
         test::onNextDialog<VideoDialog>([this](VideoDialog& dialog) {
             QCOMPARE(dialog.options().last, 360u);  // 3 s
-            fill(dialog, m_folder->filePath("throw"), 0, 120, 1.0);
+            fill(dialog, m_folder->filePath("throw"), 0, 60, 1.0);
             dialog.accept();
         });
         double stepLength = 0.0;
@@ -267,14 +277,14 @@ private:
             emit field->edited(value);
         }
     }
-    /// Options of a small, fast video.
+    /// Options of a small, fast video; `first` and `last` in steps of 1/60 s.
     static void fill(VideoDialog& dialog, const QString& place, int first, int last, double rate) {
         dialog.findChild<QLineEdit*>("video-path")->setText(place);
         dialog.findChild<QComboBox*>("video-quality")->setCurrentIndex(0);
         setNumber(dialog, "Width", 160);
         setNumber(dialog, "Height", 90);
-        setNumber(dialog, "Last step", last);
-        setNumber(dialog, "First step", first);
+        setNumber(dialog, "End", last * kStep);
+        setNumber(dialog, "Start", first * kStep);
         setNumber(dialog, "Frame rate", rate);
         setNumber(dialog, "Speed", 1.0);
     }

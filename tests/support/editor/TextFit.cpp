@@ -7,6 +7,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QStyle>
@@ -73,11 +74,17 @@ std::optional<Fit> fitOf(const QComboBox& box) {
     return Fit{box.currentText(), {field.width() - icon, field.height()}, {widthOf(box, box.currentText()), 0}};
 }
 
+std::optional<Fit> fitOf(const QProgressBar& bar) {
+    if (!bar.isTextVisible()) return std::nullopt;
+    return Fit{bar.text(), bar.contentsRect().size(), {bar.fontMetrics().horizontalAdvance(bar.text()), 0}};
+}
+
 std::optional<Fit> fitOf(const QWidget& widget) {
     if (const auto* label = qobject_cast<const QLabel*>(&widget)) return fitOf(*label);
     if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) return fitOf(*button);
     if (const auto* line = qobject_cast<const QLineEdit*>(&widget)) return fitOf(*line);
     if (const auto* box = qobject_cast<const QComboBox*>(&widget)) return fitOf(*box);
+    if (const auto* bar = qobject_cast<const QProgressBar*>(&widget)) return fitOf(*bar);
     return std::nullopt;
 }
 
