@@ -44,7 +44,7 @@ void PlayHud::setVisible(bool isVisible) {
 
 QString PlayHud::accessibleText() const {
     if (!m_isVisible) return {};
-    QStringList texts = QStringList(m_content.title) + m_content.statistics;
+    QStringList texts = QStringList(m_content.title) + lines();
     if (!m_content.grabText.isEmpty()) texts << m_content.grabText;
     return texts.join(", ");
 }
@@ -53,9 +53,10 @@ void PlayHud::paint(QPainter& painter, QSize size) const {
     if (!m_isVisible) return;
     const QFont font = painter.font();
     paintTrajectory(painter);
-    paintTexts(painter, textPlate(font));
+    const QRect texts = textPlate(lines(), font);
+    paintTexts(painter, texts);
     if (hasHint(size, font)) paintHint(painter, hintPlate(size, font));
-    if (hasLegend()) paintLegend(painter, legendPlate(size, font));
+    if (hasLegend()) paintLegend(painter, legendPlate(size, texts, font));
     paintSpring(painter, size);
     paintCharge(painter, size);
     paintFrame(painter, size);
@@ -113,24 +114,28 @@ void PlayHud::paintSpring(QPainter& painter, QSize size) const {
     painter.drawText(inside, Qt::TextWordWrap, m_content.grabText);
 }
 
+/// Those below the title.
+QStringList PlayHud::lines() const {
+    return m_content.collapse.isEmpty() ? m_content.statistics : m_content.statistics + QStringList(m_content.collapse);
+}
+
 /// In the upper left corner.
-QRect PlayHud::textPlate(const QFont& font) const {
-    const QFontMetrics lines(font), title(boldOf(font));
+QRect PlayHud::textPlate(const QStringList& lines, const QFont& font) const {
+    const QFontMetrics metrics(font), title(boldOf(font));
     int width = title.horizontalAdvance(m_content.title);
-    for (const QString& line : m_content.statistics) width = std::max(width, lines.horizontalAdvance(line));
-    const int height = title.height() + static_cast<int>(m_content.statistics.size()) * lines.height();
+    for (const QString& line : lines) width = std::max(width, metrics.horizontalAdvance(line));
+    const int height = title.height() + static_cast<int>(lines.size()) * metrics.height();
     return {kHudMargin, kHudMargin, width + 2 * kPlatePadding, height + 2 * kPlatePadding - 4};
 }
 
 /// In the upper right corner, or below the texts where the view is narrow.
-QRect PlayHud::legendPlate(QSize size, const QFont& font) const {
+QRect PlayHud::legendPlate(QSize size, const QRect& texts, const QFont& font) const {
     const QFontMetrics lines(font);
     const int width = std::max(kRampWidth + kChargeHeight + 6 + lines.horizontalAdvance(tr("breaks")),
                                lines.horizontalAdvance(legendTitle()));
     const int height = 2 * lines.height() + kChargeHeight + 2 * kPlatePadding;
     const QRect plate(size.width() - kHudMargin - width - 2 * kPlatePadding, kHudMargin, width + 2 * kPlatePadding,
                       height);
-    const QRect texts = textPlate(font);
     return plate.left() > texts.right() + kHudMargin ? plate : plate.translated(0, texts.bottom() + 1);
 }
 
@@ -147,14 +152,16 @@ QRect PlayHud::hintPlate(QSize size, const QFont& font) const {
 
 /// Only where it does not cover the texts.
 bool PlayHud::hasHint(QSize size, const QFont& font) const {
-    return !m_content.hint.isEmpty() && hintPlate(size, font).top() > textPlate(font).bottom();
+    return !m_content.hint.isEmpty() && hintPlate(size, font).top() > textPlate(lines(), font).bottom();
 }
 
+/// Without the line on what would fall, which comes and goes with the pointer: the view is framed between the plates.
 std::vector<QRect> PlayHud::plates(QSize size, const QFont& font) const {
     if (!m_isVisible) return {};
-    std::vector<QRect> plates{textPlate(font)};
-    if (hasHint(size, font)) plates.push_back(hintPlate(size, font));
-    if (hasLegend()) plates.push_back(legendPlate(size, font));
+    std::vector<QRect> plates{textPlate(m_content.statistics, font)};
+    const bool isHintClear = hintPlate(size, font).top() > plates.front().bottom();
+    if (!m_content.hint.isEmpty() && isHintClear) plates.push_back(hintPlate(size, font));
+    if (hasLegend()) plates.push_back(legendPlate(size, plates.front(), font));
     return plates;
 }
 
@@ -167,7 +174,7 @@ void PlayHud::paintTexts(QPainter& painter, const QRect& plate) const {
     const int title = painter.fontMetrics().height();
     painter.setFont(font);
     painter.setPen(kPlateSecondaryText);
-    painter.drawText(text.adjusted(0, title, 0, 0), Qt::AlignTop, m_content.statistics.join('\n'));
+    painter.drawText(text.adjusted(0, title, 0, 0), Qt::AlignTop, lines().join('\n'));
 }
 
 void PlayHud::paintHint(QPainter& painter, const QRect& plate) const {

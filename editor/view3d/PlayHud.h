@@ -23,6 +23,7 @@ public:
         bool isRunning = false;  // colours the frame
         QString title;           // "Playing"
         QStringList statistics;
+        QString collapse;  // what would fall without the body at the pointer
         QString hint;
         std::optional<double> charge;  // in [0, 1], of a throw being charged
         QString chargeText;
@@ -54,8 +55,9 @@ private:
     bool hasLegend() const { return m_content.hasHeat || m_content.hasBonds; }
     void paintLegend(QPainter& painter, const QRect& plate) const;
     QString legendTitle() const;
-    QRect textPlate(const QFont& font) const;
-    QRect legendPlate(QSize size, const QFont& font) const;
+    QStringList lines() const;
+    QRect textPlate(const QStringList& lines, const QFont& font) const;
+    QRect legendPlate(QSize size, const QRect& texts, const QFont& font) const;
     QRect hintPlate(QSize size, const QFont& font) const;
     bool hasHint(QSize size, const QFont& font) const;
 

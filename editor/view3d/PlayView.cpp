@@ -187,7 +187,7 @@ PlayHud::Content PlayView::content() const {
     const std::optional<PlayFrame>& frame = m_controller.frame();
     if (!frame) return content;
     if (m_hasStatistics) content.statistics = statisticsLines();
-    if (frame->collapse) content.statistics << collapseText(*frame->collapse);
+    if (frame->collapse) content.collapse = collapseText(*frame->collapse);
     content.hasHeat = m_controller.overlays().hasHeat;
     content.hasBonds = m_controller.overlays().hasBonds;
     content.isForecast = frame->hasForecast;

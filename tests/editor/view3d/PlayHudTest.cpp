@@ -50,6 +50,18 @@ private slots:
             }
         }
     }
+    /// The view is framed anew where plates change; the line comes and goes with the pointer.
+    void whatWouldFallChangesNoPlates() {
+        PlayHud hud;
+        hud.setVisible(true);
+        PlayHud::Content content = fullContent();
+        hud.setContent(content);
+        const std::vector<QRect> before = hud.plates({1200, 700}, QFont());
+        content.collapse = "Without block 0, 4 bodies would fall: 2000 kg, for up to 0.6 s, and so on and on and on";
+        hud.setContent(content);
+        QCOMPARE(hud.plates({1200, 700}, QFont()), before);
+        QVERIFY(hud.accessibleText().contains("would fall"));
+    }
     void chargeStaysInALowView() {
         const auto lowestRows = [](std::optional<double> charge) {
             PlayHud hud;
