@@ -106,7 +106,7 @@ void PlayActions::addRun() {
     m_step = makeAction(
         this, {"play-step", tr("S&tep"), tr("Advance the simulation by one step"), QKeySequence(Qt::Key_Period)});
     m_reset = makeAction(
-        this, {"play-reset", tr("&Reset"), tr("Restart the simulation from the beginning"), QKeySequence(Qt::Key_R)});
+        this, {"play-reset", tr("&Restart"), tr("Restart the simulation from the beginning"), QKeySequence(Qt::Key_R)});
     connect(m_step, &QAction::triggered, &controller(), &PlayController::stepOnce);
     connect(m_reset, &QAction::triggered, &controller(), &PlayController::reset);
     for (QAction* action : {m_pause, m_reset}) action->setAutoRepeat(false);

@@ -1,5 +1,6 @@
 #include "editor/actions/TimelineActions.h"
 
+#include "editor/play/EventText.h"
 #include "editor/view3d/SceneView.h"
 #include "editor/view3d/TimelineBar.h"
 #include "editor/view3d/TimelinePanel.h"
@@ -76,9 +77,8 @@ void TimelineActions::fillBranches() {
         return fixedQuantity(static_cast<double>(step) * dt, 2, Units::seconds());
     };
     for (const PlayBranch& branch : controller().frame()->branches) {
-        const QString breaks = tr("%Ln break(s)", nullptr, static_cast<int>(branch.breaks));
-        QAction* action =
-            m_branches->addAction(tr("%1 to %2: %3").arg(timeOf(branch.fork), timeOf(branch.length), breaks));
+        QAction* action = m_branches->addAction(
+            tr("%1 to %2: %3").arg(timeOf(branch.fork), timeOf(branch.length), textOf(branch.broken)));
         action->setToolTip(tr("Return to this timeline, where it leaves the current one"));
         action->setStatusTip(action->toolTip());
         connect(action, &QAction::triggered, &controller(), [this, id = branch.id] { controller().switchTo(id); });

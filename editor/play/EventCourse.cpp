@@ -4,6 +4,19 @@
 
 namespace rubble {
 
+BreakCounts countsOf(std::span<const EventRef> breaks) {
+    BreakCounts counts;
+    for (const EventRef& broken : breaks) {
+        if (broken->record.kind == EventKind::Bonds) {
+            counts.bonds += broken->record.count;
+        } else {
+            ++counts.breaks;
+            counts.fragments += broken->record.count;
+        }
+    }
+    return counts;
+}
+
 std::span<const EventRef> EventCourse::breaks(std::uint64_t last) const {
     return {m_breaks.begin(), std::ranges::upper_bound(m_breaks, last, {}, stepOfEvent)};
 }

@@ -6,6 +6,15 @@
 
 namespace rubble {
 
+/// What has broken in some events.
+struct BreakCounts {
+    std::uint64_t breaks = 0;     // of bodies into fragments
+    std::uint64_t fragments = 0;  // of these
+    std::uint64_t bonds = 0;      // of bonded bodies
+    bool operator==(const BreakCounts&) const = default;
+};
+BreakCounts countsOf(std::span<const EventRef> breaks);
+
 /// The events of one course of a session, by ascending step. Copies share the steps: branches cost little.
 class EventCourse {
 public:

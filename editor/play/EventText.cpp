@@ -51,4 +51,11 @@ QString sentenceOf(const PlayEvent& event) {
     return {};
 }
 
+QString textOf(const BreakCounts& counts) {
+    QStringList texts;
+    if (counts.breaks > 0) texts << EventTexts::tr("%Ln break(s)", nullptr, static_cast<int>(counts.breaks));
+    if (counts.bonds > 0) texts << EventTexts::tr("%Ln broken bond(s)", nullptr, static_cast<int>(counts.bonds));
+    return texts.isEmpty() ? EventTexts::tr("no breaks") : texts.join(QStringLiteral(", "));
+}
+
 }  // namespace rubble

@@ -221,8 +221,8 @@ void PlayEngine::switchTo(std::uint32_t branch) {
 std::vector<PlayBranch> PlayEngine::branches() const {
     std::vector<PlayBranch> branches;
     for (const TimelineBranch& branch : m_timeline.branches()) {
-        branches.push_back(
-            {branch.id, m_timeline.forkOf(branch), branch.length, m_branchLogs.at(branch.id).course().breaks().size()});
+        branches.push_back({branch.id, m_timeline.forkOf(branch), branch.length,
+                            countsOf(m_branchLogs.at(branch.id).course().breaks())});
     }
     return branches;
 }

@@ -2,7 +2,7 @@
 
 #include "core/play/analysis/Forecast.h"
 #include "core/play/session/Aim.h"
-#include "editor/play/PlayEvent.h"
+#include "editor/play/EventCourse.h"
 #include "viewport/scene/RenderScene.h"
 
 #include <memory>
@@ -38,7 +38,7 @@ struct PlayBranch {
     std::uint32_t id = 0;
     std::uint64_t fork = 0;    // the last step that it shares with the current course
     std::uint64_t length = 0;  // steps
-    std::size_t breaks = 0;
+    BreakCounts broken;
     bool operator==(const PlayBranch&) const = default;
 };
 

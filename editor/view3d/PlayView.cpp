@@ -1,6 +1,7 @@
 #include "editor/view3d/PlayView.h"
 
 #include "editor/document/ShownText.h"
+#include "editor/play/EventText.h"
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "viewport/widget/ViewportWidget.h"
 
@@ -128,17 +129,16 @@ QStringList PlayView::statisticsLines() const {
     const double dt = m_controller.thread().stepLength();
     const std::span<const EventRef> breaks = m_controller.events().breaks(frame.step);
     const QString rate = m_framesPerSecond ? tr("%L1 fps").arg(*m_framesPerSecond) : tr("– fps");
-    const QString last = breaks.empty()
-                             ? tr("no breaks")
-                             : tr("%Ln break(s), the last computed in %1", nullptr, static_cast<int>(breaks.size()))
-                                   .arg(millisecondsText(breaks.back()->milliseconds, 3));
+    QString broken = textOf(countsOf(breaks));
+    if (!breaks.empty())
+        broken = tr("%1, the last computed in %2").arg(broken, millisecondsText(breaks.back()->milliseconds, 3));
     const QString separator = QStringLiteral(" · ");
     return {
         tr("%1 · step %L2").arg(playTimeText(static_cast<double>(frame.step) * dt)).arg(frame.step) + separator +
             tr("%1 per step").arg(millisecondsText(statistics.cost.total(), 2)) + separator + rate,
         tr("bodies: %L1, asleep: %L2").arg(statistics.bodies).arg(statistics.asleep) + separator +
             tr("pairs: %L1, contact points: %L2").arg(statistics.candidatePairs).arg(statistics.contactPoints),
-        last + separator + tr("energy %1").arg(localizedQuantity(QuantityKind::Energy, statistics.energy)),
+        broken + separator + tr("energy %1").arg(localizedQuantity(QuantityKind::Energy, statistics.energy)),
     };
 }
 
@@ -183,7 +183,7 @@ PlayHud::Content PlayView::content() const {
         (m_controller.toolSettings().throwsOnClick ? tr("Click: throw · ") : QString()) +
         tr("F: throw, hold to charge · H: hammer · X: blast, Ctrl and wheel: its radius · Drag: grab · P: pause · "
            "Comma, period: step · "
-           "L: loop · R: reset · Esc: stop");
+           "L: loop · R: restart · Esc: stop");
     const std::optional<PlayFrame>& frame = m_controller.frame();
     if (!frame) return content;
     if (m_hasStatistics) content.statistics = statisticsLines();

@@ -112,6 +112,16 @@
     </message>
 </context>
 <context>
+    <name>MaterialSummary</name>
+    <message numerus="yes">
+        <source>where it is hit, into %Ln fragment(s)</source>
+        <translation>
+            <numerusform>where it is hit, into %Ln fragment</numerusform>
+            <numerusform>where it is hit, into %Ln fragments</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ProjectEdits</name>
     <message numerus="yes">
         <source>Delete %n Asset(s)</source>
@@ -239,6 +249,20 @@
             <numerusform>%Ln bonds of %1 broke</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln break(s)</source>
+        <translation>
+            <numerusform>%Ln break</numerusform>
+            <numerusform>%Ln breaks</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln broken bond(s)</source>
+        <translation>
+            <numerusform>%Ln broken bond</numerusform>
+            <numerusform>%Ln broken bonds</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>rubble::FragmentActions</name>
@@ -361,13 +385,6 @@
 <context>
     <name>rubble::PlayView</name>
     <message numerus="yes">
-        <source>%Ln break(s), the last computed in %1</source>
-        <translation>
-            <numerusform>%Ln break, the last computed in %1</numerusform>
-            <numerusform>%Ln breaks, the last computed in %1</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Without %1, %Ln bodies would fall: %2</source>
         <translation>
             <numerusform>Without %1, %Ln body would fall: %2</numerusform>
@@ -457,16 +474,6 @@
         <translation>
             <numerusform>%Ln fragment, touching pairs: %L1, deepest overlap: %2</numerusform>
             <numerusform>%Ln fragments, touching pairs: %L1, deepest overlap: %2</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>rubble::TimelineActions</name>
-    <message numerus="yes">
-        <source>%Ln break(s)</source>
-        <translation>
-            <numerusform>%Ln break</numerusform>
-            <numerusform>%Ln breaks</numerusform>
         </translation>
     </message>
 </context>

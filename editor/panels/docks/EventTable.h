@@ -14,6 +14,8 @@ public:
 
     /// Shows these events; `stepLength` in s. The selected event stays selected. A table at its end stays there.
     void setEvents(const std::vector<EventRef>& events, double stepLength);
+    /// Shows the events after this step faint and in italics.
+    void setDisplayedStep(std::uint64_t step) { m_model->setDisplayedStep(step); }
     void setMaterials(const std::vector<Material>& materials) { m_model->setMaterials(materials); }
     /// The selected event; null if none is.
     EventRef selectedEvent() const;

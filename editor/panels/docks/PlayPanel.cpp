@@ -166,13 +166,20 @@ void PlayPanel::refreshMaterials() {
 }
 
 void PlayPanel::refreshFrame() {
+    m_table->setDisplayedStep(displayedStep());
     refreshSummary();
     if (m_lastPaint.isValid() && m_lastPaint.elapsed() < kPaintMilliseconds) return;
     m_lastPaint.start();
     m_graph->setCosts(m_controller.costs(), PlayController::kShownCosts);
 }
 
+std::uint64_t PlayPanel::displayedStep() const {
+    const std::optional<PlayFrame>& frame = m_controller.frame();
+    return frame ? frame->step : 0;
+}
+
 void PlayPanel::refreshEvents() {
+    m_table->setDisplayedStep(displayedStep());
     m_table->setEvents(m_controller.shownEvents(), m_controller.thread().stepLength());
     refreshSummary();
 }
@@ -185,17 +192,16 @@ void PlayPanel::refreshSummary() {
         m_graph->setCosts({}, PlayController::kShownCosts);
         return;
     }
-    const std::optional<PlayFrame>& frame = m_controller.frame();
-    const std::span<const EventRef> breaks = m_controller.events().breaks(frame ? frame->step : 0);
-    std::uint64_t fragments = 0, bonds = 0;
-    for (const EventRef& broken : breaks) {
-        (broken->record.kind == EventKind::Bonds ? bonds : fragments) += broken->record.count;
-    }
+    const std::span<const EventRef> breaks = m_controller.events().breaks(displayedStep());
+    const BreakCounts counts = countsOf(breaks);
     QStringList parts;
-    if (!breaks.empty()) parts << tr("Breaks: %L1").arg(breaks.size());
-    if (fragments > 0) parts << tr("Fragments: %L1").arg(fragments);
-    if (bonds > 0) parts << tr("Broken bonds: %L1").arg(bonds);
-    if (breaks.empty()) parts << tr("Nothing has broken.");
+    if (counts.breaks > 0) parts << tr("Breaks: %L1").arg(counts.breaks);
+    if (counts.fragments > 0) parts << tr("Fragments: %L1").arg(counts.fragments);
+    if (counts.bonds > 0) parts << tr("Broken bonds: %L1").arg(counts.bonds);
+    if (breaks.empty()) {
+        parts << (m_controller.isFromStart() ? tr("Nothing has broken.")
+                                             : tr("Nothing has broken since the loaded state."));
+    }
     parts << countText();
     m_summary->setText(parts.join(QStringLiteral(" · ")));
     m_summary->setToolTip(sumsText());
@@ -212,15 +218,18 @@ QString PlayPanel::countText() const {
 
 /// What is counted and summed, but not listed.
 QString PlayPanel::sumsText() const {
-    QStringList lines{tr("Breaks and fragments up to the displayed time; events of the whole timeline.")};
+    QStringList lines{m_controller.isFromStart()
+                          ? tr("What has broken up to the displayed time; events of the whole timeline.")
+                          : tr("What has broken from the loaded state up to the displayed time; events of the whole "
+                               "timeline.")};
     const EventCourse& events = m_controller.events();
     for (const EventKind kind : eventKinds()) {
         const OmittedEvents& omitted = events.omitted()[static_cast<std::size_t>(kind)];
         if (omitted.count == 0) continue;
-        lines << tr("Not listed, since they are weaker: %1: %L2, together %3")
-                     .arg(pluralOf(kind))
-                     .arg(omitted.count)
-                     .arg(localizedQuantity(QuantityKind::Energy, omitted.energy));
+        QString line = tr("Not listed, since they are weaker: %1: %L2").arg(pluralOf(kind)).arg(omitted.count);
+        if (omitted.energy != 0.0)
+            line = tr("%1, together %2").arg(line, localizedQuantity(QuantityKind::Energy, omitted.energy));
+        lines << line;
     }
     if (events.restEnergy() != 0.0) {
         lines << tr("Friction, rolling and rattling took %1")

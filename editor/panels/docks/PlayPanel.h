@@ -50,6 +50,7 @@ private:
     void refreshActions();
     void addContextMenu();
     void refreshMaterials();
+    std::uint64_t displayedStep() const;
     void refreshFrame();
     void refreshEvents();
     void refreshSummary();

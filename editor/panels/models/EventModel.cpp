@@ -7,6 +7,7 @@
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "editor/widgets/numbers/NumberText.h"
 
+#include <QFont>
 #include <QGuiApplication>
 #include <QPalette>
 
@@ -50,6 +51,13 @@ std::optional<double> valueOf(const PlayEvent& event, int column) {
 
 QString quantityOf(QuantityKind kind, std::optional<double> value) {
     return value ? localizedQuantity(kind, *value) : QString();
+}
+
+/// Merged with the font of a view.
+QFont italicFont() {
+    QFont font;
+    font.setItalic(true);
+    return font;
 }
 
 int compared(const auto& a, const auto& b) {
@@ -102,6 +110,15 @@ void EventModel::reset(const std::vector<EventRef>& events) {
     m_events = m_rows = events;
     sortRows();
     endResetModel();
+}
+
+void EventModel::setDisplayedStep(std::uint64_t step) {
+    const auto after = [this](std::uint64_t shown) {
+        return std::ranges::upper_bound(m_events, shown, {}, stepOfEvent);
+    };
+    const bool isSame = after(step) == after(m_displayedStep);
+    m_displayedStep = step;
+    if (!isSame) emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1), {Qt::ForegroundRole, Qt::FontRole});
 }
 
 void EventModel::setMaterials(const std::vector<Material>& materials) {
@@ -221,6 +238,7 @@ QString EventModel::toolTip(const PlayEvent& event) const {
                           roundedText(event.strength->ratio(), {}),
                           localizedQuantity(QuantityKind::Impulse, event.strength->threshold));
     }
+    if (event.record.step > m_displayedStep) lines << tr("Happens after the displayed time");
     if (!event.isTold) lines << tr("Listed for its threshold: its energy is not known, and it is not exported");
     lines << tr("Double-click to go to the place and time of the event");
     return toolTipText(lines.join('\n'));
@@ -233,7 +251,9 @@ QVariant EventModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::DecorationRole && index.column() == kKind) return iconNamed(iconNameOf(shown.record.kind));
     if (role == Qt::TextAlignmentRole && isNumeric(index.column())) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::ToolTipRole) return toolTip(shown);
-    if (role == Qt::ForegroundRole && !shown.isTold) return QGuiApplication::palette().placeholderText();
+    const bool isLater = shown.record.step > m_displayedStep;
+    if (role == Qt::ForegroundRole && (isLater || !shown.isTold)) return QGuiApplication::palette().placeholderText();
+    if (role == Qt::FontRole && isLater) return italicFont();
     return {};
 }
 

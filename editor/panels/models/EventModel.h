@@ -5,6 +5,8 @@
 
 #include <QAbstractTableModel>
 
+#include <cstdint>
+#include <limits>
 #include <map>
 
 namespace rubble {
@@ -35,6 +37,8 @@ public:
     /// Shows these events, by ascending step; `stepLength` in s. Events that only follow those shown are inserted, and
     /// a rest that is gone is removed, without a reset of the model.
     void setEvents(const std::vector<EventRef>& events, double stepLength);
+    /// Shows the events after this step faint and in italics; none at first.
+    void setDisplayedStep(std::uint64_t step);
     /// Sets the materials, whose names are shown.
     void setMaterials(const std::vector<Material>& materials);
     const EventRef& event(int row) const { return m_rows[static_cast<std::size_t>(row)]; }
@@ -68,6 +72,7 @@ private:
     int m_column = kTime;  // by which they are sorted
     Qt::SortOrder m_order = Qt::AscendingOrder;
     double m_stepLength = 1.0 / 60.0;
+    std::uint64_t m_displayedStep = std::numeric_limits<std::uint64_t>::max();
 };
 
 }  // namespace rubble

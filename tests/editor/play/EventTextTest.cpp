@@ -33,6 +33,18 @@ private slots:
         QFETCH(const PlayEvent, event);
         QTEST(sentenceOf(event), "sentence");
     }
+    void bondsAreNoBreaks() {
+        QCOMPARE(textOf(BreakCounts{}), "no breaks");
+        QCOMPARE(textOf(BreakCounts{.breaks = 2, .fragments = 9}), "2 break(s)");
+        QCOMPARE(textOf(BreakCounts{.bonds = 22}), "22 broken bond(s)");
+        QCOMPARE(textOf(BreakCounts{.breaks = 1, .fragments = 5, .bonds = 22}), "1 break(s), 22 broken bond(s)");
+        const auto event = [](EventKind kind, std::uint32_t count) {
+            return std::make_shared<const PlayEvent>(PlayEvent{.record = {.kind = kind, .count = count}});
+        };
+        const std::vector<EventRef> events{event(EventKind::Bonds, 20), event(EventKind::Broken, 5),
+                                           event(EventKind::Bonds, 2)};
+        QCOMPARE(countsOf(events), (BreakCounts{.breaks = 1, .fragments = 5, .bonds = 22}));
+    }
 };
 
 RUBBLE_TEST_WITH(EventTextTest, QCoreApplication)

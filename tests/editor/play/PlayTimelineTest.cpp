@@ -198,7 +198,8 @@ private slots:
         QCOMPARE(stage.controller.events().breaks().size(), 0u);
         const std::vector<PlayBranch> branches = stage.controller.frame()->branches;
         QCOMPARE(branches.size(), 1u);
-        QCOMPARE(branches[0], (PlayBranch{.id = branches[0].id, .fork = 5, .length = 50, .breaks = 1}));
+        QCOMPARE(branches[0],
+                 (PlayBranch{.id = branches[0].id, .fork = 5, .length = 50, .broken = {.breaks = 1, .fragments = 5}}));
 
         stage.controller.switchTo(branches[0].id);
         stage.settle();

@@ -3,6 +3,7 @@
 #include "editor/panels/docks/StepGraph.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/PlayStage.h"
+#include "tests/support/play/BondedWalls.h"
 
 #include <QAction>
 #include <QLabel>
@@ -135,6 +136,38 @@ private slots:
         desk.stage.advance(60);
         const QString tip = desk.panel.findChild<QLabel*>("event-summary")->toolTip();
         QVERIFY2(tip.contains("Friction, rolling and rattling took"), qPrintable(tip));
+    }
+    void brokenBondsAreNoBreaks() {
+        test::Stage stage(test::bondedWall());
+        PlayPanel panel(stage.document, stage.controller);
+        stage.start();
+        stage.controller.fire(
+            {.action = Throw{.mass = 200.0, .from = {0.0, 1.5, 3.0}, .to = {0.0, 1.5, 0.0}, .speed = 30.0}});
+        stage.advance(20);
+        const QString summary = panel.findChild<QLabel*>("event-summary")->text();
+        QVERIFY2(summary.startsWith("Broken bonds: "), qPrintable(summary));
+    }
+    void aLoadedStateMayHaveBrokenBefore() {
+        PlayDesk desk(100.0);
+        std::shared_ptr<const SavedSession> saved;
+        desk.stage.controller.requestState([&](const std::shared_ptr<const SavedSession>& state) { saved = state; });
+        desk.stage.controller.thread().settle();
+        QCoreApplication::sendPostedEvents(&desk.stage.controller);
+        QVERIFY(saved);
+        desk.stage.controller.load(saved);
+        desk.stage.settle();
+        QVERIFY2(desk.summary().startsWith("Nothing has broken since the loaded state."), qPrintable(desk.summary()));
+    }
+    void eventsAfterTheDisplayedTimeAreMarked() {
+        PlayDesk desk(100.0);
+        desk.stage.controller.seek(0);
+        desk.stage.settle();
+        const QAbstractItemModel& list = *desk.panel.events().model();
+        QVERIFY(list.rowCount() > 0);
+        QVERIFY(list.index(0, 0).data(Qt::FontRole).value<QFont>().italic());
+        desk.stage.controller.seek(20);
+        desk.stage.settle();
+        QVERIFY(!list.index(0, 0).data(Qt::FontRole).isValid());
     }
     void aNarrowPanelHasListAndFilterOnly() {
         PlayDesk desk(100.0);

@@ -3,6 +3,7 @@
 #include "tests/support/TestProgram.h"
 
 #include <QAbstractItemModelTester>
+#include <QFont>
 #include <QGuiApplication>
 #include <QIcon>
 #include <QSignalSpy>
@@ -144,6 +145,23 @@ private slots:
         QVERIFY(!model.data(model.index(0, 0), Qt::ForegroundRole).isValid());
         QVERIFY(model.data(model.index(1, 0), Qt::ForegroundRole).isValid());
         QVERIFY(!model.data(model.index(0, 0), Qt::DecorationRole).value<QIcon>().isNull());
+    }
+    void laterEventsAreInItalics() {
+        EventModel model;
+        model.setEvents({kBreak, kWithstood, kRemoved}, kStep);
+        const QSignalSpy changes(&model, &EventModel::dataChanged);
+        model.setDisplayedStep(60);
+        QCOMPARE(changes.count(), 1);
+        model.setDisplayedStep(61);  // nothing happens between
+        QCOMPARE(changes.count(), 1);
+        const auto isItalic = [&](int row) {
+            return model.data(model.index(row, 0), Qt::FontRole).value<QFont>().italic();
+        };
+        QVERIFY(!isItalic(0) && !isItalic(1) && isItalic(2));
+        QVERIFY(model.data(model.index(2, 0), Qt::ForegroundRole).isValid());
+        QVERIFY(toolTip(model, 2).contains("after the displayed time"));
+        model.setDisplayedStep(90);
+        QVERIFY(!isItalic(2));
     }
 
 private:
