@@ -186,7 +186,7 @@ private:
             {[number](QPainter& painter, QPointF at) {
                  painter.fillRect(QRectF(at.x() - 6.0, at.y() - 4.0, 12.0, 8.0), layerColour(number));
              },
-             CanvasLegendTexts::tr("layer %1: %2").arg(number + 1).arg(layerKindName(layer.parameters).toLower())});
+             CanvasLegendTexts::tr("layer %1: %2").arg(layer.id).arg(layerKindName(layer.parameters).toLower())});
     }
 
     void addDuplicates(std::size_t count) {

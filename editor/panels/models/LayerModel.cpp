@@ -113,7 +113,7 @@ QVariant LayerModel::data(const QModelIndex& index, int role) const {
     const auto layer = std::ranges::find(pattern->layers, layerAt(index.row()), &PatternLayer::id);
     if (layer == pattern->layers.end()) return {};
     switch (role) {
-        case Qt::DisplayRole: return layerText(*layer, m_units, {});
+        case Qt::DisplayRole: return numberedLayerText(*layer, m_units);
         case Qt::DecorationRole: return iconNamed(kindOf(layer->parameters).icon);
         case Qt::CheckStateRole: return layer->isOn ? Qt::Checked : Qt::Unchecked;
         case Qt::ToolTipRole: return tr("Layer %1. Enabled layers are evaluated from top to bottom").arg(layer->id);

@@ -264,7 +264,7 @@ QString ProjectModel::text(Node node) const {
     if (const Asset* asset = findAsset(m_document.project(), assetOf(node))) {
         forEachLayer(*asset, [&](const PatternLayer& layer, std::size_t pattern) {
             if (layer.id != node.id) return;
-            text = layerText(layer, m_units, {});
+            text = numberedLayerText(layer, m_units);
             if (pattern > 0) {
                 text = pattern <= asset->levels.size() ? tr("Level %1: %2").arg(pattern).arg(text)
                                                        : tr("%1: %2").arg(patternName(*asset, pattern), text);

@@ -95,4 +95,8 @@ QString layerText(const PatternLayer& layer, const Units& units, const QLocale& 
                                         SummaryWriter(layer.parameters, units, locale).text());
 }
 
+QString numberedLayerText(const PatternLayer& layer, const Units& units, const QLocale& locale) {
+    return LayerTexts::tr("%1 · %2").arg(QString::number(layer.id), layerText(layer, units, locale));
+}
+
 }  // namespace rubble

@@ -15,5 +15,7 @@ QString layerKindName(const LayerParameters& parameters);
 QString inTitleCase(QString text);
 /// A layer in a few words: "Blue noise, 0.1 m apart". See PatternKind::summary.
 QString layerText(const PatternLayer& layer, const Units& units = {}, const QLocale& locale = {});
+/// The same for lists, after the number that messages and the names of seeds have: "3 · Blue noise, 0.1 m apart".
+QString numberedLayerText(const PatternLayer& layer, const Units& units = {}, const QLocale& locale = {});
 
 }  // namespace rubble

@@ -85,13 +85,13 @@ private slots:
     void treeShowsTheProject() {
         ProjectTreeDesk desk;
         QCOMPARE(desk.text(Kind::Asset, 3), "wall");
-        QCOMPARE(desk.text(Kind::Layer, 4), "Uniform, 7 seeds");
-        QCOMPARE(desk.text(Kind::Layer, 5), "Blue noise, 0.2\u00a0m apart (disabled)");
-        QCOMPARE(desk.text(Kind::Layer, 7), "Lloyd relaxation, 4 rounds");
-        QCOMPARE(desk.text(Kind::Layer, 8), "Level 1: Blue noise, 0.1\u00a0m apart");
+        QCOMPARE(desk.text(Kind::Layer, 4), "4 · Uniform, 7 seeds");
+        QCOMPARE(desk.text(Kind::Layer, 5), "5 · Blue noise, 0.2\u00a0m apart (disabled)");
+        QCOMPARE(desk.text(Kind::Layer, 7), "7 · Lloyd relaxation, 4 rounds");
+        QCOMPARE(desk.text(Kind::Layer, 8), "Level 1: 8 · Blue noise, 0.1\u00a0m apart");
         QCOMPARE(desk.text(Kind::Instance, 21), "right");
         desk.tree.setUnits({LengthUnit::Centimetre});
-        QCOMPARE(desk.text(Kind::Layer, 5), "Blue noise, 20\u00a0cm apart (disabled)");
+        QCOMPARE(desk.text(Kind::Layer, 5), "5 · Blue noise, 20\u00a0cm apart (disabled)");
     }
     void clicksSelect() {
         ProjectTreeDesk desk;

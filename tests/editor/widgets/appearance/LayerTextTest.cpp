@@ -28,6 +28,7 @@ private slots:
     }
     void lengthsAreInThePreferredUnit() {
         QCOMPARE(textOfLayer(BlueNoise{.minimumDistance = 0.2}), "Blue noise, 0.2 m apart");
+        QCOMPARE(numberedLayerText({.id = 3, .parameters = UniformScatter{.count = 7}}), "3 · Uniform, 7 seeds");
         QCOMPARE(textOfLayer(BlueNoise{.minimumDistance = 0.2}, {LengthUnit::Centimetre}), "Blue noise, 20 cm apart");
     }
     void summaryDependsOnOptions() {
