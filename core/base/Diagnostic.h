@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace rubble {
 
@@ -60,14 +61,15 @@ struct DiagnosticPlace {
         bool operator==(const Point&) const = default;
     };
 
-    std::uint32_t asset = 0;          // id
-    std::uint32_t level = 0;          // of the pattern; 0: the asset's own
-    std::uint32_t fragment = kNone;   // its number in the bake
-    std::string path;                 // of the fragment: unlike the number it outlasts the bake
-    std::uint32_t layer = 0;          // id
-    std::uint32_t index = kNone;      // of a seed or cut in that layer
-    std::uint32_t seed = kNone;       // index among the seeds of one fracture
-    std::uint32_t otherSeed = kNone;  // likewise: the seed that is kept, or whose piece receives another one
+    std::uint32_t asset = 0;                    // id
+    std::uint32_t level = 0;                    // of the pattern; 0: the asset's own
+    std::uint32_t fragment = kNone;             // its number in the bake
+    std::string path;                           // of the fragment: unlike the number it outlasts the bake
+    std::vector<std::uint32_t> fragments = {};  // all of the bake, where it is one of several
+    std::uint32_t layer = 0;                    // id
+    std::uint32_t index = kNone;                // of a seed or cut in that layer
+    std::uint32_t seed = kNone;                 // index among the seeds of one fracture
+    std::uint32_t otherSeed = kNone;            // likewise: the seed that is kept, or whose piece receives another one
     std::optional<Point> point;
     bool operator==(const DiagnosticPlace&) const = default;
 };

@@ -389,6 +389,9 @@ void Views::reveal(const std::vector<Id>& instances) {
     std::set<Id> existing;
     for (const Id id : instances) {
         if (findInstance(m_workspace.project(), id) != nullptr) existing.insert(id);
+        for (const std::uint32_t fragment : problem.place.fragments) {
+            if (fragment < affected.size()) affected[fragment] = true;
+        }
     }
     m_workspace.selection().setSeeds({});
     m_workspace.selection().setInstances(m_workspace.project(), std::move(existing));

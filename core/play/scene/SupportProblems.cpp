@@ -19,6 +19,13 @@ double distanceAtStart(const PlayStructure& structure, std::uint32_t node) {
     return structure.mortar.empty() ? limit : limit * structure.span;
 }
 
+/// The numbers of nodes' fragments in the bake.
+std::vector<std::uint32_t> fragmentsOf(const PlayStructure& structure, const std::vector<std::uint32_t>& nodes) {
+    std::vector<std::uint32_t> fragments;
+    for (const std::uint32_t node : nodes) fragments.push_back(structure.fragmentOf(node));
+    return fragments;
+}
+
 std::string sentenceOf(const PlayStructure& structure, const Instance& instance, std::size_t count, double farthest,
                        const std::string& id) {
     const std::string span = quantityText(QuantityKind::Length, structure.span);
@@ -46,6 +53,7 @@ Diagnostic problemOf(const PlayStructure& structure, const Instance& instance,
         {.asset = instance.asset,
          .fragment = fragment,
          .path = path,
+         .fragments = fragmentsOf(structure, beyond),
          .point = DiagnosticPlace::Point{centre.x, centre.y}},
         sentenceOf(structure, instance, beyond.size(), farthest, structure.asset->bake->fragmentId(fragment)));
     if (!std::isfinite(farthest)) return problem;
@@ -58,7 +66,11 @@ Diagnostic problemOf(const PlayStructure& structure, const Instance& instance,
 std::optional<Diagnostic> weakBondsOf(const PlayStructure& structure, const Instance& instance,
                                       std::span<const HangingLoad> loads) {
     const auto isOver = [](const HangingLoad& one) { return one.load > one.strength; };
-    const auto count = static_cast<std::size_t>(std::ranges::count_if(loads, isOver));
+    std::vector<std::uint32_t> over;
+    for (const HangingLoad& one : loads) {
+        if (isOver(one)) over.push_back(one.node);
+    }
+    const std::size_t count = over.size();
     if (count == 0) return std::nullopt;
     const HangingLoad& worst = *std::ranges::max_element(
         loads, {}, [](const HangingLoad& one) { return one.strength > 0.0 ? one.load / one.strength : 1e300; });
@@ -79,6 +91,7 @@ std::optional<Diagnostic> weakBondsOf(const PlayStructure& structure, const Inst
                       {.asset = instance.asset,
                        .fragment = fragment,
                        .path = structure.asset->bake->fragmentPath(fragment),
+                       .fragments = fragmentsOf(structure, over),
                        .point = DiagnosticPlace::Point{centre.x, centre.y}},
                       std::move(sentence), worst.load, worst.strength);
 }

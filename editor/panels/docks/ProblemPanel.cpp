@@ -46,6 +46,7 @@ ProblemPanel::ProblemPanel(Document& document, Selection& selection, const Probl
       m_view(new QTreeView),
       m_isActiveOnly(new QCheckBox(tr("Active Asset Only"))),
       m_summary(new QLabel),
+      m_description(new QLabel),
       m_runner(new QuickFixRunner(document, this)) {
     buildView();
     auto* rows = new QVBoxLayout(this);
@@ -53,6 +54,13 @@ ProblemPanel::ProblemPanel(Document& document, Selection& selection, const Probl
     rows->setSpacing(0);
     rows->addWidget(makeBar());
     rows->addWidget(m_view, 1);
+    rows->addWidget(m_description);
+    m_description->setObjectName("problem-description");
+    m_description->setAccessibleName(tr("Description"));
+    m_description->setContentsMargins(6, 3, 6, 4);
+    m_description->setWordWrap(true);
+    m_description->setTextFormat(Qt::PlainText);
+    m_description->setTextInteractionFlags(Qt::TextSelectableByMouse);
     setFocusProxy(m_view);
     connect(m_runner, &QuickFixRunner::changed, this, &ProblemPanel::refreshButtons);
     connect(m_runner, &QuickFixRunner::statusMessage, this, &ProblemPanel::statusMessage);
@@ -163,6 +171,8 @@ void ProblemPanel::refreshButtons() {
         button.widget->setVisible(!m_runner->isBusy() && std::ranges::any_of(problems, isApplicable));
     }
     m_cancel->setVisible(m_runner->isBusy());
+    m_description->setVisible(problems.size() == 1);  // in full: the column may be narrower
+    m_description->setText(problems.size() == 1 ? QString::fromStdString(problems.front().message) : QString());
     m_summary->setText(summary(problems.size()));
 }
 

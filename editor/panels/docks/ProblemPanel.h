@@ -57,6 +57,7 @@ private:
     QTreeView* m_view;
     QCheckBox* m_isActiveOnly;
     QLabel* m_summary;
+    QLabel* m_description;  // of the selected problem
     QuickFixRunner* m_runner;
     QToolButton* m_cancel = nullptr;
     std::vector<Button> m_fixes;

@@ -24,6 +24,8 @@ private slots:
         const Vec3 centre = portal.graph.centres[problem.place.fragment];
         QVERIFY2(std::abs(centre.x) < 0.8, QByteArray::number(centre.x));
         QCOMPARE(portal.asset->bake->fragmentPath(problem.place.fragment), problem.place.path);
+        QVERIFY(problem.place.fragments.size() > 1);
+        QVERIFY(problem.place.fragments == nodesBeyondSpan(portal));  // one node for each fragment here
         QVERIFY(problem.message.starts_with("Instance \"wall\": "));
         QVERIFY(scene->diagnostics == problems);
         for (const std::uint32_t node : nodesBeyondSpan(portal)) QVERIFY(std::abs(portal.graph.centres[node].x) < 1.0);

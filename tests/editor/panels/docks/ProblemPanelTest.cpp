@@ -3,6 +3,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Combs.h"
 
+#include <QLabel>
 #include <QTest>
 #include <QToolButton>
 #include <QTreeView>
@@ -41,6 +42,26 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(cancel->isHidden(), kPatience);
         QCOMPARE(document.undoStack().count(), 1);
         QCOMPARE(document.undoStack().text(0), QString("Split Fragment"));
+    }
+    void descriptionIsShownInFull() {
+        Document document(test::combProject());
+        Selection selection;
+        Bakes bakes;
+        const ProblemWatch watch(document, bakes);
+        ProblemPanel panel(document, selection, watch);
+        const auto asset = std::make_shared<const Asset>(document.project().assets[0]);
+        bakes.set(2, std::make_shared<const BakedAsset>(
+                         BakedAsset{.asset = asset, .bake = std::make_shared<const Bake>(*bake(*asset))}));
+        QTRY_VERIFY_WITH_TIMEOUT(panel.view().model()->rowCount() > 0, kPatience);
+        panel.resize(400, 300);
+        panel.show();
+        const auto* description = panel.findChild<QLabel*>("problem-description");
+        QVERIFY(description->isHidden());
+        panel.view().setCurrentIndex(panel.view().model()->index(0, 0));
+        QVERIFY(description->isVisible());
+        QCOMPARE(description->text(), panel.view().model()->index(0, ProblemModel::kText).data().toString());
+        QCoreApplication::processEvents();
+        QTRY_VERIFY(description->height() >= description->heightForWidth(description->width()));
     }
 
 private:
