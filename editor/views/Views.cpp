@@ -43,6 +43,7 @@
 #include <QTextEdit>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <set>
@@ -162,6 +163,7 @@ void Views::addDocks() {
     connect(m_strength, &StrengthPanel::refused, this, &Views::showRefusal);
     connect(m_strength, &StrengthPanel::trialRequested, this, [this](const Shot& shot) {
         setSceneVisible(true);
+        frameTrial(shot, tried);
         m_workspace.play().playShot(shot);
         m_scene->viewport().setFocus();
     });
@@ -271,6 +273,19 @@ void Views::updatePlayState() {
 }
 
 void Views::setCanvasVisible(bool isVisible) { m_canvas->setVisible(isVisible); }
+
+/// Frames what an event of a strength requirement acts on: an instance, or the way of the body that it drops.
+void Views::frameTrial(const Shot& shot, Id tried) {
+    const std::array instances{tried};
+    if (tried != 0) return m_scene->frameInstances(instances);
+    const auto* thrown = std::get_if<Throw>(&shot.action);
+    const Asset* asset = thrown != nullptr ? findAsset(m_workspace.project(), thrown->asset) : nullptr;
+    if (asset == nullptr) return;
+    const Vec3 around(0.5 * glm::length(Vec3(boundsOf(asset->prism.outline.outer).size(), asset->prism.depth)));
+    Box3 way{thrown->from - around, thrown->from + around};
+    way.min.y = std::min(way.min.y, m_workspace.project().ground.height);
+    m_scene->viewport().frame(way);
+}
 
 void Views::setSceneVisible(bool isVisible) { m_scene->setVisible(isVisible); }
 

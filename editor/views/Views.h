@@ -112,6 +112,7 @@ private:
     void showOutlineTool();
     void focusUnderPointer(QWidget& view) const;
     void updatePlayState();
+    void frameTrial(const Shot& shot, Id tried);
     void reveal(const Message& message);
     void reveal(const Diagnostic& problem);
     void reveal(const std::vector<Id>& instances);

@@ -373,7 +373,9 @@ void StrengthPanel::play(std::size_t index) {
     const Instance* instance = findInstance(m_document.project(), m_shown.tried[index]);
     const Result<ShotAction> shot = requirementShot(m_document.project(), *m_whole, requirement, instance);
     if (!shot) return emit refused(QString::fromStdString(shot.error().message));
-    emit trialRequested({.name = shotNameOf(requirement.event).toStdString(), .action = *shot});
+    const bool isDrop = std::holds_alternative<DropRequirement>(requirement.event);
+    emit trialRequested({.name = shotNameOf(requirement.event).toStdString(), .action = *shot},
+                        instance != nullptr && !isDrop ? instance->id : Id{0});
 }
 
 void StrengthPanel::addSelectButton(const Asset& asset, std::size_t index) {

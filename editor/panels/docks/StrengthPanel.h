@@ -31,8 +31,9 @@ public:
 
 signals:
     void refused(const QString& sentence);
-    /// A simulation is to be started with a shot, which plays the event of a requirement.
-    void trialRequested(const rubble::Shot& shot);
+    /// A simulation is to be started with a shot, which plays the event of a requirement on an instance; `tried` is its
+    /// id, 0 for an event that brings its own body.
+    void trialRequested(const rubble::Shot& shot, rubble::Id tried);
 
 private:
     QWidget* makeRequirements();
