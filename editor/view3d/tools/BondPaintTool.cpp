@@ -34,6 +34,18 @@ QColor colourOf(const BondBrushSettings& settings) {
 /// Where a body of an asset would be if it were not exploded.
 Vec3 assembled(const RenderScene& scene, const SurfaceHit& hit) { return hit.point - explodeOffset(scene, hit.body); }
 
+/// The middle of the front or back of a fragment, whichever faces the eye, for its centre in the scene and the
+/// direction and depth of its prism; nothing where the eye is between the planes of both and sees neither.
+std::optional<Vec3> facingMiddle(const Camera& camera, Vec3 centre, Vec3 along, double depth) {
+    for (const double side : {1.0, -1.0}) {
+        const Vec3 middle = centre + 0.5 * side * depth * along;
+        const Vec3 towardsEye =
+            camera.projection == Projection::Orthographic ? axesOf(camera).back : eyeOf(camera) - middle;
+        if (side * glm::dot(along, towardsEye) > 0.0) return middle;
+    }
+    return std::nullopt;
+}
+
 void paintMark(QPainter& painter, QPointF at, const QColor& colour) {
     painter.setPen(QPen(kPaintUnderline, 2.0));
     painter.setBrush(colour);
@@ -230,7 +242,10 @@ void BondPaintTool::paintMarks(QPainter& painter) const {
         if (pick.asset != asset()->id || !isBase || pick.fragment >= isMarked.size()) continue;
         if (!isMarked[pick.fragment] || (scene.appearances[body].marks & kHidden) != 0) continue;
         const Vec3 centre = scene.origin + Vec3(glm::vec3(scene.poses[body].position)) + explodeOffset(scene, body);
-        if (const std::optional<QPointF> at = m_viewport.pointOf(centre)) paintMark(painter, *at, colourOf(m_settings));
+        const Vec3 along = (instance ? instance->pose.orientation : Quat(1.0, 0.0, 0.0, 0.0)) * Vec3(0.0, 0.0, 1.0);
+        const auto middle = facingMiddle(m_viewport.shownCamera(), centre, along, asset()->prism.depth);
+        const std::optional<QPointF> at = middle ? m_viewport.pointOf(*middle) : std::nullopt;
+        if (at) paintMark(painter, *at, colourOf(m_settings));
     }
 }
 

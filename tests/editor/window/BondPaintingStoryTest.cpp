@@ -120,6 +120,38 @@ private slots:
         stack().undo();
         QCOMPARE(wall().bonding.strokes.size(), before);
     }
+    /// Its material would show through: the marks are on the faces that the eye sees.
+    void marksDoNotShowThroughTheAsset() {
+        if (!hasView()) QSKIP("There is no OpenGL here.");
+        const std::array shown{instance().id};
+        const auto marked = [&] {
+            QCoreApplication::processEvents();
+            const QImage picture = viewport().grab().toImage();
+            int count = 0;
+            for (int y = 0; y < picture.height(); ++y) {
+                for (int x = 0; x < picture.width(); ++x) count += picture.pixelColor(x, y) == QColor(63, 214, 228);
+            }
+            return count;
+        };
+        for (int keep = 1; keep < static_cast<int>(project().instances.size()); ++keep) {
+            Instance hidden = project().instances[static_cast<std::size_t>(keep)];
+            hidden.isHidden = true;
+            window().workspace().document().push(modify("Hide", std::move(hidden)));
+        }
+        Instance straight = instance();
+        straight.pose.orientation = Quat(1.0, 0.0, 0.0, 0.0);
+        window().workspace().document().push(modify("Rotate", std::move(straight)));
+        window().views().scene().frameInstances(shown);
+        QEvent leave(QEvent::Leave);  // the ring of the brush has the same colour
+        QApplication::sendEvent(&viewport(), &leave);
+        QVERIFY(anchored() > 0);
+        for (const Qt::KeyboardModifiers side : {Qt::NoModifier, Qt::ControlModifier}) {
+            QTest::keyClick(&viewport(), Qt::Key_1, side);  // front and back
+            QVERIFY(marked() > 0);
+            QTest::keyClick(&viewport(), Qt::Key_3, side);  // in the plane of the wall
+            QCOMPARE(marked(), 0);
+        }
+    }
     void escapeCancelsAStrokeInThe3dView() {
         if (!hasView()) QSKIP("There is no OpenGL here.");
         const std::string before = text();
