@@ -171,6 +171,14 @@ void MainWindow::addToolBars() {
     connect(m_viewActions->bondActions().front(), &QAction::enabledChanged, this, &MainWindow::updateBondBar);
     m_labelledToolBars = {play, tools};
 }
+    QList<QAction*> labelled = tools->actions();
+    labelled.prepend(play->actions().front());
+    labelled += play->actions().mid(1);
+    for (QAction* action : labelled) {
+        QToolBar* bar = tools->actions().contains(action) ? tools : play;
+        auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action));
+        if (button != nullptr && action->priority() != QAction::LowPriority) m_labelledButtons.append({button});
+    }
 
 void MainWindow::addStatusBar() {
     m_hint = new QLabel;
@@ -327,18 +335,41 @@ void MainWindow::updateBondBar() {
     if (!isPristine()) updateToolButtonStyle();
 }
 
-/// The most used tool buttons show texts if the window is wide enough.
-void MainWindow::updateToolButtonStyle() {
-    const auto setStyle = [this](Qt::ToolButtonStyle style) {
-        for (QToolBar* bar : m_labelledToolBars) bar->setToolButtonStyle(style);
-    };
-    if (m_labelledWidth == 0) {
-        setStyle(Qt::ToolButtonTextBesideIcon);
-        for (const QToolBar* bar : m_toolBars) {
-            if (!bar->isHidden()) m_labelledWidth += bar->sizeHint().width();
-        }
+/// The width of all toolbars that are shown.
+int MainWindow::toolBarWidth() const {
+    int width = 0;
+    for (const QToolBar* bar : m_toolBars) {
+        if (!bar->isHidden()) width += bar->sizeHint().width();
     }
-    setStyle(width() >= m_labelledWidth ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+    return width;
+}
+
+/// Measures the toolbars with texts and without, and each text.
+void MainWindow::measureToolBars() {
+    for (QToolBar* bar : m_labelledToolBars) bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_labelledWidth = toolBarWidth();
+    for (QToolBar* bar : m_labelledToolBars) bar->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    for (LabelledButton& labelled : m_labelledButtons) {
+        labelled.button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        labelled.textWidth = labelled.button->sizeHint().width();
+        labelled.button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+        labelled.textWidth -= labelled.button->sizeHint().width();
+    }
+    m_plainWidth = toolBarWidth();
+}
+
+/// The most used tool buttons show texts: all if the window is wide enough, else the first for which there is room.
+void MainWindow::updateToolButtonStyle() {
+    if (m_labelledWidth == 0) measureToolBars();
+    const bool hasRoom = width() >= m_labelledWidth;
+    for (QToolBar* bar : m_labelledToolBars)
+        bar->setToolButtonStyle(hasRoom ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+    if (hasRoom) return;
+    int room = width() - m_plainWidth;
+    for (const LabelledButton& labelled : m_labelledButtons) {
+        room -= labelled.textWidth;
+        labelled.button->setToolButtonStyle(room >= 0 ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+    }
 }
 
 void MainWindow::applyPreferences() {

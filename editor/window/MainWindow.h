@@ -74,6 +74,8 @@ private:
     void connectWorkspace();
     void showProject();
     void updateBondBar();
+    int toolBarWidth() const;
+    void measureToolBars();
     void updateToolButtonStyle();
     void applyPreferences();
     void updateTitle();
@@ -95,10 +97,17 @@ private:
     QList<QToolBar*> m_toolBars;
     QToolBar* m_bondBar = nullptr;        // one of m_toolBars
     QList<QToolBar*> m_labelledToolBars;  // those of play and tools, which show texts if there is room
-    int m_labelledWidth = 0;              // pixels that all toolbars need with texts
-    bool m_isBlocked = false;             // by a dialog or a task
-    bool m_isDiscarding = false;          // closing without saving
-    bool m_isFitted = false;              // to the screen
+    /// A button of theirs.
+    struct LabelledButton {
+        QToolButton* button = nullptr;
+        int textWidth = 0;  // pixels that its text takes
+    };
+    QList<LabelledButton> m_labelledButtons;  // the most important first
+    int m_labelledWidth = 0;                  // pixels that all toolbars need with texts; 0: not measured
+    int m_plainWidth = 0;                     // and without
+    bool m_isBlocked = false;                 // by a dialog or a task
+    bool m_isDiscarding = false;              // closing without saving
+    bool m_isFitted = false;                  // to the screen
     QLabel* m_hint = nullptr;
     QLabel* m_position = nullptr;
     QLabel* m_counts = nullptr;

@@ -9,11 +9,13 @@
 #include "tests/support/Patience.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/TestSettings.h"
+#include "tests/support/editor/TextFit.h"
 
 #include <QScrollArea>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolBar>
 #include <QToolButton>
 
 using namespace rubble;
@@ -45,6 +47,18 @@ private slots:
         QCOMPARE(wall().breakAs, BreakAs::Bonded);
         QVERIFY(bonds().isVisible());
         QCOMPARE(m_window->workspace().document().undoStack().undoText(), "Set How It Breaks");
+    }
+    void toolsKeepTextsBesideTheBarOfBonds() {
+        m_window->resize(1440, 900);
+        QTRY_COMPARE_WITH_TIMEOUT(m_window->size(), QSize(1440, 900), kPatience);
+        QVERIFY(m_window->findChild<QToolBar*>("bar-bonds")->isVisible());
+        for (const char* name : {"bar-play", "bar-tools"}) {
+            auto* bar = m_window->findChild<QToolBar*>(name);
+            auto* first = qobject_cast<QToolButton*>(bar->widgetForAction(bar->actions().front()));
+            QTRY_COMPARE(first->toolButtonStyle(), Qt::ToolButtonTextBesideIcon);
+        }
+        const auto clipped = [&] { return test::clippedTexts(*m_window).filter("tool bar"); };
+        QTRY_VERIFY2(clipped().isEmpty(), qPrintable(clipped().join('\n')));
     }
     void bondsAreSetByTypingAndDragging() {
         type("Maximum span", "1.5");
