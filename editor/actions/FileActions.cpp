@@ -14,6 +14,7 @@
 #include "editor/document/ShownText.h"
 #include "editor/views/Views.h"
 #include "editor/widgets/Action.h"
+#include "editor/workspace/InstalledData.h"
 #include "editor/workspace/PreferenceStore.h"
 #include "editor/workspace/RecentFiles.h"
 #include "editor/workspace/Workspace.h"
@@ -41,6 +42,7 @@ FileActions::FileActions(Views& views, const PreferenceStore& preferences, Recen
                  &FileActions::openWithDialog);
     m_recent = m_menu->addMenu(tr("Open &Recent"));
     connect(m_recent, &QMenu::aboutToShow, this, &FileActions::fillRecent);
+    addExamples();
     m_menu->addSeparator();
     m_save = add({"file-save", tr("&Save"), tr("Save the project"), QKeySequence::Save}, &FileActions::saveTriggered);
     add({"file-save-as", tr("Save &As…"), tr("Save the project to another file"), QKeySequence("Ctrl+Shift+S")},
@@ -68,6 +70,19 @@ FileActions::FileActions(Views& views, const PreferenceStore& preferences, Recen
     connect(m_exportOnSave, &ExportOnSave::finished, this, [this](const QString& text) { m_views.showStatus(text); });
     connect(&m_workspace.file(), &DocumentFile::changedOnDisk, this, &FileActions::askAboutChangeOnDisk);
     updateEnabled();
+}
+
+/// Copies of the installed examples.
+void FileActions::addExamples() {
+    const QStringList paths = exampleProjects();
+    if (paths.isEmpty()) return;
+    QMenu* examples = m_menu->addMenu(tr("Exam&ples"));
+    examples->setObjectName("file-examples");
+    for (const QString& path : paths) {
+        QAction* action = examples->addAction(exampleTitle(path));
+        action->setStatusTip(tr("Open a copy of this example"));
+        connect(action, &QAction::triggered, this, [this, path] { emit exampleRequested(path); });
+    }
 }
 
 QList<QAction*> FileActions::toolbarActions() const { return {m_new, m_open, m_save, m_import, m_export}; }

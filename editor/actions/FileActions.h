@@ -40,11 +40,14 @@ public:
 signals:
     void newProjectRequested();
     void openProjectRequested(const QString& path);
+    /// To open a copy of an example.
+    void exampleRequested(const QString& path);
     void quitRequested();
     /// To compare the project with its file.
     void compareRequested();
 
 private:
+    void addExamples();
     void openWithDialog();
     void saveTriggered() { save(); }
     void saveAsTriggered() { saveAs(); }

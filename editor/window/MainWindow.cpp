@@ -131,6 +131,7 @@ void MainWindow::addActions() {
         m_views->showProject();
     });
     connect(m_fileActions, &FileActions::openProjectRequested, this, &MainWindow::openProjectRequested);
+    connect(m_fileActions, &FileActions::exampleRequested, this, &MainWindow::openCopyRequested);
     connect(m_fileActions, &FileActions::quitRequested, this, &MainWindow::quitRequested);
     connect(m_fileActions, &FileActions::compareRequested, &m_assetActions->comparison(),
             &CompareActions::compareWithFileOnDisk);
@@ -170,7 +171,6 @@ void MainWindow::addToolBars() {
     m_bondBar = add("bar-bonds", tr("Bonds"), m_viewActions->bondActions());
     connect(m_viewActions->bondActions().front(), &QAction::enabledChanged, this, &MainWindow::updateBondBar);
     m_labelledToolBars = {play, tools};
-}
     QList<QAction*> labelled = tools->actions();
     labelled.prepend(play->actions().front());
     labelled += play->actions().mid(1);
@@ -179,6 +179,7 @@ void MainWindow::addToolBars() {
         auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action));
         if (button != nullptr && action->priority() != QAction::LowPriority) m_labelledButtons.append({button});
     }
+}
 
 void MainWindow::addStatusBar() {
     m_hint = new QLabel;

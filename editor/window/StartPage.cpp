@@ -46,13 +46,6 @@ QString picture(const QString& example, const QString& theme) {
     return QString(":/examples/%1-%2.png").arg(example, theme);
 }
 
-/// Returns "Wall with openings" for "wall-with-openings.rubble".
-QString titleOf(const QString& path) {
-    QString title = QFileInfo(path).completeBaseName().replace('-', ' ');
-    title[0] = title[0].toUpper();
-    return title;
-}
-
 }  // namespace
 
 StartPage::StartPage(RecentFiles& recentFiles, QWidget* parent) : QWidget(parent), m_recentFiles(recentFiles) {
@@ -138,7 +131,7 @@ QWidget* StartPage::exampleRow() {
         auto* card = new QToolButton;
         card->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
         card->setAutoRaise(true);
-        card->setText(titleOf(path));
+        card->setText(exampleTitle(path));
         card->setToolTip(tr("Open a copy of this example"));
         card->setProperty(kPictureName, QFileInfo(path).completeBaseName());
         card->setIconSize(kPictureSize);

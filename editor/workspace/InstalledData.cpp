@@ -22,6 +22,12 @@ QStringList exampleProjects() {
     return paths;
 }
 
+QString exampleTitle(const QString& path) {
+    QString title = QFileInfo(path).completeBaseName().replace('-', ' ');
+    title[0] = title[0].toUpper();
+    return title;
+}
+
 QString demoProject() {
     const QFileInfo demo(installedDataFolder() + "/projects/house.rubble");
     return demo.isFile() ? demo.absoluteFilePath() : QString();

@@ -1,12 +1,14 @@
 // Tests editor/window/StartPage.cpp and what its demo starts.
 #include "editor/document/Bakes.h"
 #include "editor/widgets/Theme.h"
+#include "editor/workspace/InstalledData.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Dialogs.h"
 #include "tests/support/editor/EditorStory.h"
 #include "tests/support/editor/TextFit.h"
 
 #include <QCommandLinkButton>
+#include <QMenu>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTemporaryDir>
@@ -53,6 +55,19 @@ private slots:
         card->setFocus();
         QTest::keyClick(card, Qt::Key_Return);
         QTRY_VERIFY(!window().isPristine());
+    }
+    void menuOpensCopiesOfAllExamples() {
+        openStartPage();
+        const auto* examples = window().findChild<QMenu*>("file-examples");
+        QVERIFY(examples);
+        const QList<QAction*> actions = examples->actions();
+        QCOMPARE(actions.size(), exampleProjects().size());
+        const auto wall = std::ranges::find(actions, QString("Wall with openings"), &QAction::text);
+        QVERIFY(wall != actions.end());
+        (*wall)->trigger();
+        QTRY_VERIFY(!window().isPristine());
+        QCOMPARE(text(), projectText(*loadProject(RUBBLE_SOURCE_DIR "/projects/wall-with-openings.rubble")));
+        QCOMPARE(window().workspace().file().path(), QString());
     }
     /// What is opened from a start page takes its place, but not that of a project which was saved there.
     void savedProjectIsNotReplaced() {
