@@ -30,6 +30,10 @@ ManualWindow::ManualWindow(const QString& folder) : m_page(new ManualPage) {
         add({"go-back", tr("Back"), tr("Go to the previous page"), QKeySequence::Back}, &QTextBrowser::backward);
     add({"go-home", tr("Contents"), tr("Go to the table of contents"), QKeySequence("Alt+Home")}, &QTextBrowser::home);
     back->setEnabled(false);
+    auto* close = new QAction(this);
+    close->setShortcuts({QKeySequence(Qt::Key_Escape), QKeySequence(QKeySequence::Close)});
+    connect(close, &QAction::triggered, this, &QWidget::close);
+    addAction(close);
     connect(m_page, &QTextBrowser::backwardAvailable, back, &QAction::setEnabled);
     auto* search = new QLineEdit;
     search->setPlaceholderText(tr("Find on this page"));

@@ -23,6 +23,7 @@
 #include <QFile>
 #include <QFileSystemWatcher>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListView>
 #include <QMessageBox>
 #include <QSignalSpy>
@@ -297,6 +298,16 @@ private slots:
         QVERIFY(isManualOpen());
         m_program->quit();
         QVERIFY(!isManualOpen());
+    }
+    void escapeClosesTheManual() {
+        ManualWindow manual(RUBBLE_SOURCE_DIR "/docs/manual");
+        manual.show();
+        QApplication::setActiveWindow(&manual);
+        QVERIFY(QTest::qWaitForWindowExposed(&manual));
+        auto* field = manual.findChild<QLineEdit*>();
+        field->setFocus();
+        QTest::keyClick(field, Qt::Key_Escape);
+        QVERIFY(!manual.isVisible());
     }
     void oneDialogForAllChangesOnDisk() {
         editedWindow();
