@@ -43,7 +43,7 @@ AssetActions::AssetActions(Views& views)
                  &AssetActions::drawOutline);
     m_menu->addSeparator();
     addShapeMenu(
-        tr("Add &to Outline"), ShapeDrawing::Purpose::Add,
+        tr("Add to Outli&ne"), ShapeDrawing::Purpose::Add,
         {{"outline-add-rectangle", tr("Add R&ectangle to Outline"), tr("Draw a rectangle that extends the outline")},
          {"outline-add-polygon", tr("Add P&olygon to Outline"), tr("Draw a shape that extends the outline")},
          {"outline-add-circle", tr("Add &Circle to Outline"), tr("Draw a circle that extends the outline")}});
@@ -55,7 +55,8 @@ AssetActions::AssetActions(Views& views)
          {"outline-cut-circle", tr("Cut &Circle from Outline"), tr("Draw a round notch or hole of the outline")}});
     m_menu->addSeparator();
     QMenu* layers = m_menu->addMenu(tr("Add &Layer"));
-    for (const PatternKind* kind : patternKinds()) addLayerAction(*layers, *kind);
+    QString mnemonics;
+    for (const PatternKind* kind : patternKinds()) addLayerAction(*layers, *kind, mnemonics);
     m_needAsset += layers->actions();
     m_needAsset +=
         {add({"layer-mesh", tr("Add &Seeds from Mesh…"), tr("Add a layer with a seed at each vertex of a mesh file")},
@@ -127,8 +128,9 @@ void AssetActions::addPrism(const QString& name, const Polygon& outline, double 
     m_views.frameInstancesOf({{added.id}});
 }
 
-void AssetActions::addLayerAction(QMenu& menu, const PatternKind& kind) {
-    const QString text = '&' + inTitleCase(patternText(kind.caption));
+/// `mnemonics`: those of the menu, to which it adds one.
+void AssetActions::addLayerAction(QMenu& menu, const PatternKind& kind, QString& mnemonics) {
+    const QString text = withMnemonic(inTitleCase(patternText(kind.caption)), mnemonics);
     QAction* action = makeAction(this, {kind.icon, text, patternText(kind.hint)});
     menu.addAction(action);
     connect(action, &QAction::triggered, this, [this, &kind] {

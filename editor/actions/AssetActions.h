@@ -35,7 +35,7 @@ private:
     void drawOutline();
     void addShapeMenu(const QString& title, ShapeDrawing::Purpose purpose, const std::vector<ActionDefinition>& shapes);
     void addPrism(const QString& name, const Polygon& outline, double depth);
-    void addLayerAction(QMenu& menu, const PatternKind& kind);
+    void addLayerAction(QMenu& menu, const PatternKind& kind, QString& mnemonics);
     void addSeedsFromMesh();
     void reseed();
     void showContactSheet();

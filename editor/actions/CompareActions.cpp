@@ -33,7 +33,7 @@ CompareActions::CompareActions(Views& views)
       m_panel(new ChangesPanel(m_comparison, m_workspace.selection(), m_workspace.document())),
       m_dock(new ClosableDock(tr("Changes"), &views.window())),
       m_compareWithSaved(
-          makeAction(this, {"asset-changes", tr("&Compare with Saved State"),
+          makeAction(this, {"asset-changes", tr("C&ompare with Saved State"),
                             tr("Show what changed since the project was saved"), QKeySequence("Ctrl+Shift+D")})),
       m_compareWithFile(makeAction(this, {"asset-compare", tr("Compare with &File…"),
                                           tr("Compare the active asset with another project file")})) {

@@ -42,7 +42,7 @@ EventActions::EventActions(Views& views)
       m_views(views),
       m_exportAll(makeAction(this, {"play-export-events", tr("Export Eve&nts…"),
                                     tr("Save all events of the timeline as CSV or JSON lines")})),
-      m_exportShown(makeAction(this, {"play-export-shown-events", tr("Export Sho&wn Events…"),
+      m_exportShown(makeAction(this, {"play-export-shown-events", tr("Export S&hown Events…"),
                                       tr("Save the events that the filter shows as CSV or JSON lines")})) {
     connect(m_exportAll, &QAction::triggered, this, &EventActions::exportAll);
     connect(m_exportShown, &QAction::triggered, this, &EventActions::exportShown);

@@ -118,13 +118,14 @@ void PlayActions::addRun() {
     m_menu->addMenu(m_timeline->menu())->setIcon(iconNamed("dock-history"));
 }
 
-/// The view handles their keys, with the pointer and the charge of a throw.
+/// The view handles their keys, with the pointer and the charge of a throw. They have no mnemonics: the menu has more
+/// items than its letters.
 void PlayActions::addTools() {
     PlayTool& tool = m_views.scene().playView().tool();
-    QAction* throwing = makeAction(this, {"play-throw", tr("T&hrow\tF"), tr("Throw the projectile at the pointer")});
+    QAction* throwing = makeAction(this, {"play-throw", tr("Throw\tF"), tr("Throw the projectile at the pointer")});
     QAction* hammering =
-        makeAction(this, {"play-hammer", tr("Ha&mmer\tH"), tr("Hit what is at the pointer with a hammer")});
-    QAction* blasting = makeAction(this, {"play-blast", tr("B&last\tX"), tr("Set off an explosion at the pointer")});
+        makeAction(this, {"play-hammer", tr("Hammer\tH"), tr("Hit what is at the pointer with a hammer")});
+    QAction* blasting = makeAction(this, {"play-blast", tr("Blast\tX"), tr("Set off an explosion at the pointer")});
     connect(throwing, &QAction::triggered, &tool, &PlayTool::throwAtPointer);
     connect(hammering, &QAction::triggered, &tool, &PlayTool::hammerAtPointer);
     connect(blasting, &QAction::triggered, &tool, &PlayTool::explodeAtPointer);
@@ -133,7 +134,7 @@ void PlayActions::addTools() {
 }
 
 void PlayActions::addSpeeds() {
-    QMenu* menu = m_menu->addMenu(iconNamed("play-speed"), tr("Playback Spee&d"));
+    QMenu* menu = m_menu->addMenu(iconNamed("play-speed"), tr("Playbac&k Speed"));
     m_speeds = new QActionGroup(this);
     for (const double speed : kSpeeds) {
         QAction* action = menu->addAction(tr("%1×").arg(QLocale().toString(speed)));
@@ -147,7 +148,7 @@ void PlayActions::addSpeeds() {
 
 /// Shorter steps follow fast motion more closely, and cost time in proportion.
 void PlayActions::addTimeSteps() {
-    QMenu* menu = m_menu->addMenu(iconNamed("play-step"), tr("&Time Step"));
+    QMenu* menu = m_menu->addMenu(iconNamed("play-step"), tr("Ti&me Step"));
     menu->setToolTipsVisible(true);
     m_timeSteps = new QActionGroup(this);
     for (const int rate : kStepRates) {
@@ -165,7 +166,7 @@ void PlayActions::addTimeSteps() {
         m_timeSteps->addAction(action);
         connect(action, &QAction::triggered, this, [this, rate] { controller().setTimeStep(1.0 / rate); });
     }
-    m_destruction = makeAction(this, {"play-destruction", tr("D&estruction"), tr("Allow bodies to break")});
+    m_destruction = makeAction(this, {"play-destruction", tr("Destru&ction"), tr("Allow bodies to break")});
     m_destruction->setCheckable(true);
     m_menu->addAction(m_destruction);
     connect(m_destruction, &QAction::toggled, &controller(), &PlayController::setDestruction);
@@ -225,7 +226,7 @@ void PlayActions::addShots() {
     m_shots = m_menu->addMenu(iconNamed("play-shot"), tr("Repeat Saved Thro&w"));
     connect(m_shots, &QMenu::aboutToShow, this, &PlayActions::fillShots);
     m_saveShot =
-        actionAdder(*m_menu, this)({"play-save-shot", tr("Sa&ve Last Throw"),
+        actionAdder(*m_menu, this)({"play-save-shot", tr("Save Last Throw"),
                                     tr("Save the last throw, hit or blast in the project"), QKeySequence("Ctrl+K")},
                                    &PlayActions::saveShot);
 }

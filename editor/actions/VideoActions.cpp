@@ -87,7 +87,7 @@ VideoActions::VideoActions(Views& views)
     : QObject(&views.window()),
       m_views(views),
       m_workspace(views.workspace()),
-      m_action(makeAction(this, {"play-video", tr("Export V&ideo…"), {}})) {
+      m_action(makeAction(this, {"play-video", tr("Export Vi&deo…"), {}})) {
     addProgress();
     VideoExporter& videos = m_workspace.videos();
     connect(m_action, &QAction::triggered, this, &VideoActions::exportWithDialog);

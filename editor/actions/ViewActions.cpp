@@ -140,7 +140,7 @@ void ViewActions::addOverlays() {
     addOverlay({"canvas-bonds", tr("&Bonds"), tr("Show the bonds between cells, wider for longer shared edges"),
                 QKeySequence("Alt+9")},
                &CanvasOverlays::hasBonds);
-    m_bondActions.append(addOverlay({"canvas-bond-strengths", tr("Bonds by S&trength"),
+    m_bondActions.append(addOverlay({"canvas-bond-strengths", tr("Bonds by St&rength"),
                                      tr("Show the bonds between fragments, coloured by the factor of their strength")},
                                     &CanvasOverlays::hasBondStrengths));
     addOverlay({"canvas-levels", tr("&Deeper Levels"), tr("Show the fragments of the fragments")},

@@ -175,7 +175,7 @@ void SceneView::addViews() {
         [this] { m_viewport->alignTo(StandardView::Right); });
     add({"view-top", tr("&Top\t7"), tr("Look from above; 7 in the 3D view")},
         [this] { m_viewport->alignTo(StandardView::Top); });
-    add({"view-iso", tr("I&sometric"), tr("Look from the front, right and top")},
+    add({"view-iso", tr("Isom&etric"), tr("Look from the front, right and top")},
         [this] { m_viewport->alignTo(StandardView::Isometric); });
     add({"view-orthographic", tr("&Orthographic\t5"), tr("Toggle perspective; 5 in the 3D view")}, [this] {
         const bool isParallel = m_viewport->camera().projection == Projection::Orthographic;

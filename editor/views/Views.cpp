@@ -161,7 +161,7 @@ void Views::addDocks() {
     connect(tests, &PlayTestPanel::refused, this, &Views::showRefusal);
     connect(tests, &PlayTestPanel::statusMessage, this, &Views::statusMessage);
     connect(m_strength, &StrengthPanel::refused, this, &Views::showRefusal);
-    connect(m_strength, &StrengthPanel::trialRequested, this, [this](const Shot& shot) {
+    connect(m_strength, &StrengthPanel::trialRequested, this, [this](const Shot& shot, Id tried) {
         setSceneVisible(true);
         frameTrial(shot, tried);
         m_workspace.play().playShot(shot);
@@ -338,7 +338,7 @@ void Views::setFragmentActions(const FragmentActionGroups& groups) {
             menu.addActions(group);
         }
     };
-    auto* selectMenu = new QMenu(tr("Sele&ct"), m_fragmentMenu);
+    auto* selectMenu = new QMenu(tr("Se&lect"), m_fragmentMenu);
     selectMenu->addActions(groups.selection);
     m_fragmentMenu->setToolTipsVisible(true);
     addGroups(*m_fragmentMenu, {groups.navigation, groups.editing, {selectMenu->menuAction()}, groups.visibility});
@@ -389,6 +389,9 @@ void Views::reveal(const Diagnostic& problem) {
     if (bake && problem.place.fragment < bake->fragmentCount()) {
         FragmentSet affected(bake->fragmentCount(), false);
         affected[problem.place.fragment] = true;
+        for (const std::uint32_t fragment : problem.place.fragments) {
+            if (fragment < affected.size()) affected[fragment] = true;
+        }
         selection.setFragments(selectionOf(affected, *bake));
         showSelected(selection, *bake);
     } else {
@@ -404,9 +407,6 @@ void Views::reveal(const std::vector<Id>& instances) {
     std::set<Id> existing;
     for (const Id id : instances) {
         if (findInstance(m_workspace.project(), id) != nullptr) existing.insert(id);
-        for (const std::uint32_t fragment : problem.place.fragments) {
-            if (fragment < affected.size()) affected[fragment] = true;
-        }
     }
     m_workspace.selection().setSeeds({});
     m_workspace.selection().setInstances(m_workspace.project(), std::move(existing));

@@ -20,6 +20,15 @@ QAction* makeAction(QObject* parent, const ActionDefinition& definition) {
     return action;
 }
 
+QString withMnemonic(QString text, QString& used) {
+    for (qsizetype k = 0; k < text.size(); ++k) {
+        if (!text[k].isLetter() || used.contains(text[k], Qt::CaseInsensitive)) continue;
+        used += text[k];
+        return text.insert(k, '&');
+    }
+    return text;
+}
+
 bool isShortcutOf(const QAction& action, const QEvent& event) {
     if (event.type() != QEvent::ShortcutOverride && event.type() != QEvent::KeyPress) return false;
     const auto& key = static_cast<const QKeyEvent&>(event);

@@ -20,6 +20,10 @@ struct ActionDefinition {
 /// Returns a new action owned by `parent`. Its tooltip shows name, shortcut and tip.
 QAction* makeAction(QObject* parent, const ActionDefinition& definition);
 
+/// Returns a text for a menu with a mnemonic, the first of its letters that none of the texts before has, if there is
+/// one; adds it to `used`.
+QString withMnemonic(QString text, QString& used);
+
 /// True if an event is the press of one of the action's shortcuts, or the ShortcutOverride before it.
 bool isShortcutOf(const QAction& action, const QEvent& event);
 /// Triggers an action by a key press that is one of its shortcuts; not by the repeats of a held key if the action does

@@ -106,7 +106,7 @@ void ProjectTree::buildButtons() {
 
 void ProjectTree::fillAddMenu(QMenu& menu) {
     menu.clear();
-    menuAction(menu, "material", tr("Add &Material"), tr("Add a material"), [this] { addMaterial(); });
+    menuAction(menu, "material", tr("Add Materi&al"), tr("Add a material"), [this] { addMaterial(); });
     menu.addActions(m_addActions);
 }
 

@@ -22,6 +22,13 @@ private slots:
     void keyAfterTheTabIsNoPartOfTheIconText() {
         QCOMPARE(makeAction(this, {"play-throw", "T&hrow\tF", "Throw"})->iconText(), "Throw");
     }
+    void mnemonicsOfGeneratedMenusAreDistinct() {
+        QString used = "S";
+        QCOMPARE(withMnemonic("Sun", used), "S&un");
+        QCOMPARE(withMnemonic("Radial", used), "&Radial");
+        QCOMPARE(withMnemonic("Rus", used), "Rus");  // none is left
+        QCOMPARE(used, "SuR");
+    }
     void keysOfTheKeypadAreThoseOfTheKeyboard() {
         const auto* action = makeAction(this, {"play-step", "Step", "Step", QKeySequence(".")});
         QVERIFY(isShortcutOf(*action, press(Qt::Key_Period)));

@@ -65,6 +65,26 @@ private slots:
             QVERIFY(press.isAccepted());
         }
     }
+    /// Otherwise Alt and the letter only move between the items.
+    void mnemonicsAreDistinctInEveryMenu() {
+        QStringList faults;
+        const QList<QMenu*> menus = window().findChildren<QMenu*>();
+        QVERIFY(menus.size() > 15);
+        for (QMenu* menu : menus) {
+            emit menu->aboutToShow();  // fills it
+            std::map<QString, QStringList> items;
+            for (const QAction* item : menu->actions()) {
+                const QKeySequence key = QKeySequence::mnemonic(item->text());
+                if (item->isVisible() && !key.isEmpty()) items[key.toString()] << item->text();
+            }
+            QString used;
+            for (const auto& [key, texts] : items) used += key.back();
+            for (const auto& [key, texts] : items) {
+                if (texts.size() > 1) faults << QString("%1: %2 (used: %3)").arg(menu->title(), texts.join(", "), used);
+            }
+        }
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));
+    }
     /// After a click in a dock, and after Return in one of its fields.
     void keysOfPlayWorkInDocks() {
         play();
