@@ -85,7 +85,10 @@ QVariant HeightStrengthModel::data(const QModelIndex& index, int role) const {
     const NumberFormat format = formatOf(index.column());
     switch (role) {
         case Qt::DisplayRole: return roundedText(value, format);
-        case Qt::ToolTipRole: return withUnit(exactText(value, format, {}), format);
+        case Qt::ToolTipRole:
+            return tr("At a height of %1, bonds are %2 times as strong")
+                .arg(withUnit(exactText(strength.height, formatOf(Height), {}), formatOf(Height)),
+                     exactText(strength.factor, formatOf(Factor), {}));
         case Qt::EditRole: return value;
         case Qt::TextAlignmentRole: return QVariant(Qt::AlignRight | Qt::AlignVCenter);
         default: return {};

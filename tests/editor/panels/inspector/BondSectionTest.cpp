@@ -138,6 +138,8 @@ private slots:
         QVERIFY(model.setData(model.index(1, HeightStrengthModel::Factor), 2.5, Qt::EditRole));
         QVERIFY(model.setData(model.index(0, HeightStrengthModel::Height), 0.6, Qt::EditRole));
         QCOMPARE(desk.heightsText(), "0.5 m: 2.5, 0.6 m: 1, 0.75 m: 1, ");
+        QCOMPARE(model.index(0, HeightStrengthModel::Factor).data(Qt::ToolTipRole).toString().replace(QChar(0xa0), ' '),
+                 "At a height of 0.5 m, bonds are 2.5 times as strong");
         QVERIFY(!model.setData(model.index(0, HeightStrengthModel::Height), 0.75, Qt::EditRole));
         QCOMPARE(desk.refusals.last()[0].toString().replace(QChar(0xa0), ' '),
                  "There is a strength at the height 0.75 m already. Enter another height.");
