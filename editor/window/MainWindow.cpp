@@ -20,6 +20,7 @@
 #include "editor/views/FirstSteps.h"
 #include "editor/views/Views.h"
 #include "editor/widgets/Buttons.h"
+#include "editor/widgets/ElidedLabel.h"
 #include "editor/window/StartPage.h"
 #include "viewport/widget/ViewportWidget.h"
 
@@ -182,7 +183,7 @@ void MainWindow::addToolBars() {
 }
 
 void MainWindow::addStatusBar() {
-    m_hint = new QLabel;
+    m_hint = new ElidedLabel;
     m_hint->setObjectName("hint");
     m_position = new QLabel;
     m_counts = new QLabel;
