@@ -10,9 +10,11 @@ namespace {
 
 constexpr double kLineWidth = 2.0;   // points, outside of an outline
 constexpr double kAreaMargin = 4.0;  // points around the bodies
+constexpr double kMaskMargin = 2.0;  // points, more than the lines look at
 
-/// Restricts drawing to the pixels of a box with some margin; to the whole image if the box reaches behind the eye.
-void setScissor(const RenderView& view, const Box3& box) {
+/// Restricts drawing to the pixels of a box with a margin in points; to the whole image if the box reaches behind the
+/// eye.
+void setScissor(const RenderView& view, const Box3& box, double marginPoints) {
     Box2 area;
     for (int corner = 0; corner < 8; ++corner) {
         const Vec3 point((corner & 1) != 0 ? box.max.x : box.min.x, (corner & 2) != 0 ? box.max.y : box.min.y,
@@ -21,7 +23,7 @@ void setScissor(const RenderView& view, const Box3& box) {
         if (!pixel) return glScissor(0, 0, view.size.width, view.size.height);
         area.include(*pixel);
     }
-    const Vec2 size(view.size.width, view.size.height), margin(kAreaMargin * view.settings.scale);
+    const Vec2 size(view.size.width, view.size.height), margin(marginPoints * view.settings.scale);
     const Vec2 low = glm::clamp(area.min - margin, Vec2(0.0), size), high = glm::clamp(area.max + margin, low, size);
     const auto pixels = [](double length) { return static_cast<GLint>(std::ceil(length)); };
     glScissor(static_cast<GLint>(low.x), static_cast<GLint>(size.y - high.y), pixels(high.x - low.x) + 1,
@@ -42,7 +44,8 @@ Result<OutlinePass> OutlinePass::create() {
 void OutlinePass::draw(const SceneBuffers& scene, const RenderView& view, const OutlineTarget& target) {
     const ImageSize size = view.size;
     m_depths.copy(target.depths, size);  // first: the scissor would cut it
-    setScissor(view, target.outlined);
+    // A line looks at the mask around it, where it would find what was outlined before if that was not cleared.
+    setScissor(view, target.outlined, kAreaMargin + kLineWidth + kMaskMargin);
     glEnable(GL_SCISSOR_TEST);
     if (!m_mask.matches(size, 1)) m_mask = RenderTarget(size, PixelFormat::BodyIndex, 1);
     m_mask.bind();
@@ -57,6 +60,7 @@ void OutlinePass::draw(const SceneBuffers& scene, const RenderView& view, const 
     m_maskProgram.use();
     scene.draw(SceneBuffers::Part::Bodies);
 
+    setScissor(view, target.outlined, kAreaMargin);
     glBindFramebuffer(GL_FRAMEBUFFER, target.image);
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(TextureUnit::Mask));
     glBindTexture(GL_TEXTURE_2D, m_mask.colourTexture());

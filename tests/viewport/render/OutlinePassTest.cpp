@@ -160,6 +160,28 @@ private slots:
         }
         QVERIFY2(lighter > 40, qPrintable(QString::number(lighter)));
     }
+    /// The pass draws near the outlined bodies only: what it drew of others before is not seen around them.
+    void nothingIsLeftOfEarlierOutlines() {
+        RenderView view = frontOf(*test::starterScene());
+        const auto bodies = static_cast<std::uint32_t>(test::starterScene()->picks.size());
+        std::vector<QImage> alone;
+        for (std::uint32_t body = 0; body < bodies; ++body) {
+            view.hovered = body;
+            alone.push_back(picture(test::starterScene(), view));
+        }
+        Result<OffscreenRenderer> renderer = OffscreenRenderer::create();
+        QVERIFY(renderer.hasValue());
+        const auto hovered = [&](std::uint32_t body) {
+            view.hovered = body % bodies;
+            const Image image = renderer->renderImage(test::starterScene(), view, 0).value();
+            return QImage(image.pixels.data(), image.width, image.height, 3 * image.width, QImage::Format_RGB888)
+                .copy();
+        };
+        for (std::uint32_t body = 0; body < bodies; ++body) {
+            for (std::uint32_t other = 1; other < bodies; ++other) hovered(body + other);
+            QVERIFY2(hovered(body) == alone[body], qPrintable(QString::number(body)));
+        }
+    }
     /// Also over the mean of several samples, whose sum is blended otherwise.
     void hoveredSurfaceIsOnlyABitBrighter() {
         RenderView view = frontOf(*test::starterScene());
