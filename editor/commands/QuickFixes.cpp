@@ -3,6 +3,7 @@
 #include "core/asset/bake/FractureResult.h"
 #include "core/asset/bake/FragmentLookup.h"
 #include "core/asset/project/FragmentLevels.h"
+#include "core/asset/strength/Threshold.h"
 #include "core/fracture/pattern/SeedEdits.h"
 #include "core/fracture/sampling/PairIndex.h"
 #include "core/geometry/polygon/PolygonFaults.h"

@@ -233,6 +233,13 @@ ExportSummary addMessages(Messages& messages, const Result<OutputExport>& run, c
     if (run.error().code == ErrorCode::Cancelled)
         return {.sentence = ExportTexts::tr("Export cancelled. No incomplete files were left.")};
     const QString sentence = QString::fromStdString(run.error().message);
+    if (isEdited(run.error())) {  // and the user keeps it
+        messages.add({.severity = Severity::Warning, .text = sentence});
+        const QString nothing =
+            ExportTexts::tr("Nothing was exported to %1: a changed file is kept.").arg(pathText(folder));
+        messages.add({.text = nothing});
+        return {.sentence = nothing};
+    }
     messages.add({.severity = Severity::Error, .text = sentence});
     return {.sentence = sentence, .failure = sentence};
 }

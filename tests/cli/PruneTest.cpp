@@ -21,10 +21,11 @@ class PruneTest : public QObject {
     std::unique_ptr<QTemporaryDir> m_place;
     fs::path m_packs;
 
-    /// Writes the project, whose asset has a name, and exports it.
-    ProgramOutcome exportAs(const std::string& name, const QStringList& more = {}) {
+    /// Writes the project, whose asset has a name, and exports it. `isNew`: it is another asset.
+    ProgramOutcome exportAs(const std::string& name, const QStringList& more = {}, bool isNew = false) {
         Project project = boxProject(UniformScatter{.count = 3});
         project.assets[0].name = name;
+        if (isNew) project.instances[0].asset = project.assets[0].id = project.nextId++;
         const QString file = m_place->filePath("box.rubble");
         if (!saveProject(file.toStdString(), project)) qFatal("cannot save");
         return runProgram(RUBBLE_CLI, QStringList{"export", file, "--out", m_place->filePath("packs")} + more);
@@ -36,11 +37,17 @@ private slots:
         m_place = std::make_unique<QTemporaryDir>();
         m_packs = m_place->filePath("packs").toStdString();
     }
-    void renamedAssetIsPruned() {
+    void renamedAssetTakesItsFolderAlong() {
         QCOMPARE(exportAs("Wall").exit, 0);
         QCOMPARE(exportAs("gate").exit, 0);
+        QVERIFY(!fs::exists(m_packs / "Wall") && fs::exists(m_packs / "gate"));
+        QVERIFY(listed() == std::vector<std::string>{"gate"});
+    }
+    void deletedAssetIsPruned() {
+        QCOMPARE(exportAs("Wall").exit, 0);
+        QCOMPARE(exportAs("gate", {}, true).exit, 0);
         QVERIFY((listed() == std::vector<std::string>{"gate", "Wall"}));
-        QCOMPARE(exportAs("gate", {"--prune"}).exit, 0);
+        QCOMPARE(exportAs("gate", {"--prune"}, true).exit, 0);
         QVERIFY(!fs::exists(m_packs / "Wall") && fs::exists(m_packs / "gate"));
         QVERIFY(listed() == std::vector<std::string>{"gate"});
     }

@@ -281,6 +281,9 @@ Status measureMoving(Session session, const PlayAsset& asset, SwapAudit& audit) 
     audit.momentumDrift = driftOf(after.linear, before.linear, glm::length(before.linear));
     audit.angularDrift = driftOf(after.angular, before.angular, glm::length(before.angular));
     audit.energyGain = (after.kinetic - before.kinetic) / before.kinetic;
+    for (const PlayBody& body : session.bodies()) {  // one that is cut at the point of impact has other gaps
+        if (body.fragment != kNone) audit.gapFraction = std::max(audit.gapFraction, gapFractionOf(*body.asset->bake));
+    }
     return success();
 }
 
@@ -303,6 +306,11 @@ Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const 
     SwapAudit audit;
     audit.gapFraction = gapFractionOf(*asset->bake);
     audit.diagnostics = asset->diagnostics;
+    Result<Session> moving = started(scene, asset);
+    if (!moving) return ofAsset(authored, moving.error());
+    if (const Status measured = measureMoving(std::move(*moving), *asset, audit); !measured) {
+        return ofAsset(authored, measured.error());
+    }
     if (audit.gapFraction > 0.0) {
         audit.diagnostics.push_back(diagnostic(DiagnosticCode::GapVolume, {.asset = authored.id},
                                                "The gap between fragments takes " +
@@ -311,11 +319,6 @@ Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const 
                                                audit.gapFraction));
     }
     measureExport(*asset->bake, audit);
-    Result<Session> moving = started(scene, asset);
-    if (!moving) return ofAsset(authored, moving.error());
-    if (const Status measured = measureMoving(std::move(*moving), *asset, audit); !measured) {
-        return ofAsset(authored, measured.error());
-    }
     measureResting(std::move(*floating), audit);
     scene.gravity = {0.0, -9.81, 0.0};
     scene.ground.isOn = true;

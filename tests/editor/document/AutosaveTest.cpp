@@ -13,9 +13,11 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <memory>
+#include <vector>
 
 using namespace rubble;
 using namespace std::chrono_literals;
@@ -291,14 +293,18 @@ private slots:
             QProcess child;
             start(child, interval);
             QVERIFY(child.waitForReadyRead(kPatience));
-            const QDeadlineTimer end(2300 + static_cast<int>(random.unit() * 2000));
-            int sure = 0, last = 0;  // edits made two seconds before it is killed, and all
-            QTest::qWait(static_cast<int>(end.remainingTime()) - 2000);
-            while (child.canReadLine()) sure = child.readLine().trimmed().toInt();
-            QTest::qWait(static_cast<int>(end.remainingTime()));
+            const int enough = 115 + static_cast<int>(random.below(100));  // edits; at least 2.3 s
+            std::vector<QDeadlineTimer> sureAfter(1);                      // of each edit: two seconds after it
+            const auto readEdits = [&] {
+                while (child.canReadLine())
+                    sureAfter.resize(child.readLine().trimmed().toUInt() + 1, QDeadlineTimer(2000));
+                return static_cast<int>(sureAfter.size()) - 1;
+            };
+            while (readEdits() < enough) QVERIFY(child.waitForReadyRead(kPatience));
             ::kill(static_cast<pid_t>(child.processId()), SIGKILL);
+            const auto sure = static_cast<int>(std::ranges::count_if(sureAfter, &QDeadlineTimer::hasExpired)) - 1;
             QVERIFY(child.waitForFinished(kPatience));
-            while (child.canReadLine()) last = child.readLine().trimmed().toInt();
+            const int last = readEdits();
             const std::vector<Backup> left = orphanedBackups(m_folder->path());
             QCOMPARE(left.size(), std::size_t{1});
             const auto recovered = recoverProject(toPath(left[0].path), toPath(journalPath(left[0])));
@@ -317,8 +323,7 @@ private slots:
         autosave.setInterval(60s);
         for (const double height : {3.0, 4.0, 5.0}) {
             setHeight(document, height);
-            QTest::qWait(1000);
-            QCOMPARE(recoveredHeight(), height);
+            QTRY_COMPARE(recoveredHeight(), height);
         }
         QCOMPARE(heightIn(backups()[0]), 3.0);  // the others are in the journal
         document.undoStack().undo();

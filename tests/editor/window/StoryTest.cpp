@@ -28,6 +28,7 @@
 #include <QTimer>
 
 #include <filesystem>
+#include <utility>
 
 using namespace rubble;
 
@@ -126,10 +127,15 @@ private slots:
         QCOMPARE(projectText(project()), m_editedBytes);
     }
     void reopenedProjectEqualsSavedOne() {
+        const std::string unsaved = m_editedBytes;
         const QString path = m_folder.filePath("story.rubble");
         test::onNextDialog<QFileDialog>([path](QFileDialog& dialog) { test::acceptFile(dialog, path); });
         QTest::keyClick(m_window, Qt::Key_S, Qt::ControlModifier);
+        Project saved = project();
+        m_editedBytes = projectText(saved);  // with the identity that the first save gives
         QCOMPARE(bytesOfFile(path).toStdString(), m_editedBytes);
+        QVERIFY(!std::exchange(saved.identity, {}).empty());
+        QCOMPARE(projectText(saved), unsaved);
         QVERIFY(!m_window->isWindowModified());
         m_window->findChild<Section*>("shape")->setCollapsed(true);
         QVERIFY(m_window->close());

@@ -50,13 +50,13 @@ private slots:
                 legendHeight(legendContents(CellColouring::Fragment)));
     }
     void valuesAtTheEndsDoNotOverlap() {
-        CanvasContents contents = legendContents(CellColouring::Mass);
+        CanvasContents contents = legendContents(CellColouring::Volume);
         const auto width = [&] {
             return legendArea(QFont(), kLegendCanvas, contents, canvasColours(QPalette())).width();
         };
         contents.range = {1.0, 2.0};
         const double usual = width();
-        contents.range = {1.234e-12, 123.4};  // in one unit
+        contents.range = {0.00008915, 0.05566};  // m³
         QVERIFY(width() > usual);
     }
     void eachOverlayHasARow() {
