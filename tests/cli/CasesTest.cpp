@@ -5,7 +5,6 @@
 
 #include <QDir>
 #include <QProcess>
-#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -22,16 +21,6 @@ struct CaseResult {
     QByteArray err;
     QByteArray exit;
 };
-
-/// Files with zeros in place of the identities of projects, which are random.
-FileTree withoutIdentities(FileTree files) {
-    static const QRegularExpression kIdentity(R"(("identity": ")[0-9a-f]{32})");
-    for (QByteArray& bytes : files) {
-        if (bytes.contains("\"identity\": "))
-            bytes = QString::fromUtf8(bytes).replace(kIdentity, "\\1" + QString(32, '0')).toUtf8();
-    }
-    return files;
-}
 
 /// Runs the program in a folder with the case's `args` and `stdin`.
 CaseResult runCase(const QString& folder, const QString& caseFolder) {

@@ -23,6 +23,17 @@ inline FileTree fileTree(const QString& folder) {
     return tree;
 }
 
+/// Files with zeros in place of the identities of projects, which are random.
+inline FileTree withoutIdentities(FileTree files) {
+    const QByteArray key = "\"identity\": \"";
+    constexpr qsizetype kDigits = 32;
+    for (QByteArray& bytes : files) {
+        for (qsizetype at = bytes.indexOf(key); at >= 0; at = bytes.indexOf(key, at + 1))
+            bytes.replace(at + key.size(), kDigits, QByteArray(kDigits, '0'));
+    }
+    return files;
+}
+
 /// Writes files below a folder; others that are there stay.
 inline void writeFileTree(const QString& folder, const FileTree& tree) {
     for (auto file = tree.begin(); file != tree.end(); ++file) {
