@@ -67,3 +67,6 @@ is_still() {
   mv "$folder/now.pixels" "$folder/last.pixels"
   [ $looks -ge 5 ]
 }
+
+# without_identity FILE: a project without its identity, which the first save gives it.
+without_identity() { grep -v '^  "identity": ' "$1"; }

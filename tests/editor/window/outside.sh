@@ -6,7 +6,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/desktop.sh"
 cp "$2" "$folder/wall.rubble"
 cp "$2" "$folder/before.rubble"
-is_as_before() { cmp -s "$folder/before.rubble" "$folder/wall.rubble"; }
+is_as_before() { cmp -s <(without_identity "$folder/before.rubble") <(without_identity "$folder/wall.rubble"); }
 is_other() { ! is_as_before; }
 
 start_editor "$1" "$folder/wall.rubble"

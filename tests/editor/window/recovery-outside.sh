@@ -51,7 +51,6 @@ locks() { find "$folder" -maxdepth 1 -name '.*.lock' | grep -c . || true; }
 [ "$(locks)" = 1 ] || fail 'the restored project is not locked'
 xdotool key ctrl+s
 until_true is_other || fail 'Ctrl+S wrote nothing'
-without_identity() { grep -v '^  "identity": ' "$1"; }
 cmp <(without_identity "$folder/backup.rubble") <(without_identity "$folder/$name") || fail 'the saved project is not the one that was edited'
 until_true has_no_backup || fail 'the backup was left behind'
 xdotool key ctrl+q
