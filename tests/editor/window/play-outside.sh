@@ -8,7 +8,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/play.sh"
 cp "$2" "$folder/house.rubble"
 
 # field: prints the pixels of the field of the threshold in the inspector.
-field() { import -window root -crop "120x24+$((X + WIDTH - 130))+$((Y + 158))" rgb:-; }
+field() { import -window root -crop "120x24+$((X + WIDTH - 130))+$((Y + 198))" rgb:-; }
 # differs <before> <percentage>: whether more than this percentage of the middle of the window changed.
 differs() {
   part >"$folder/now.rgb"
@@ -34,7 +34,7 @@ until_true differs "$folder/whole.rgb" 10 || fail 'the throw did not change the 
 # threshold. 4: throw.
 actions=0
 field >"$folder/field.rgb"
-act xdotool mousemove $((X + WIDTH - 70)) $((Y + 170)) click --repeat 3 --delay 50 1
+act xdotool mousemove $((X + WIDTH - 70)) $((Y + 210)) click --repeat 3 --delay 50 1
 until_true is_other field "$folder/field.rgb" || fail 'a click selected no text'
 act xdotool type --delay 40 '2500'
 xdotool key Return
