@@ -68,8 +68,10 @@ EventActions::OutputFile EventActions::askForFile(const QString& title, const QL
     for (const EventsFormat format : formats) kinds.append(kindOf(format));
     offerKinds(dialog, kinds);
     suggestOutput(dialog, m_views.workspace().file(), '.' + kinds.front().suffix);
-    if (dialog.exec() != QDialog::Accepted) return {};
-    const QString path = dialog.selectedFiles().first();
+    QStringList suffixes;
+    for (const FileKind& kind : kinds) suffixes.append('.' + kind.suffix);
+    const QString path = askForOutput(dialog, m_views.workspace().file(), suffixes);
+    if (path.isEmpty()) return {};
     // The name decides; of formats with the same, the filter.
     const bool isCsv = eventsFormatOf(toPath(path)) == EventsFormat::Csv;
     if (isCsv) return {path, EventsFormat::Csv};

@@ -165,7 +165,12 @@ bool FileActions::saveAs() {
     dialog.setDefaultSuffix(QString(kProjectSuffix).mid(1));
     dialog.selectFile(file.path().isEmpty() ? tr("untitled") + kProjectSuffix : QFileInfo(file.path()).fileName());
     if (dialog.exec() != QDialog::Accepted) return false;
-    if (!saveTo(dialog.selectedFiles().first())) return false;
+    const QString path = dialog.selectedFiles().first();
+    if (const QString fault = outputFault(path, {}, {kProjectSuffix}); !fault.isEmpty()) {
+        showError(&m_views.window(), fault);
+        return false;
+    }
+    if (!saveTo(path)) return false;
     m_recentFiles.add(file.path());
     m_views.showProject();  // of a start page
     return true;

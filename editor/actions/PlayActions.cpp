@@ -294,8 +294,8 @@ void PlayActions::saveReplay() {
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix("replay");
     suggestOutput(dialog, m_workspace.file(), ".replay");
-    if (dialog.exec() != QDialog::Accepted) return;
-    const QString path = dialog.selectedFiles().first();
+    const QString path = askForOutput(dialog, m_workspace.file(), {".replay"});
+    if (path.isEmpty()) return;
     controller().requestScript([this, path](const PlayScript& script) { writeReplay(path, script); });
 }
 
@@ -319,8 +319,8 @@ void PlayActions::exportAnimation() {
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     offerKinds(dialog, {{glbFilter(), "glb"}, {usdFilter(), "usda"}});
     suggestOutput(dialog, m_workspace.file(), ".glb");
-    if (dialog.exec() != QDialog::Accepted) return;
-    const QString path = dialog.selectedFiles().first();
+    const QString path = askForOutput(dialog, m_workspace.file(), {".glb", ".usda"});
+    if (path.isEmpty()) return;
     controller().requestScript([this, path](PlayScript script) { writeAnimation(path, std::move(script)); });
 }
 
@@ -359,8 +359,8 @@ void PlayActions::saveState() {
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix("rubblestate");
     suggestOutput(dialog, m_workspace.file(), ".rubblestate");
-    if (dialog.exec() != QDialog::Accepted) return;
-    const QString path = dialog.selectedFiles().first();
+    const QString path = askForOutput(dialog, m_workspace.file(), {".rubblestate"});
+    if (path.isEmpty()) return;
     controller().requestState([this, path](const std::shared_ptr<const SavedSession>& saved) {
         const Status written = rubble::saveState(toPath(path), *saved, sceneHash(m_workspace.project()));
         if (!written) return showError(&m_views.window(), written.error());

@@ -1,6 +1,8 @@
 #include "editor/dialogs/OutputPath.h"
 
+#include "core/io/output/FileUse.h"
 #include "core/io/system/FileName.h"
+#include "editor/dialogs/MessageBoxes.h"
 #include "editor/document/DocumentFile.h"
 #include "editor/document/FilePath.h"
 
@@ -17,6 +19,7 @@
 #include <QVariant>
 
 #include <utility>
+#include <vector>
 
 namespace rubble {
 
@@ -51,6 +54,24 @@ void suggestOutput(QFileDialog& dialog, const DocumentFile& file, const QString&
     const auto [name, folder] = outputDefaults(file, QStandardPaths::DocumentsLocation);
     dialog.setDirectory(folder);
     dialog.selectFile(QFileInfo(unusedPath(folder, name, suffix)).fileName());
+}
+
+QString outputFault(const QString& path, const QString& project, const QStringList& suffixes) {
+    FileUse written{.path = toPath(path), .role = FileRole::Written, .name = OutputPathTexts::tr("File").toStdString()};
+    for (const QString& suffix : suffixes) written.extensions.push_back(suffix.toStdString());
+    std::vector<FileUse> uses{std::move(written)};
+    if (!project.isEmpty()) uses.push_back({.path = toPath(project), .role = FileRole::Read, .what = "the project"});
+    const Status free = checkFileUses(uses);
+    return free ? QString() : QString::fromStdString(free.error().message);
+}
+
+QString askForOutput(QFileDialog& dialog, const DocumentFile& file, const QStringList& suffixes) {
+    if (dialog.exec() != QDialog::Accepted) return {};
+    const QString path = dialog.selectedFiles().first();
+    const QString fault = outputFault(path, file.path(), suffixes);
+    if (fault.isEmpty()) return path;
+    showError(dialog.parentWidget(), fault);
+    return {};
 }
 
 QString unusedPathIn(const QVariant& setting, const QString& folder, const QString& name, const QString& suffix) {

@@ -38,6 +38,14 @@ QString unusedPathIn(const QVariant& setting, const QString& folder, const QStri
 /// Lets a dialog that saves a file begin in the folder of the project, with an unused name after it.
 void suggestOutput(QFileDialog& dialog, const DocumentFile& file, const QString& suffix);
 
+/// Why a file may not be written, as a sentence: it is the project, a file of an export, or something else by its
+/// suffix. Empty if it may. `suffixes`: ".png"; none: any.
+QString outputFault(const QString& path, const QString& project, const QStringList& suffixes);
+
+/// Runs a dialog that saves a file. Returns its path; nothing if it was cancelled, or after a message that the file may
+/// not be written, see outputFault().
+QString askForOutput(QFileDialog& dialog, const DocumentFile& file, const QStringList& suffixes);
+
 /// A kind of file: the filter that a dialog shows for it, and its suffix without a period.
 struct FileKind {
     QString filter;

@@ -126,7 +126,7 @@ QString PictureDialog::error() const {
     const ImageSize size = options().size;
     if (std::max(size.width, size.height) > kMaxImageSide)
         return tr("Pictures have at most %L1 pixels a side. Select a smaller size.").arg(kMaxImageSide);
-    if (!pictureFormat(path).isEmpty()) return {};
+    if (!pictureFormat(path).isEmpty()) return outputFault(path, {}, {});
     return tr("Pictures are saved as .png or .jpg; \"%1\" is neither.").arg(fileNameText(path));
 }
 

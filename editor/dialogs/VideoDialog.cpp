@@ -240,6 +240,10 @@ QString VideoDialog::error(const VideoOptions& options, int frames) const {
     if (options.path.isEmpty()) return tr("The target is empty. Enter a path.");
     if (!options.isVideo && isVideoPath(toPath(options.path)))
         return tr("The target is a file. Enter a folder for the images.");
+    if (options.isVideo) {
+        const QString fault = outputFault(options.path, {}, {".mp4", ".mkv", ".mov", ".webm"});
+        if (!fault.isEmpty()) return fault;
+    }
     if (frames <= kMaxPictures) return {};
     return tr("The video would have %L1 frames; at most %L2 are possible. Use a shorter time, a lower frame rate or a "
               "higher speed.")

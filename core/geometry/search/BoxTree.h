@@ -62,6 +62,10 @@ private:
         return x & y & z;
     }
 
+    /// Calls `visit(place)` for the places in m_items of the leaves whose boxes, and those around them, are reached.
+    template <class IsReached, class VisitPlace>
+    void visitPlaces(IsReached isReached, VisitPlace visit) const;
+
     /// The largest dot product of a normal with a point of a box. Rounding is monotonic: no point of the box has a
     /// larger one.
     static double reach(const Box3& box, Vec3 normal) {
@@ -104,22 +108,16 @@ std::size_t BoxTree::visitNear(Vec3 point, Visit visit) const {
     return visited;
 }
 
-template <class Visit>
-void BoxTree::visitOverlapping(const Box3& box, Visit visit) const {
+template <class IsReached, class VisitPlace>
+void BoxTree::visitPlaces(IsReached isReached, VisitPlace visit) const {
     if (m_items.empty()) return;
     std::uint32_t stack[64];
     int size = 0;
     stack[size++] = 0;
     while (size > 0) {
         const Node& node = m_nodes[stack[--size]];
-        if (!overlap(node.box, box)) continue;
-        for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-            if (!overlap(m_boxes[k], box)) continue;
-            if constexpr (std::is_invocable_v<Visit, std::uint32_t, const Box3&>)
-                visit(m_items[k], m_boxes[k]);
-            else
-                visit(m_items[k]);
-        }
+        if (!isReached(node.box)) continue;
+        for (std::uint32_t k = node.first; k < node.first + node.count; ++k) visit(k);
         if (node.count > 0) continue;
         stack[size++] = node.first + 1;
         stack[size++] = node.first;
@@ -127,19 +125,21 @@ void BoxTree::visitOverlapping(const Box3& box, Visit visit) const {
 }
 
 template <class Visit>
+void BoxTree::visitOverlapping(const Box3& box, Visit visit) const {
+    const auto visitPlace = [&](std::uint32_t k) {
+        if (!overlap(m_boxes[k], box)) return;
+        if constexpr (std::is_invocable_v<Visit, std::uint32_t, const Box3&>)
+            visit(m_items[k], m_boxes[k]);
+        else
+            visit(m_items[k]);
+    };
+    visitPlaces([&](const Box3& reached) { return overlap(reached, box); }, visitPlace);
+}
+
+template <class Visit>
 void BoxTree::visitBeyond(Vec3 normal, double offset, Visit visit) const {
-    if (m_items.empty()) return;
-    std::uint32_t stack[64];
-    int size = 0;
-    stack[size++] = 0;
-    while (size > 0) {
-        const Node& node = m_nodes[stack[--size]];
-        if (!(reach(node.box, normal) > offset)) continue;
-        for (std::uint32_t k = node.first; k < node.first + node.count; ++k) visit(m_items[k]);
-        if (node.count > 0) continue;
-        stack[size++] = node.first + 1;
-        stack[size++] = node.first;
-    }
+    visitPlaces([&](const Box3& box) { return reach(box, normal) > offset; },
+                [&](std::uint32_t k) { visit(m_items[k]); });
 }
 
 }  // namespace rubble

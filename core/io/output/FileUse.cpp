@@ -54,6 +54,7 @@ std::optional<std::string> otherUse(std::size_t written, std::span<const FileUse
                                     std::span<const Target> targets) {
     for (std::size_t k = 0; k < uses.size(); ++k) {
         if (k == written || !isSame(targets[k], targets[written])) continue;
+        if (!uses[k].what.empty()) return "is " + uses[k].what + ".";
         switch (uses[k].role) {
             case FileRole::Read: return "is read.";
             case FileRole::Changed: return "is changed.";

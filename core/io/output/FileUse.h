@@ -22,6 +22,7 @@ struct FileUse {
     FileRole role = FileRole::Read;
     std::string name;                     // in messages, of what is written: "--out", "the video"
     std::vector<std::string> extensions;  // of what is written: an existing file has one of them; empty: any
+    std::string what;                     // in messages, what another file is: "the project"; empty: that it is read
 };
 
 /// Whether files can be written without harm to others, before anything is written. Links are followed, and files told

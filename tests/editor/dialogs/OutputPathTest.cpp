@@ -22,6 +22,25 @@ using namespace rubble;
 class OutputPathTest : public QObject {
     Q_OBJECT
 private slots:
+    void filesOfOtherUseAreNotWritten() {
+        const QTemporaryDir folder;
+        const QString project = folder.filePath("wall.rubble"), picture = folder.filePath("wall.png");
+        touch(project);
+        touch(picture);
+        QFile::link(project, folder.filePath("link.replay"));
+        QFile index(folder.filePath("export.json"));
+        QVERIFY(index.open(QIODevice::WriteOnly));
+        index.write(
+            R"({"format": "rubble-export", "version": 1, "project": "wall.rubble", "folders": [], "files": []})");
+        index.close();
+        const QStringList replays{".replay"};
+        QVERIFY(outputFault(folder.filePath("new.replay"), project, replays).isEmpty());
+        QVERIFY(outputFault(project, project, replays).contains("is the project."));
+        QVERIFY(outputFault(folder.filePath("link.replay"), project, replays).contains("is the project."));
+        QVERIFY(outputFault(picture, project, replays).contains("is something else by its name"));
+        QVERIFY(outputFault(index.fileName(), project, {".json"}).contains("is a file of an export."));
+        QVERIFY(outputFault(project, {}, {".rubble"}).isEmpty());  // saved in its place
+    }
     void existingFilesAndFoldersAreNotProposed() {
         const QTemporaryDir folder;
         QCOMPARE(unusedPath(folder.path(), "wall", ".png"), folder.filePath("wall.png"));

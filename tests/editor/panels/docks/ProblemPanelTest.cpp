@@ -10,20 +10,31 @@
 
 using namespace rubble;
 
-namespace {}  // namespace
+namespace {
+
+/// The panel with the problems of an asset with narrow fragments.
+struct CombDesk {
+    Document document{test::combProject()};
+    Selection selection;
+    Bakes bakes;
+    ProblemWatch watch{document, bakes};
+    ProblemPanel panel{document, selection, watch};
+
+    CombDesk() {
+        const auto asset = std::make_shared<const Asset>(document.project().assets[0]);
+        bakes.set(2, std::make_shared<const BakedAsset>(
+                         BakedAsset{.asset = asset, .bake = std::make_shared<const Bake>(*bake(*asset))}));
+    }
+};
+
+}  // namespace
 
 class ProblemPanelTest : public QObject {
     Q_OBJECT
 private slots:
     void cancelButtonStopsALongFix() {
-        Document document(test::combProject());
-        Selection selection;
-        Bakes bakes;
-        const ProblemWatch watch(document, bakes);
-        ProblemPanel panel(document, selection, watch);
-        const auto asset = std::make_shared<const Asset>(document.project().assets[0]);
-        bakes.set(2, std::make_shared<const BakedAsset>(
-                         BakedAsset{.asset = asset, .bake = std::make_shared<const Bake>(*bake(*asset))}));
+        CombDesk desk;
+        auto& [document, selection, bakes, watch, panel] = desk;
         QTRY_VERIFY_WITH_TIMEOUT(panel.view().model()->rowCount() > 0, kPatience);
         panel.show();
         panel.view().selectAll();
@@ -44,14 +55,8 @@ private slots:
         QCOMPARE(document.undoStack().text(0), QString("Split Fragment"));
     }
     void descriptionIsShownInFull() {
-        Document document(test::combProject());
-        Selection selection;
-        Bakes bakes;
-        const ProblemWatch watch(document, bakes);
-        ProblemPanel panel(document, selection, watch);
-        const auto asset = std::make_shared<const Asset>(document.project().assets[0]);
-        bakes.set(2, std::make_shared<const BakedAsset>(
-                         BakedAsset{.asset = asset, .bake = std::make_shared<const Bake>(*bake(*asset))}));
+        CombDesk desk;
+        auto& [document, selection, bakes, watch, panel] = desk;
         QTRY_VERIFY_WITH_TIMEOUT(panel.view().model()->rowCount() > 0, kPatience);
         panel.resize(400, 300);
         panel.show();
