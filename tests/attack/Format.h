@@ -50,6 +50,8 @@ std::vector<Format> formatsOf(const std::filesystem::path& importer, const std::
 std::vector<Format> jsonFormats();
 /// Replays with seals, and manifests of packs with hashes, that are made anew after a change.
 std::vector<Format> sealedFormats(const std::filesystem::path& folder);
+/// Damages of instances, whose checksum is made anew after a change, which are then applied.
+Format damageFormat();
 /// What rubble_pack.hpp reads beside packs: scenes with their packs, pack.bin and events, which are then used as
 /// engines do.
 std::vector<Format> engineFormats(const std::filesystem::path& folder);

@@ -13,7 +13,7 @@ constexpr std::string_view kMagic = "RDMG";
 constexpr std::size_t kHeader = 4 + 1 + 1 + 1 + 16 + 4;  // magic, version, kind, whether there is a cut, bake, count
 constexpr std::size_t kCut = 24;
 constexpr std::size_t kPartialCount = 4, kPartial = 4;  // the number of damaged bonds, and each: 3 of its index, 1
-constexpr std::size_t kMostBonds = std::size_t{1} << 24;
+constexpr std::size_t kMaxBonds = std::size_t{1} << 24;
 constexpr std::size_t kChecksum = 8;
 
 void add(std::string& bytes, std::uint64_t value, int size) {
@@ -99,7 +99,7 @@ std::string damageBytes(const InstanceDamage& damage) {
         add(bytes, octet, 1);
     }
     if (damage.kind == DamageKind::Bonds) {
-        RUBBLE_ASSERT(damage.broken.size() <= kMostBonds);
+        RUBBLE_ASSERT(damage.broken.size() <= kMaxBonds);
         add(bytes, damage.partial.size(), kPartialCount);
         for (const auto& [bond, one] : damage.partial) add(bytes, std::uint64_t{one} << 24 | bond, kPartial);
     }
@@ -112,6 +112,10 @@ Result<InstanceDamage> damageOfBytes(std::string_view bytes) {
     const std::uint64_t hasCut = numberAt(bytes, 6, 1), count = numberAt(bytes, 23, 4);
     if (hasCut > 1) return malformed("its cut is neither there nor absent");
     const auto kind = static_cast<DamageKind>(numberAt(bytes, 5, 1));
+    if (kind == DamageKind::Bonds && count > kMaxBonds) {
+        return malformed("it has " + std::to_string(count) + " bonds, but " + std::to_string(kMaxBonds) +
+                         " are the most");
+    }
     const std::size_t bits = kHeader + (hasCut == 1 ? kCut : 0);
     const std::size_t partial = bits + (count + 7) / 8;
     const Result<std::size_t> size = sizeOf(bytes, kind, partial);

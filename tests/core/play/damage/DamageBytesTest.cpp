@@ -72,6 +72,16 @@ private slots:
             if (const Result<InstanceDamage> read = damageOfBytes(bytes)) QCOMPARE(damageBytes(*read), bytes);
         }
     }
+    /// A bond's index has three bytes.
+    void moreBondsThanAnIndexCountsAreRefused() {
+        const InstanceDamage most{.kind = DamageKind::Bonds, .broken = std::vector<bool>(std::size_t{1} << 24)};
+        std::string bytes = damageBytes(most);
+        QVERIFY(damageOfBytes(bytes).hasValue());
+        bytes[23] = 8;
+        bytes.insert(bytes.size() - 12, 1, '\0');
+        QCOMPARE(reasonIn(sealed(bytes)),
+                 std::string("The damage cannot be read: it has 16777224 bonds, but 16777216 are the most."));
+    }
     void theReasonIsNamed() {
         const std::string bytes = damageBytes({.bake = {1, 2}, .broken = {true, false, true}});
         QCOMPARE(bytes.size(), std::size_t{36});
