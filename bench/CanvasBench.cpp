@@ -1,7 +1,7 @@
 // Measures the latency of dragging a seed, from the mouse event until its new cells are painted, against repainting the
 // canvas. Percentiles of many mouse moves. Runs without a display.
+#include "bench/BoxAssets.h"
 #include "core/base/Percentile.h"
-#include "core/geometry/polygon/OutlineShapes.h"
 #include "editor/background/Baker.h"
 #include "editor/canvas/widget/PatternCanvas.h"
 
@@ -40,20 +40,10 @@ protected:
     }
 };
 
-Project projectOf(std::uint32_t seeds) {
-    Project project;
-    project.nextId = 10;
-    project.materials = {{.id = 1, .name = "stone"}};
-    Asset asset{.id = 2, .name = "wall", .material = 1, .prism = {rectangleOutline(1.5, 1.0), 0.25}};
-    asset.pattern.layers = {{.id = 3, .randomSeed = 1, .parameters = UniformScatter{.count = seeds}}};
-    project.assets = {asset};
-    return project;
-}
-
 /// A canvas with a document and a background baker.
 class CanvasSession {
 public:
-    explicit CanvasSession(std::uint32_t seeds) : m_document(projectOf(seeds)) {
+    explicit CanvasSession(std::uint32_t seeds) : m_document(bench::wallProject(seeds)) {
         m_selection.prune(m_document.project());
         m_canvas.resize(kCanvas);
         m_canvas.show();

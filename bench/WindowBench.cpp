@@ -1,8 +1,10 @@
 // Measures what one act costs the thread of the window with an asset of many fragments, drawing in the 3D view not
-// included: select all, merge, undo, colour, explode. Runs without a display; its 3D view has no OpenGL.
+// included: select all, merge, undo, colour, explode; and what the journal costs it after an edit of as many placed
+// seeds. Runs without a display; its 3D view has no OpenGL.
 //
 //   WindowBench [FRAGMENTS]...
-#include "core/geometry/polygon/OutlineShapes.h"
+#include "bench/BoxAssets.h"
+#include "editor/document/UnrecordedEdits.h"
 #include "editor/view3d/SceneView.h"
 #include "editor/views/Views.h"
 #include "editor/window/MainWindow.h"
@@ -38,20 +40,9 @@ double processorTime(int whose = RUSAGE_THREAD) {
     return milliseconds(used.ru_utime) + milliseconds(used.ru_stime);
 }
 
-Project projectOf(std::uint32_t seeds) {
-    Project project;
-    project.nextId = 10;
-    project.materials = {{.id = 1, .name = "stone"}};
-    Asset asset{.id = 2, .name = "wall", .material = 1, .prism = {rectangleOutline(1.5, 1.0), 0.25}};
-    asset.pattern.layers = {{.id = 3, .randomSeed = 1, .parameters = UniformScatter{.count = seeds}}};
-    project.assets = {asset};
-    project.instances = {{.id = 4, .name = "wall", .asset = 2}};
-    return project;
-}
-
 class WindowSession {
 public:
-    explicit WindowSession(std::uint32_t fragments) : m_window(*m_program.showProject(projectOf(fragments))) {
+    explicit WindowSession(std::uint32_t fragments) : m_window(*m_program.showProject(bench::wallProject(fragments))) {
         m_window.setAttribute(Qt::WA_DeleteOnClose, false);
         m_window.resize(1440, 900);
         settle();
@@ -67,6 +58,7 @@ public:
         measure("redo", [this] { stack().redo(); });
         measure("undo again", [this] { stack().undo(); });
         measure("select none", [this] { trigger("select-none"); });
+        measureJournal();
         auto* colouring = m_window.findChild<QComboBox*>("colouring");
         measure("colour by volume", [&] { colouring->setCurrentIndex(3); });
         auto* exploded = m_window.findChild<QSlider*>("exploded");
@@ -77,6 +69,22 @@ public:
 private:
     QUndoStack& stack() { return m_window.workspace().document().undoStack(); }
     void trigger(const char* name) { m_window.findChild<QAction*>(name)->trigger(); }
+
+    /// What the window's thread does for the journal of one edit; its record is made and written in the background.
+    void measureJournal() {
+        constexpr int kRounds = 100;
+        const auto count = m_window.workspace().bakes().findPattern(2)->seeds.ids.size();
+        Project project;
+        project.assets = {bench::boxAsset(bench::seedSets(count).front())};
+        const Changes changes{.list = {{Part::Asset, project.assets.front().id}}};
+        UnrecordedEdits edits;
+        const double start = processorTime();
+        for (int round = 0; round < kRounds; ++round) {
+            edits.note(changes);
+            edits.take(project);
+        }
+        std::printf("| note an edit | %.3f | | |\n", (processorTime() - start) / kRounds);
+    }
 
     void selectSome() {
         const auto pattern = m_window.workspace().bakes().findPattern(2);
