@@ -36,7 +36,7 @@ enum class DiagnosticCode {
     SwapDrift,          // replacing the whole changes mass, momentum or energy
     GapVolume,          // mass that the gap between pieces removes
     CloseHulls,         // exported hulls are so close that other engines push them apart
-    UnappliedInput,     // an input of a session had no effect, or not all of it
+    UnappliedInput,     // an input of a session, or the impulse of a hit, had no effect, or not all of it
     PatternFallback,    // a body broke into the pieces of its pattern instead of at the impact
     LeftWorld,          // a body was removed, or a fragment not added: it cannot be simulated where or as fast as it is
     ReplayMismatch,     // a step differs from the recording

@@ -42,6 +42,16 @@ std::optional<std::string> verifyPose(const Pose& pose, std::string_view what) {
     return std::nullopt;
 }
 
+std::optional<std::string> verifyImpulse(Vec3 impulse, Vec3 point) {
+    const auto limit = [](const char* what, double most, const char* unit) {
+        return std::string(what) + " must be finite and at most " + messageText(most) + " " + unit +
+               " along each axis.";
+    };
+    if (!isWithin(impulse, kMaxImpulse)) return limit("An impulse", kMaxImpulse, "N·s");
+    if (!isWithin(point, kMaxCoordinate)) return limit("A place", kMaxCoordinate, "m");
+    return std::nullopt;
+}
+
 std::optional<std::string> verifyMaterial(const BodyMaterial& material, const Shape& shape, BodyKind kind) {
     if (!(material.density > 0.0 && std::isfinite(material.density))) return "The density of a body must be positive.";
     if (isNegative(material.friction)) return "The friction of a body must not be negative.";

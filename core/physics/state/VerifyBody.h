@@ -17,6 +17,9 @@ bool isWithin(Vec3 v, double most);
 /// Why a pose is invalid, as a sentence that names its owner `what`; nothing for a valid one.
 std::optional<std::string> verifyPose(const Pose& pose, std::string_view what);
 
+/// Why an impulse, N·s, at a point in the world cannot be applied, as a sentence; nothing for one that can.
+std::optional<std::string> verifyImpulse(Vec3 impulse, Vec3 point);
+
 /// Why a material is invalid, as a sentence; nothing for a valid one. The mass properties of a dynamic body of this
 /// shape must be within single precision.
 std::optional<std::string> verifyMaterial(const BodyMaterial& material, const Shape& shape, BodyKind kind);

@@ -128,8 +128,7 @@ void World::wake(BodyId body) {
 
 Status World::applyImpulse(BodyId body, Vec3 impulse, Vec3 point) {
     RUBBLE_ASSERT(contains(body));
-    if (!isWithin(impulse, kMaxImpulse)) return rangeError("An impulse", kMaxImpulse, "N·s along each axis");
-    if (!isWithin(point, kMaxCoordinate)) return rangeError("A place", kMaxCoordinate, "m along each axis");
+    if (const auto fault = verifyImpulse(impulse, point)) return Error{ErrorCode::BadInput, *fault};
     wake(body);
     applyImpulseAt(*m_state, body.index, impulse, point);
     return success();

@@ -23,6 +23,7 @@ struct Blow {
     Vec3 point;      // where it hits
     double radius;   // m, of its patch
     HammerHead head;
+    std::string name;  // in messages: The blow "left"
 };
 
 /// A fragment under the hammer.
@@ -64,9 +65,7 @@ void giveToFragments(const SessionParts& parts, Blow& blow, std::uint32_t firstN
     for (std::size_t k = 0; k < taken; ++k) {
         const BodyId body = fragments[k].body;
         const double fraction = parts.world.mass(body) / mass;
-        const Status status =
-            parts.world.applyImpulse(body, fraction * given * blow.direction, parts.world.state(body).centre);
-        RUBBLE_ASSERT(status.hasValue());  // inputs are far below the world's limits
+        applyImpulse(parts, body, fraction * given * blow.direction, parts.world.state(body).centre, blow.name);
         entry.after += kineticEnergy(parts.world, body);
     }
     parts.state.events.energy.push_back(entry);
@@ -96,15 +95,15 @@ void strikeAndBreak(const SessionParts& parts, Blow& blow, const PlayBody& body,
 }
 
 /// Gives a free body at most `most` N·s.
-void strike(const SessionParts& parts, Blow& blow, const PlayBody& body, const std::string& name, double most) {
+void strike(const SessionParts& parts, Blow& blow, const PlayBody& body, double most) {
     MovingMass whole = movingMass(parts.world, body.body);
     const double given = giveTo(parts, blow, body.number, whole, most);
-    reportRefused(parts, nullptr, "Saved throw " + quotedName(name),
-                  parts.world.applyImpulse(body.body, given * blow.direction, blow.point));
+    applyImpulse(parts, body.body, given * blow.direction, blow.point, blow.name);
 }
 
-/// Strikes a body with bonds: first these take what they hold, then what comes free takes the rest.
-void strikeBonds(const SessionParts& parts, Blow& blow, std::uint32_t number, const std::string& name) {
+/// Strikes a body with bonds: first these take what they hold, then what comes free takes the rest, or all of it a held
+/// body from which nothing comes free.
+void strikeBonds(const SessionParts& parts, Blow& blow, std::uint32_t number) {
     const std::uint32_t firstFreed = parts.state.nextNumber;
     BrokenBonds broken;
     if (parts.state.hasDestruction) {
@@ -116,13 +115,28 @@ void strikeBonds(const SessionParts& parts, Blow& blow, std::uint32_t number, co
     if (isHeld) {
         blow.head.give(taken, std::numeric_limits<double>::infinity(), 0.0);
     } else {
-        strike(parts, blow, *findBody(parts.state, number), name, taken);
+        strike(parts, blow, *findBody(parts.state, number), taken);
     }
     if (!broken.bonds.empty()) splitBodies(parts, {std::move(broken)});
     if (parts.state.nextNumber > firstFreed) {
         giveToFragments(parts, blow, firstFreed);
     } else if (!isHeld) {
-        strike(parts, blow, *findBody(parts.state, number), name, blow.head.impulse);
+        strike(parts, blow, *findBody(parts.state, number), blow.head.impulse);
+    } else {
+        blow.head.impulse = 0.0;
+    }
+}
+
+/// Strikes a body without bonds, which a fixed one that stays whole takes all of.
+void strikeSolid(const SessionParts& parts, Blow& blow, const PlayBody& body) {
+    const double size = blow.head.impulse, threshold = thresholdOf(parts.state, parts.scene, body);
+    if (body.fracture() != nullptr) parts.state.events.impacts.push_back({body.number, size, threshold, blow.point});
+    if (parts.state.hasDestruction && size >= threshold) {
+        strikeAndBreak(parts, blow, body, threshold);
+    } else if (parts.world.kind(body.body) == BodyKind::Dynamic) {
+        strike(parts, blow, body, size);
+    } else {
+        blow.head.impulse = 0.0;
     }
 }
 
@@ -151,24 +165,19 @@ void applyBlow(const SessionParts& parts, const std::string& name, const Hammer&
     const Vec3 direction = hammer.impulse / size;
     const std::optional<CastHit> hit =
         parts.world.castRay(hammer.at - kHammerRange * direction, hammer.at + kHammerRange * direction);
-    if (!hit) return addUnapplied(parts, nullptr, "The blow " + quotedName(name) + " hit nothing.");
-    Blow blow{direction, hit->point, patchRadius(hammer), HammerHead::ofImpulse(size)};
+    const std::string title = "The blow " + quotedName(name);
+    if (!hit) return addUnapplied(parts, nullptr, title + " hit nothing.");
+    Blow blow{direction, hit->point, patchRadius(hammer), HammerHead::ofImpulse(size), title};
     const PlayBody body = *findBody(parts.state, static_cast<std::uint32_t>(parts.world.tag(hit->body)));
-    const double threshold = thresholdOf(parts.state, parts.scene, body);
-    if (body.bondedFracture() != nullptr) return strikeBonds(parts, blow, body.number, name);
-    if (body.fracture() != nullptr) parts.state.events.impacts.push_back({body.number, size, threshold, hit->point});
-    if (parts.state.hasDestruction && size >= threshold) {
-        strikeAndBreak(parts, blow, body, threshold);
-    } else if (parts.world.kind(body.body) == BodyKind::Dynamic) {
-        strike(parts, blow, body, name, blow.head.impulse);
+    if (body.bondedFracture() != nullptr) {
+        strikeBonds(parts, blow, body.number);
     } else {
-        return;
+        strikeSolid(parts, blow, body);
     }
     if (blow.head.impulse <= kLeastLost * size) return;
     addUnapplied(parts, &body,
-                 "The blow " + quotedName(name) + " gave " + roundedText(size - blow.head.impulse, 3) + " of its " +
-                     roundedText(size, 3) + " N·s: a hammer makes nothing faster than itself, " +
-                     messageText(kHammerSpeed) + " m/s.");
+                 title + " gave " + roundedText(size - blow.head.impulse, 3) + " of its " + roundedText(size, 3) +
+                     " N·s: a hammer makes nothing faster than itself, " + messageText(kHammerSpeed) + " m/s.");
 }
 
 }  // namespace rubble

@@ -24,8 +24,10 @@ struct HammerHead {
 
 /// Applies a blow to the body that it hits. If it breaks, the whole takes the threshold's part, and the fragments under
 /// the hammer the rest: all that the patch touches, and more in the order of their distance from the point that is hit,
-/// until they can take it without getting faster than the hammer. All of them gain the same velocity. What nothing can
-/// take is lost, and reported.
+/// until they can take it without getting faster than the hammer. All of them gain the same velocity. Of a body with
+/// bonds, these take what they hold first; then what comes free takes the rest, or the body if nothing does. What moves
+/// as fast as the hammer takes no more: what is left then is lost, and reported. A fixed body that stays whole takes
+/// all.
 void applyBlow(const SessionParts& parts, const std::string& name, const Hammer& hammer);
 
 }  // namespace rubble

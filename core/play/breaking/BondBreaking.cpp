@@ -1,8 +1,10 @@
 #include "core/play/breaking/BondBreaking.h"
 
+#include "core/base/MessageText.h"
 #include "core/play/breaking/MortarBreaking.h"
 #include "core/play/breaking/MovingMass.h"
 #include "core/play/breaking/Splitting.h"
+#include "core/play/state/InputDiagnostics.h"
 #include "core/play/state/SessionBodies.h"
 #include "core/structure/rule/SimpleRule.h"
 
@@ -68,8 +70,10 @@ void applyBondImpulse(const SessionParts& parts, const PlayBody& body, const Bon
     const Vec3 point = strike.impact.point;
     const double stopping = stoppingImpulse(hitting, hit, point, normal, strike.impact.restitution);
     const Vec3 impulse = std::min(taken, stopping) * normal;
+    const std::string cause = "The hit on " + quotedName(nameOf(body, parts.state.origins[body.origin]));
+    if (!isApplicable(parts, body, impulse, point, cause)) return;
     for (const auto& [id, mass, given] : {std::tuple(impactor.body, &hitting, -impulse), {body.body, &hit, impulse}}) {
-        if (mass->inverseMass > 0.0 && !parts.world.applyImpulse(id, given, point)) return;
+        if (mass->inverseMass > 0.0) applyImpulse(parts, id, given, point, cause);
     }
     entry.after =
         movingMass(parts.world, body.body).kineticEnergy() + movingMass(parts.world, impactor.body).kineticEnergy();

@@ -2,7 +2,7 @@
 
 #include "core/play/breaking/MovingMass.h"
 #include "core/play/damage/InstanceDamage.h"
-#include "core/play/state/PlayEvents.h"
+#include "core/play/state/SessionState.h"
 
 #include <span>
 
@@ -20,7 +20,8 @@ struct PendingBreak {
 
 /// Applies the break impulses, in order: each impactor loses, and the body it breaks gains, the body's threshold or the
 /// impulse that stops their approach, whichever is less. If two bodies break each other, each is the other's impactor.
-/// An impulse that is not finite is applied to neither. Adds an entry to the audit for each.
-void applyBreakImpulses(World& world, std::span<PendingBreak> breaks, EnergyAudit& audit);
+/// A break without an impactor gets no impulse. One that the world does not take is applied to neither, and reported;
+/// each other one adds an entry to the energy audit of the session.
+void applyBreakImpulses(const SessionParts& parts, std::span<PendingBreak> breaks);
 
 }  // namespace rubble

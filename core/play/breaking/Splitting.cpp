@@ -1,11 +1,13 @@
 #include "core/play/breaking/Splitting.h"
 
 #include "core/base/Assert.h"
+#include "core/base/MessageText.h"
 #include "core/physics/world/Split.h"
 #include "core/play/breaking/MortarBreaking.h"
 #include "core/play/breaking/MortarSupport.h"
 #include "core/play/breaking/MovingMass.h"
 #include "core/play/scene/PlayBodyShape.h"
+#include "core/play/state/InputDiagnostics.h"
 #include "core/play/state/SessionBodies.h"
 #include "core/structure/graph/Islands.h"
 #include "core/structure/graph/Support.h"
@@ -316,13 +318,13 @@ void pushPlug(const SessionParts& parts, const PlaySplit& split, double restitut
     const MovingMass pushing = movingMass(parts.world, impactor->body);
     const Vec3 impulse = stoppingImpulse(pushing, plug.mass, split.point, split.normal, restitution) * split.normal;
     EnergyEntry entry{.change = EnergyChange::Bonds, .body = split.body.number, .before = pushing.kineticEnergy()};
-    if (!parts.world.applyImpulse(impactor->body, -impulse, split.point)) return;
+    const std::string cause = "The hit on " + quotedName(nameOf(split.body, parts.state.origins[split.body.origin]));
+    if (!applyImpulse(parts, impactor->body, -impulse, split.point, cause)) return;
     entry.after = kineticEnergy(parts.world, impactor->body);
     for (const BodyId body : plug.bodies) {
         entry.before += kineticEnergy(parts.world, body);
         const Vec3 part = parts.world.mass(body) * plug.mass.inverseMass * impulse;
-        const Status applied = parts.world.applyImpulse(body, part, parts.world.state(body).centre);
-        RUBBLE_ASSERT(applied.hasValue());  // less than the impactor's
+        applyImpulse(parts, body, part, parts.world.state(body).centre, cause);
         entry.after += kineticEnergy(parts.world, body);
     }
     parts.state.events.energy.push_back(entry);

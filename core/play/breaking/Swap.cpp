@@ -195,7 +195,7 @@ PendingBreak pendingBreak(const SessionParts& parts, const PlayBody& body) {
 
 void applyBreaks(const SessionParts& parts, std::vector<PendingBreak> breaks) {
     if (!parts.scene.project.damage.isThesis) {
-        applyBreakImpulses(parts.world, breaks, parts.state.events.energy);
+        applyBreakImpulses(parts, breaks);
     }
     Stopwatch watch;
     for (PendingBreak& broken : breaks) removeWhole(parts, broken, watch);

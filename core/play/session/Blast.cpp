@@ -1,7 +1,9 @@
 #include "core/play/session/Blast.h"
 
+#include "core/base/MessageText.h"
 #include "core/play/breaking/BondBreaking.h"
 #include "core/play/breaking/Swap.h"
+#include "core/play/state/InputDiagnostics.h"
 #include "core/play/state/SessionBodies.h"
 
 #include <algorithm>
@@ -26,7 +28,7 @@ std::optional<PendingBreak> breakBy(const SessionParts& parts, const BlastImpuls
 
 }  // namespace
 
-Status applyBlast(const SessionParts& parts, const Explosion& explosion) {
+void applyBlast(const SessionParts& parts, const std::string& name, const Explosion& explosion) {
     const Vec3 origin = parts.world.blastOrigin(explosion.at);
     if (parts.state.hasDestruction) blastBonds(parts, origin, explosion);
     const auto blast = [&] { return parts.world.blast(origin, explosion.radius, explosion.impulse); };
@@ -40,21 +42,18 @@ Status applyBlast(const SessionParts& parts, const Explosion& explosion) {
         applyBreaks(parts, std::move(breaks));
         pushes = blast();
     }
-    Status status = success();
     EnergyEntry entry{.change = EnergyChange::Blast};
     for (const BlastImpulse& push : pushes) {
         if (parts.world.kind(push.body) != BodyKind::Dynamic) continue;
         MovingMass pushed = movingMass(parts.world, push.body);
         const double before = pushed.kineticEnergy();
         pushed.applyImpulse(push.impulse, push.point);
-        const Status applied = parts.world.applyImpulse(push.body, push.impulse, push.point);
-        if (!applied) status = applied;
+        if (!applyImpulse(parts, push.body, push.impulse, push.point, "Saved throw " + quotedName(name))) continue;
         entry.before += before;
         entry.given += pushed.kineticEnergy() - before;
         entry.after += kineticEnergy(parts.world, push.body);
     }
     parts.state.events.energy.push_back(entry);
-    return status;
 }
 
 }  // namespace rubble

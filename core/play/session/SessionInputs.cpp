@@ -159,7 +159,7 @@ void applyAction(const SessionParts& parts, const std::string& name, const Hamme
 }
 
 void applyAction(const SessionParts& parts, const std::string& name, const Explosion& explosion) {
-    reportRefused(parts, nullptr, "Saved throw " + quotedName(name), applyBlast(parts, explosion));
+    applyBlast(parts, name, explosion);
 }
 
 void applyInput(const SessionParts& parts, const ShotInput& shot) {

@@ -1,5 +1,9 @@
 #include "core/play/state/InputDiagnostics.h"
 
+#include "core/base/Assert.h"
+#include "core/physics/state/VerifyBody.h"
+#include "core/play/state/SessionBodies.h"
+
 #include <utility>
 
 namespace rubble {
@@ -12,6 +16,21 @@ void addUnapplied(const SessionParts& parts, const PlayBody* body, std::string m
 
 void reportRefused(const SessionParts& parts, const PlayBody* body, const std::string& input, const Status& status) {
     if (!status) addUnapplied(parts, body, input + ": " + status.error().message);
+}
+
+bool isApplicable(const SessionParts& parts, const PlayBody& body, Vec3 impulse, Vec3 point, const std::string& cause) {
+    const std::optional<std::string> fault = verifyImpulse(impulse, point);
+    if (fault) addUnapplied(parts, &body, cause + ": " + *fault);
+    return !fault;
+}
+
+bool applyImpulse(const SessionParts& parts, BodyId body, Vec3 impulse, Vec3 point, const std::string& cause) {
+    const PlayBody* const owner = findBody(parts.state, static_cast<std::uint32_t>(parts.world.tag(body)));
+    RUBBLE_ASSERT(owner != nullptr);
+    if (!isApplicable(parts, *owner, impulse, point, cause)) return false;
+    const Status applied = parts.world.applyImpulse(body, impulse, point);
+    RUBBLE_ASSERT(applied.hasValue());
+    return true;
 }
 
 }  // namespace rubble

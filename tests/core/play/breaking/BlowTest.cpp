@@ -3,7 +3,7 @@
 
 #include "core/asset/project/HammerPatch.h"
 #include "tests/support/TestProgram.h"
-#include "tests/support/play/Sessions.h"
+#include "tests/support/play/BondedWalls.h"
 
 #include <algorithm>
 
@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kBlowImpulse = 50.0;  // N·s
 const Hammer kBlow{.at = {0.0, 5.0, 0.025}, .impulse = {0.0, 0.0, -kBlowImpulse}};
+const Hammer kBlowAtWall{.at = {0.0, 1.8, 0.125}, .impulse = {0.0, 0.0, -kBlowImpulse}};
 
 /// A fixed pane of 1 x 1 m and 60 kg in the air, which 1 N·s breaks.
 Project pane(std::uint32_t fragments) {
@@ -149,6 +150,34 @@ private slots:
         QVERIFY2(message.starts_with("The blow \"blow\" gave 0.") &&
                      message.ends_with(" of its 50 N·s: a hammer makes nothing faster than itself, 20 m/s."),
                  message.c_str());
+    }
+
+    /// A free one, and what comes off one that is held.
+    void whatIsTooLightIsReportedAlsoOfBondedBodies_data() {
+        QTest::addColumn<bool>("isHeld");
+        QTest::addColumn<double>("impulsePerArea");
+        QTest::newRow("free, intact") << false << 1e9;
+        QTest::newRow("free, broken") << false << 0.01;
+        QTest::newRow("held, broken") << true << 0.01;
+    }
+    void whatIsTooLightIsReportedAlsoOfBondedBodies() {
+        QFETCH(bool, isHeld);
+        QFETCH(double, impulsePerArea);
+        Project project = test::bondedWall(30, impulsePerArea);
+        project.materials[0].density = 0.02;
+        project.instances[0].isAnchored = isHeld;
+        project.gravity = Vec3(0.0);
+        const Session session = struckBy(project, kBlowAtWall);
+        QCOMPARE(session.events().splits.empty(), impulsePerArea > 1.0);
+        QCOMPARE(session.events().diagnostics.size(), 1u);
+        const std::string& message = session.events().diagnostics[0].message;
+        QVERIFY2(message.starts_with("The blow \"blow\" gave ") &&
+                     message.ends_with(" of its 50 N·s: a hammer makes nothing faster than itself, 20 m/s."),
+                 message.c_str());
+    }
+    void heldBondedBodyTakesAllThatItsBondsDoNot() {
+        const Session session = struckBy(test::bondedWall(30, 1e9), kBlowAtWall);
+        QVERIFY(session.events().splits.empty() && session.events().diagnostics.empty());
     }
 
     void blowsThatFollowEachOtherDoNotAddUp() {

@@ -25,6 +25,33 @@ SceneWorld boxesAboutToMeet() {
     return made;
 }
 
+/// A session without a project, of the bodies of a world.
+struct BoxesInSession {
+    explicit BoxesInSession(World& of) : world(of) {
+        state.origins = {{.name = "box"}};
+        for (const BodyId body : world.bodies())
+            state.bodies.push_back({.number = static_cast<std::uint32_t>(world.tag(body)), .body = body});
+    }
+    SessionParts parts() { return {scene, settings, state, world}; }
+
+    World& world;
+    PlayScene scene;
+    SessionSettings settings;
+    SessionState state = {};
+};
+
+/// The break of the second box by the first.
+PendingBreak breakOfSecond(const SceneWorld& made, double threshold) {
+    PendingBreak broken;
+    broken.event.body.body = made.bodies[1];
+    broken.event.threshold = threshold;
+    broken.event.impactor = made.bodies[0];
+    broken.event.point = {0.51, 0.0, 0.0};
+    broken.event.normal = {1.0, 0.0, 0.0};
+    broken.mass = movingMass(made.world, made.bodies[1]);
+    return broken;
+}
+
 }  // namespace
 
 class DamageTest : public QObject {
@@ -57,16 +84,11 @@ private slots:
     void breakImpulseIsLimitedToTheStoppingImpulse() {
         for (const double threshold : {100.0, 1e6}) {
             SceneWorld made = boxesAboutToMeet();
-            PendingBreak broken;
-            broken.event.body.body = made.bodies[1];
-            broken.event.threshold = threshold;
-            broken.event.impactor = made.bodies[0];
-            broken.event.point = {0.51, 0.0, 0.0};
-            broken.event.normal = {1.0, 0.0, 0.0};
-            broken.mass = movingMass(made.world, made.bodies[1]);
+            BoxesInSession boxes(made.world);
+            PendingBreak broken = breakOfSecond(made, threshold);
             const double before = made.world.momenta().linear.x;
-            EnergyAudit audit;
-            applyBreakImpulses(made.world, {&broken, 1}, audit);
+            applyBreakImpulses(boxes.parts(), {&broken, 1});
+            const EnergyAudit& audit = boxes.state.events.energy;
             QCOMPARE(audit.size(), 1u);
             QVERIFY(audit[0].after < audit[0].before);
             const double impulse = std::min(threshold, 4.0 * 500.0);
@@ -74,6 +96,29 @@ private slots:
             QVERIFY(std::abs(broken.mass.velocity.x - (-1.0 + impulse / 1000.0)) < 1e-5);
             const double after = 1000.0 * (made.world.state(made.bodies[0]).velocity.x + broken.mass.velocity.x);
             QVERIFY(std::abs(after - before) < 1e-2);
+        }
+    }
+    /// What the world does not take is applied to neither body, also where they break each other.
+    void lostBreakImpulseIsReported() {
+        for (const bool doBothBreak : {false, true}) {
+            SceneWorld made = boxesAboutToMeet();
+            BoxesInSession boxes(made.world);
+            std::vector<PendingBreak> breaks{breakOfSecond(made, 1e30)};
+            breaks[0].mass.velocity.x = -1e30;
+            if (doBothBreak) {
+                breaks.push_back(breakOfSecond(made, 100.0));
+                breaks[1].event.body.body = made.bodies[0];
+                breaks[1].event.impactor = {};
+                breaks[1].mass = movingMass(made.world, made.bodies[0]);
+            }
+            applyBreakImpulses(boxes.parts(), breaks);
+            QCOMPARE(breaks[0].mass.velocity.x, -1e30);
+            QCOMPARE(made.world.state(made.bodies[0]).velocity.x, 3.0);
+            if (doBothBreak) QCOMPARE(breaks[1].mass.velocity.x, 3.0);
+            QVERIFY(boxes.state.events.energy.empty());
+            QCOMPARE(boxes.state.events.diagnostics.size(), 1u);
+            QCOMPARE(boxes.state.events.diagnostics[0].message,
+                     "The hit that broke \"box\": An impulse must be finite and at most 1e+24 N·s along each axis.");
         }
     }
     void separatingBodiesExchangeNoBreakImpulse() {

@@ -8,6 +8,7 @@
 #include "tests/support/play/Sessions.h"
 
 #include <cmath>
+#include <limits>
 
 using namespace rubble;
 
@@ -121,6 +122,24 @@ private slots:
         QCOMPARE(refused.message, "Impulse: It is too large.");
         QCOMPARE(refused.place.asset, bodies.state.origins.back().asset);
         QVERIFY(bodies.state.events.diagnostics[1].place == DiagnosticPlace{});
+    }
+    void lostImpulsesAreReported() {
+        BlockAndFragment bodies;
+        const BodyId block = bodies.block().body;
+        QVERIFY(applyImpulse(bodies.parts(), block, {500.0, 0.0, 0.0}, {0.0, 5.0, 0.0}, "The hit on \"block\""));
+        QVERIFY(bodies.state.events.diagnostics.empty());
+        QCOMPARE(bodies.world.state(block).velocity, Vec3(1.0, 0.0, 0.0));
+        for (const double impulse : {2.0 * kMaxImpulse, std::numeric_limits<double>::quiet_NaN()}) {
+            bodies.state.events.diagnostics.clear();
+            QVERIFY(!applyImpulse(bodies.parts(), block, Vec3(impulse), {0.0, 5.0, 0.0}, "The hit on \"block\""));
+            QCOMPARE(bodies.world.state(block).velocity, Vec3(1.0, 0.0, 0.0));
+            QCOMPARE(bodies.state.events.diagnostics.size(), std::size_t{1});
+            const Diagnostic& lost = bodies.state.events.diagnostics[0];
+            QVERIFY(lost.code == DiagnosticCode::UnappliedInput);
+            QCOMPARE(lost.message,
+                     "The hit on \"block\": An impulse must be finite and at most 1e+24 N·s along each axis.");
+            QVERIFY(lost.place == placeOf(bodies.block()));
+        }
     }
 };
 
