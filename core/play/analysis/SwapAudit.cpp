@@ -176,13 +176,21 @@ Hammer offCentreBlow(const PlayAsset& asset, double momentum) {
     return {.at = beside + shape.mass.centre, .impulse = momentum * Vec3(0.5, 0.3, -1.0)};
 }
 
+/// The simplified collision shapes of an asset: what else is reported about it violates no limit of a swap.
+std::vector<Diagnostic> simplifiedShapesOf(const PlayAsset& asset) {
+    std::vector<Diagnostic> simplified = asset.diagnostics;
+    std::erase_if(simplified, [](const Diagnostic& one) { return one.code != DiagnosticCode::SimplifiedShape; });
+    return simplified;
+}
+
 /// Advice for a fragment that is pushed.
 std::string adviceOn(const PlayAsset& asset, const DiagnosticPlace& place) {
     const auto isAboutIt = [&](const Diagnostic& diagnostic) { return diagnostic.place.fragment == place.fragment; };
-    if (std::ranges::any_of(asset.diagnostics, isAboutIt)) {
+    const std::vector<Diagnostic> simplified = simplifiedShapesOf(asset);
+    if (std::ranges::any_of(simplified, isAboutIt)) {
         return " Its collision shape is simplified: move its seed away from its neighbours', or delete it.";
     }
-    if (!asset.diagnostics.empty()) {
+    if (!simplified.empty()) {
         return " Neighbours with simplified collision shapes may push it: move their seeds away from their "
                "neighbours', or delete them.";
     }
@@ -305,7 +313,7 @@ Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const 
     const std::shared_ptr<const SessionSnapshot> start = floating->snapshot();
     SwapAudit audit;
     audit.gapFraction = gapFractionOf(*asset->bake);
-    audit.diagnostics = asset->diagnostics;
+    audit.diagnostics = simplifiedShapesOf(*asset);
     Result<Session> moving = started(scene, asset);
     if (!moving) return ofAsset(authored, moving.error());
     if (const Status measured = measureMoving(std::move(*moving), *asset, audit); !measured) {

@@ -19,10 +19,10 @@ inline constexpr int kAuditSteps = 30;            // of 1/60 s
 struct FragmentSpeed {
     std::string fragment;  // its id
     DiagnosticPlace place;
-    double speed = 0.0;  // m/s, of its fastest corner
+    double speed = 0.0;  // m/s: at least that of its fastest corner, an upper bound
 };
 
-/// A fragment and how far its exported hulls are from its neighbours'.
+/// A fragment and how far its exported hulls are from those of its nearest neighbour.
 struct FragmentGap {
     std::string fragment;  // its id; empty: nothing touches
     DiagnosticPlace place;
@@ -36,14 +36,14 @@ struct SwapAudit {
     int contactPoints = 0;
     double deepestOverlap = 0.0;  // m: of two exact fragments then
     FragmentSpeed resting;        // the fastest fragment, kAuditSteps after the swap of any level, without forces
-    double restingEnergy = 0.0;   // J: their kinetic energy then; the whole had none
-    FragmentSpeed lying;          // the fastest on average for kAuditSteps, of an asset lying flat on the ground
+    double restingEnergy = 0.0;   // J: kinetic energy of all then, of the level with the most; the whole had none
+    FragmentSpeed lying;          // the fastest on average from its swap to kAuditSteps, lying flat on the ground
     double massDrift = 0.0;       // this and the following: relative, for an asset that flies and rotates
     double momentumDrift = 0.0;
     double angularDrift = 0.0;
     double energyGain = 0.0;   // negative: a loss
     double gapFraction = 0.0;  // of the volume, removed by the gap between fragments: so much may be lost
-    FragmentGap exported;      // the least, with hulls that are inset by kDefaultInset
+    FragmentGap exported;      // the least: the gap and both insets, kDefaultInset or, of thin hulls, what they allow
     /// Notes: SimplifiedShape, GapVolume and CloseHulls. Then warnings, the violated limits with what to change:
     /// OverlappingPieces, PushedPiece and SwapDrift.
     std::vector<Diagnostic> diagnostics;
@@ -52,11 +52,12 @@ struct SwapAudit {
     bool isClean() const;
 };
 
-/// Measures swaps without forces, in sessions with one instance of an asset: floating at rest, lying flat on the
-/// ground, and flying and rotating. The project's damage preset, debris and gravity are not used; gravity on the ground
-/// is 9.81 m/s².
+/// Measures swaps in sessions with one instance of an asset: without forces, floating at rest, and flying and rotating;
+/// and lying flat on the ground. The project's damage preset, debris and gravity are not used; gravity on the ground is
+/// 9.81 m/s². A bonded asset is measured as if all of its bonds broke at once.
 ///
-/// Errors: NotFound if the asset has no fragments; those of playScene().
+/// Errors, with the asset's name: NotFound if it has no fragments; Degenerate if it leaves the world before it breaks;
+/// those of Session::start() and Session::add().
 Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const PlayAsset>& asset);
 
 }  // namespace rubble

@@ -68,6 +68,15 @@ Diagnostic simplified(std::uint32_t fragment) {
 class SwapAuditTest : public QObject {
     Q_OBJECT
 private slots:
+    /// A threshold of a fragment that does not break violates no limit of a swap.
+    void lostThresholdIsNoViolation() {
+        Project project = twoPieces();
+        project.assets[0].fragmentThresholds = {{.fragment = "1.0", .threshold = 200.0}};
+        QVERIFY(!test::playSceneOf(project)->diagnostics.empty());
+        const SwapAudit audit = auditsOf(project)[0];
+        QVERIFY2(audit.isClean(), joined(audit).c_str());
+        QVERIFY(found(audit, DiagnosticCode::LostPiece).message.empty());
+    }
     void demoProjectsSwapCleanly_data() {
         QTest::addColumn<Project>("project");
         QTest::newRow("arcade, whose bonds break at once") << test::arcade();
