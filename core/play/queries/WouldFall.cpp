@@ -112,8 +112,10 @@ Trial copiedWorld(const Moment& moment, std::span<const std::uint32_t> removed) 
 }
 
 /// The bodies near some: what rests on them, and what touches that. What those touch is held in place.
-Trial nearbyWorld(const Moment& moment, const ContactGraph& graph, std::span<const std::uint32_t> removed,
-                  std::vector<std::uint32_t> nearby) {
+///
+/// Errors: those of World::addBody().
+Result<Trial> nearbyWorld(const Moment& moment, const ContactGraph& graph, std::span<const std::uint32_t> removed,
+                          std::vector<std::uint32_t> nearby) {
     graph.addResting(nearby);
     graph.addTouching(nearby);
     std::vector<std::uint32_t> all = nearby;
@@ -133,7 +135,8 @@ Trial nearbyWorld(const Moment& moment, const ContactGraph& graph, std::span<con
                                  .density = isFree ? moment.world.mass(body) / shape.mass.volume : 1.0,
                                  .friction = moment.world.friction(body),
                                  .restitution = moment.world.restitution(body)});
-        if (added && isFree) trial.bodies.push_back({place, *added});
+        if (!added) return added.error();
+        if (isFree) trial.bodies.push_back({place, *added});
     }
     return trial;
 }
@@ -319,9 +322,12 @@ std::vector<std::uint32_t> affectedBodies(const Session& session, const Removal&
 }
 
 /// The bodies of a moment that fall. `cameOff` do anyway; the others if the simulation says so.
-std::vector<std::uint32_t> fallenOf(const Session& session, QueryEffort effort, const Moment& moment,
-                                    const ContactGraph& graph, const Removal& removal,
-                                    std::span<const std::uint32_t> affected, std::span<const std::uint32_t> cameOff) {
+///
+/// Errors: those of nearbyWorld().
+Result<std::vector<std::uint32_t>> fallenOf(const Session& session, QueryEffort effort, const Moment& moment,
+                                            const ContactGraph& graph, const Removal& removal,
+                                            std::span<const std::uint32_t> affected,
+                                            std::span<const std::uint32_t> cameOff) {
     std::vector<std::uint32_t> fallen(cameOff.begin(), cameOff.end());
     std::vector<std::uint32_t> connected(affected.begin(), affected.end());
     const bool isWhole =
@@ -333,12 +339,13 @@ std::vector<std::uint32_t> fallenOf(const Session& session, QueryEffort effort, 
     if (isWhole && isKnown) return fallen;
     std::vector<std::uint32_t> nearby(removal.places);
     if (!removal.parts.empty()) nearby.assign(affected.begin(), affected.end());
-    Trial trial =
+    Result<Trial> trial =
         isWhole ? copiedWorld(moment, removal.places) : nearbyWorld(moment, graph, removal.places, std::move(nearby));
-    trial.dt = isWhole ? session.stepLength() : kCoarseStep;
-    trial.horizon = isWhole ? kHorizon : kCoarseHorizon;
-    trial.movedDistance = isWhole ? kMovedDistance : kCoarseDistance;
-    TrialRun run(session, moment, trial);
+    if (!trial) return trial.error();
+    trial->dt = isWhole ? session.stepLength() : kCoarseStep;
+    trial->horizon = isWhole ? kHorizon : kCoarseHorizon;
+    trial->movedDistance = isWhole ? kMovedDistance : kCoarseDistance;
+    TrialRun run(session, moment, *trial);
     run.simulate(effort == QueryEffort::Quick ? kMostBodySteps : std::numeric_limits<std::size_t>::max());
     std::ranges::copy(run.fallen(), std::back_inserter(fallen));
     makeSet(fallen);
@@ -382,10 +389,11 @@ Result<Collapse> wouldFall(const Session& session, std::span<const BodyPart> rem
     const Moment moment = after ? Moment{after->bodies, after->world} : Moment{session.bodies(), session.world()};
     const ContactGraph graph(moment.bodies, moment.world);
     const std::vector<std::uint32_t> affected = affectedBodies(session, *removal, moment.bodies.size());
-    const std::vector<std::uint32_t> fallen = fallenOf(session, effort, moment, graph, *removal, affected,
-                                                       after ? after->cameOff : std::vector<std::uint32_t>());
-    Collapse collapse = collapseOf(moment, graph, fallen);
-    if (!fallen.empty()) addTimes(moment, removal->places, fallen, collapse);
+    const Result<std::vector<std::uint32_t>> fallen = fallenOf(session, effort, moment, graph, *removal, affected,
+                                                               after ? after->cameOff : std::vector<std::uint32_t>());
+    if (!fallen) return fallen.error();
+    Collapse collapse = collapseOf(moment, graph, *fallen);
+    if (!fallen->empty()) addTimes(moment, removal->places, *fallen, collapse);
     for (FallingIsland& island : collapse.islands) {
         if (after) {
             island = islandIn(session, *after, island);

@@ -45,7 +45,7 @@ enum class QueryEffort {
 /// Mortar to what is removed breaks, and with it the hold of what reaches no other anchor.
 ///
 /// O(n) for n bodies and their contacts, and the steps of those that are simulated.
-/// Errors: BadInput for a number without a body, or the ground.
+/// Errors: BadInput for a number without a body, or the ground; those of World::addBody() in a quick query.
 Result<Collapse> wouldFall(const Session& session, std::span<const std::uint32_t> removed,
                            QueryEffort effort = QueryEffort::Thorough);
 
