@@ -28,11 +28,12 @@ void addSilhouette(ShadowVolume& volume, Vec3 from, Vec3 to) {
 
 SplitPolygon split(const FacePolygon& polygon, const Plane& plane) {
     SplitPolygon parts;
-    bool isInFront = false;
+    bool isInFront = false, isBehind = false;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Vec3 from = polygon[k], to = polygon[k + 1 == polygon.size() ? 0 : k + 1];
         const double start = heightOver(plane, from), end = heightOver(plane, to);
         isInFront = isInFront || start > kTolerance;
+        isBehind = isBehind || start < -kTolerance;
         if (start >= -kTolerance) parts.front.push_back(from);
         if (start <= kTolerance) parts.behind.push_back(from);
         const bool crosses = (start > kTolerance && end < -kTolerance) || (start < -kTolerance && end > kTolerance);
@@ -42,6 +43,7 @@ SplitPolygon split(const FacePolygon& polygon, const Plane& plane) {
         parts.behind.push_back(crossing);
     }
     if (!isInFront) parts.front.clear();
+    if (isInFront && !isBehind) parts.behind.clear();
     return parts;
 }
 

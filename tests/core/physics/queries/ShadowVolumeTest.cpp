@@ -72,6 +72,18 @@ private slots:
         QVERIFY(subtractShadow(side, shadowOfCube(), visible));
         QVERIFY(visible.empty());
     }
+    /// A square cut in the middle, one that touches the plane from either side with an edge, and one in the plane.
+    void polygonIsSplitIntoWhatReachesThere() {
+        const FacePolygon whole{{-1.0, -1.0, 0.0}, {1.0, -1.0, 0.0}, {1.0, 1.0, 0.0}, {-1.0, 1.0, 0.0}};
+        const auto sizes = [&](Vec3 normal, double offset) {
+            const SplitPolygon parts = split(whole, {normal, offset});
+            return std::pair(parts.front.size(), parts.behind.size());
+        };
+        QCOMPARE(sizes({1.0, 0.0, 0.0}, 0.0), std::pair(std::size_t{4}, std::size_t{4}));
+        QCOMPARE(sizes({1.0, 0.0, 0.0}, -1.0), std::pair(std::size_t{4}, std::size_t{0}));
+        QCOMPARE(sizes({1.0, 0.0, 0.0}, 1.0), std::pair(std::size_t{0}, std::size_t{4}));
+        QCOMPARE(sizes({0.0, 0.0, 1.0}, 0.0), std::pair(std::size_t{0}, std::size_t{4}));
+    }
     void hullAroundTheViewpointHidesNothing() {
         const ShadowVolume volume = shadowVolumeOf(test::hullOf(test::boxOf(Vec3(2.0))), Mat3(1.0), Vec3(0.5));
         QVERIFY(volume.faces.empty() && volume.planes.empty());
