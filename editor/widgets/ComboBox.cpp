@@ -3,6 +3,8 @@
 #include "editor/widgets/ColourButton.h"
 #include "editor/widgets/ColourConversion.h"
 
+#include <algorithm>
+
 namespace rubble {
 
 namespace {
@@ -26,7 +28,7 @@ QComboBox* comboBox(const QStringList& texts, const QString& toolTip) {
     return box;
 }
 
-void restoreIndex(QComboBox& box, int index) { box.setCurrentIndex(std::clamp(index, 0, box.count() - 1)); }
+void restoreIndex(QComboBox& box, int index) { box.setCurrentIndex(std::min(std::max(index, 0), box.count() - 1)); }
 
 void setItems(QComboBox& box, const std::vector<ComboItem>& items) {
     box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // long names do not widen a dock

@@ -20,6 +20,13 @@ private slots:
         restoreIndex(*box, -1);
         QCOMPARE(box->currentIndex(), 0);
     }
+    void storedIndexOfABoxWithoutItemsIsNone() {
+        QComboBox box;
+        restoreIndex(box, 2);
+        QCOMPARE(box.currentIndex(), -1);
+        restoreIndex(box, -1);
+        QCOMPARE(box.currentIndex(), -1);
+    }
     void equalItemsAreNotReplaced() {
         QComboBox box;
         const std::vector<ComboItem> items{{1, "stone", Colour{}}, {2, "glass"}};
