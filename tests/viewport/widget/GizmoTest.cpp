@@ -69,12 +69,17 @@ private slots:
         const auto turned = rotationAngle(GizmoHandle::RotateY, view, from, to);
         QVERIFY(turned && std::abs(*turned - std::numbers::pi / 2.0) < 1e-9);
     }
+    /// From right to top, half of that angle and back; the ring's axis points up, at right angles to the view.
     void edgeOnRingRotatesWithThePointerOnScreen() {
         GizmoView view = isometric();
         view.camera = alignedTo(view.camera, StandardView::Front);
-        const Ray from = rayTo({1.0, 0.0, 0.0}, view), to = rayTo({0.0, 1.0, 0.0}, view);
-        const auto turned = rotationAngle(GizmoHandle::RotateY, view, from, to);
-        QVERIFY(turned && std::abs(std::abs(*turned) - std::numbers::pi / 2.0) < 1e-9);
+        const Ray from = rayTo({1.0, 0.0, 0.0}, view);
+        const auto turnedTo = [&](Vec3 point) {
+            return rotationAngle(GizmoHandle::RotateY, view, from, rayTo(point, view)).value_or(0.0);
+        };
+        QCOMPARE_LT(std::abs(turnedTo({0.0, 1.0, 0.0}) - std::numbers::pi / 2.0), 1e-9);
+        QCOMPARE_LT(std::abs(turnedTo({0.7, 0.7, 0.0}) - std::numbers::pi / 4.0), 1e-9);
+        QCOMPARE_LT(std::abs(turnedTo({0.0, -1.0, 0.0}) + std::numbers::pi / 2.0), 1e-9);
     }
     void snapsToMultiples() {
         QCOMPARE(snapped(0.26, 0.1), 0.1 * 3);
