@@ -8,13 +8,15 @@
 
 namespace rubble {
 
-/// Waits for changes of a file: of its time or size, also where it is replaced by another one.
+/// Waits for changes of a file: of its time or size, also where it is replaced by another one. A change of neither is
+/// not noticed.
 class FileWatch {
 public:
     explicit FileWatch(std::filesystem::path file) : m_file(std::move(file)) {}
 
-    /// Waits until the file is there, differs from how it was when this returned last, and was not changed for a
-    /// moment, so that a file which is being written is not read. False once the program is interrupted.
+    /// Waits until the file is there, differs from how it was when this returned last, and was not changed for 0.2 s,
+    /// so that a file which is being written is not read. The first time it returns as soon as the file is there. False
+    /// once the program is interrupted.
     bool waitForChange(const CliContext& context);
 
 private:

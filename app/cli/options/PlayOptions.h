@@ -25,7 +25,7 @@ struct PreparedProject {
 /// Adds --dt, --shot, --shots and --no-destruction.
 void addPlayOptions(Command& command, PlayOptions& options);
 
-/// Bakes a project for a simulation; warnings go to `context.err`.
+/// Bakes a project for a simulation; the diagnostics of its scene go to `context.err`.
 ///
 /// Errors: those of selectedShots() and of playScene().
 Result<PreparedProject> prepareProject(const Project& project, const PlayOptions& options, const CliContext& context,
@@ -36,13 +36,13 @@ Result<PreparedProject> prepareProject(const Project& project, const PlayOptions
 /// Errors: those of Session::start() and Session::add().
 Result<Session> createSession(const PreparedProject& play, const PlayOptions& options, int threads);
 
-/// Prints messages to `context.err`, a line each.
+/// Prints messages to `context.err`, a line each: the first 20, then how many are not shown.
 void printMessages(const std::vector<Diagnostic>& diagnostics, const CliContext& context);
 
-/// Prints the warnings of a playback to `context.err`.
+/// Prints the diagnostics of a playback that were not printed yet, as printMessages() does.
 void printWarnings(SessionPlayback& playback, const CliContext& context);
 
-/// Simulates a session up to a step; warnings go to `context.err`.
+/// Simulates a session up to a step; the diagnostics of each step go to `context.err`.
 ///
 /// Errors: Cancelled.
 Status simulateTo(Session& session, std::uint64_t step, const CliContext& context, const TaskContext& task);

@@ -12,8 +12,9 @@ namespace rubble {
 /// weights, and skins with the pose of their joints. Instances of a node's mesh (EXT_mesh_gpu_instancing) that differ
 /// by a rigid motion are copies of one object; others are objects.
 ///
-/// Errors: throws MeshError; those of readGltfDocument() and GltfAccessors, BadInput for indices out of range and nodes
-/// that are no tree, Limit above kMaxTriangles or kMaxCopies.
+/// Errors: throws MeshError; those of gltfChunks(), readGltfDocument() and GltfAccessors, BadInput for indices out of
+/// range and nodes that are no tree, Limit above kMaxTriangles or kMaxCopies, Degenerate if all objects are hidden.
+/// Images that are not read become notes.
 SourceScene readGltf(std::string_view bytes, MeshFiles& files);
 
 }  // namespace rubble

@@ -16,13 +16,14 @@ enum class Leftovers { Removed, Kept };
 
 /// Writes a file atomically: to a temporary file beside it, flushed to disk, then renamed over it. On an error the old
 /// file is unchanged and the temporary one removed; or, which the error says, the new file is in place, but its folder
-/// cannot be flushed. Symbolic links, owner and permissions are kept. Never waits: pipes and devices are refused. What
-/// killed processes left in the folder is removed, see removeLeftovers().
+/// cannot be flushed, or the old bytes are in the copy only. Symbolic links, owner and permissions are kept. Never
+/// waits: pipes and devices are refused. What killed processes left in the folder is removed, see removeLeftovers().
 ///
 /// A file with several hard links, an access control list or an owner that cannot be given to a new file is written in
 /// place, after a copy of it: see copyBeforeSave().
 ///
-/// Errors: Io, with the path and the system's reason.
+/// Errors: Io, with the path and the system's reason, and for a file whose saving was interrupted; NotFound and Limit,
+/// as readFile(), where a file that is written in place cannot be copied first.
 Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes,
                            Leftovers leftovers = Leftovers::Removed);
 

@@ -11,7 +11,7 @@ namespace rubble {
 QString patternText(const char* text);
 /// The translated name of a layer's kind: "Blue noise".
 QString layerKindName(const LayerParameters& parameters);
-/// The same in title case for menus: "Blue Noise".
+/// A text in title case for menus: "Blue noise" becomes "Blue Noise".
 QString inTitleCase(QString text);
 /// A layer in a few words: "Blue noise, 0.1 m apart". See PatternKind::summary.
 QString layerText(const PatternLayer& layer, const Units& units = {}, const QLocale& locale = {});
