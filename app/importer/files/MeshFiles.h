@@ -53,7 +53,7 @@ public:
 
     /// Returns the content of the mesh.
     ///
-    /// Errors: throws MeshError if it cannot be read.
+    /// Errors: throws MeshError; Io if it cannot be opened.
     std::string meshContent();
     /// Returns the content of the file that a mesh calls `name`: the file of that name, else the one of the name with
     /// its percent escapes decoded once, else with / for \. Nothing if it is not read, or has more than `most` bytes;

@@ -17,7 +17,7 @@ struct GltfChunks {
 
 /// Splits the bytes of a .gltf or .glb file, which must outlive the result.
 ///
-/// Errors: throws MeshError if a GLB file is truncated or has another version than 2.
+/// Errors: throws MeshError; BadInput if a GLB file is truncated, Unsupported if it has another version than 2.
 GltfChunks gltfChunks(std::string_view bytes);
 
 /// The bytes that a glTF document refers to: in the GLB file, in data URIs and in files beside it. They are read where

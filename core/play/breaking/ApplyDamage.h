@@ -8,6 +8,8 @@ namespace rubble {
 SessionDamage damageOfInstances(const PlayScene& scene, const SessionState& state);
 
 /// See Session::apply().
+///
+/// Errors: BadInput, as there.
 Status applyDamage(const SessionParts& parts, const SessionDamage& damage);
 
 /// What a damage is of: the asset, or what its cut gives.

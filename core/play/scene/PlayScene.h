@@ -32,7 +32,7 @@ std::shared_ptr<const PlayStructure> structureIn(const PlayScene& scene, const P
 /// playAsset().
 ///
 /// Errors: BadInput if verifyProject() finds a fault, or an instance or shot uses an asset without a bake of its
-/// variant; those of playAsset(); Cancelled.
+/// variant; Limit if it is too large to be played; those of playAsset() and addStructures(); Cancelled.
 Result<std::shared_ptr<const PlayScene>> playScene(const Project& project, const AssetBakes& bakes,
                                                    const TaskContext& task = {},
                                                    FindContacts when = FindContacts::InAdvance);
