@@ -16,7 +16,7 @@ public:
     explicit MaterialActions(Views& views);
 
     QAction* library() const { return m_library; }
-    /// Saves the selected material as a preset.
+    /// Saves the selected material as a preset, or that of the active asset if no material is selected.
     QAction* save() const { return m_save; }
     QList<QAction*> actions() const { return {m_library, m_save}; }
 

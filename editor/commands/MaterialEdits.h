@@ -7,16 +7,16 @@ namespace rubble {
 
 /// The parts of a preset to apply to an asset in addition to the material.
 struct PresetOptions {
-    bool appliesPattern = false;    // replaces the asset's pattern and its cut at the point of impact by the preset's
-    bool derivesThreshold = false;  // from the tensile strength, if the preset has one
+    bool appliesPattern = false;    // replaces the asset's pattern and cut at the impact by the preset's, if it has one
+    bool derivesThreshold = false;  // from the tensile strength, if the preset has one; one that is derived stays
 };
 
 /// Adds a copy of a preset to the project's materials, with a number if its name is taken. If an equal material exists,
 /// returns that and an empty edit.
 Addition addMaterial(const Project& project, const MaterialPreset& preset);
 
-/// Gives an asset the material of a preset, added if necessary. A new pattern removes the merges, splits and own
-/// patterns of fragments of the old one.
+/// Gives an asset the material of a preset, added if necessary. A new pattern removes what was set for fragments of the
+/// old one: merges, splits, own patterns, thresholds, clusters, and which of them never break.
 Edit applyPreset(const Project& project, Id asset, const MaterialPreset& preset, const PresetOptions& options);
 
 /// A preset of a project's material, with the pattern of an asset of this material: the active one if it has it,

@@ -29,9 +29,10 @@ private:
     QListWidget* m_list;
 };
 
-/// Returns the enabled actions that match every word of a query, best match first: words match the start of the name,
-/// of a word in the name, of a word in the menus' names, any part of those, the start of a word in the tip, any part of
-/// the tip. Equal matches keep their order.
+/// Returns the actions that match every word of a query, enabled ones first, then by best match: words match the start
+/// of the name, of a word in the name, of a word in the menus' names, any part of those, the start of a word in the
+/// tip, any part of the tip, or, of three letters and more, by a synonym. Of equal matches, those in fewer menus come
+/// first; else they keep their order.
 QList<QAction*> matchingActions(const QString& query, const QList<QAction*>& actions);
 
 /// Returns the name of an action after those of its menus: "File ▸ Save".

@@ -63,7 +63,8 @@ public:
 
     double timeScale() const { return m_timeScale; }
     void setTimeScale(double scale);
-    /// The simulated duration of a step, s, of simulations that are not replays. A change restarts the simulation.
+    /// The simulated duration of a step, s, of simulations that are not replays. A change restarts the simulation; one
+    /// out of range (ProjectNumber::StepLength) is ignored.
     double timeStep() const { return m_timeStep; }
     void setTimeStep(double seconds);
     /// Whether bodies can break, at the displayed step: replays and seeking may switch it.

@@ -62,11 +62,11 @@ public:
 
     void setCanvasVisible(bool isVisible);
     void setSceneVisible(bool isVisible);
-    /// Restores the default layout of docks, inspector sections and panes.
+    /// Restores the default layout of docks, inspector sections, columns of events and panes.
     void resetLayout();
     void saveLayout() const;
 
-    /// Frames the active asset in the canvas and the 3D view.
+    /// Frames the active asset in the canvas, and all that is shown in the 3D view.
     void frameAsset();
     /// Frames the active asset in the canvas, and the instances of assets in the 3D view, such as new ones.
     void frameInstancesOf(std::span<const Id> assets);

@@ -26,11 +26,12 @@ public:
     MainWindow* showProject(Project project);
     /// Opens a window with the start page.
     MainWindow* showStartPage();
-    /// Opens a project file: in the window that has it already open, otherwise in `from` if that is pristine, otherwise
-    /// in a new one. If another process holds its lock, asks what to do. Shows an error and returns null if the file
-    /// cannot be opened.
+    /// Opens a project file: in the window that has it already open, otherwise in `from` if that is untouched (see
+    /// MainWindow::isUntouched()), otherwise in a new one. If another process holds its lock, asks what to do. Returns
+    /// null if the user cancels, or, after showing the error, if the file cannot be opened.
     MainWindow* open(const QString& path, MainWindow* from = nullptr);
-    /// Opens a copy of a project file, such as an example. The copy has no file yet.
+    /// Opens a copy of a project file, such as an example. The copy has no file yet. Shows an error and returns null if
+    /// the file cannot be read.
     MainWindow* openCopy(const QString& path, MainWindow* from = nullptr);
     /// Closes all windows, until the user cancels.
     void quit();

@@ -35,7 +35,7 @@ class ViewportOverlay : public QWidget {
 public:
     explicit ViewportOverlay(ViewportWidget& viewport);
 
-    /// Sets the items, painted from first to last.
+    /// Sets the items, painted from first to last. They are used until others are set, or the overlay is destroyed.
     void setItems(const std::vector<OverlayItem*>& items);
     /// The plates of all items in a view of this size.
     std::vector<QRect> plates(QSize size) const;

@@ -29,9 +29,10 @@ struct ExtrudedSolid {
 };
 
 /// The closed surface of the solid in its own frame: a front and a back vertex per corner, shared by caps and sides;
-/// caps (outside) as one face or as convex parts, then outside sides, then inside sides. UVs outside: from the asset's
-/// surface, or in metres (x and y on caps, length along the outline and z on sides). UVs inside: (length along the cut,
-/// z) times the asset's inside scale.
+/// caps (outside) as one face or as convex parts, then outside sides, then inside sides; with a surface, those of the
+/// outside by material. Of an outline that touches itself, which cannot be decomposed, each ring is a face. UVs
+/// outside: from the asset's surface, or in metres (x and y on caps, length along the outline and z on sides). UVs
+/// inside: (length along the cut, z) times the asset's inside scale.
 ///
 /// `surface`: the surface of the asset; null without an imported surface.
 Mesh extrudedMesh(const ExtrudedSolid& solid, const Asset& asset, const SurfaceIndex* surface);

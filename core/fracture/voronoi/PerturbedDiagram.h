@@ -57,7 +57,8 @@ inline Vec2 circumcentre(Vec2 a, Vec2 b, Vec2 c, Vec2 origin, double boundingRad
 /// The same, by exact arithmetic.
 Vec2 circumcentreExactly(Vec2 a, Vec2 b, Vec2 c, Vec2 origin);
 
-/// The intersection of a line with the bisector of a and b, relative to `origin`, to the same precision.
+/// The intersection of a line, from its first point to its second, with the bisector of a and b, relative to `origin`,
+/// to the same precision; the nearer of both points if the bisector passes beyond it.
 Vec2 intersectionWithBisector(const DirectedLine& line, Vec2 a, Vec2 b, Vec2 origin, double boundingRadius);
 
 inline Vec2 circumcentre(Vec2 a, Vec2 b, Vec2 c, Vec2 origin, double boundingRadius) {

@@ -7,8 +7,8 @@
 
 namespace rubble {
 
-/// The frame rotated about its z so that the outline's longest edge, the first of several equal ones, is along its x or
-/// y; nothing if one is already.
+/// The frame rotated about its z so that the longest edge of the outer ring, the first of several equal ones, is along
+/// its x or y; nothing if any edge of that ring is already.
 std::optional<ViewFrame> frameAlongEdge(const ViewFrame& frame, const Polygon& outline, double tolerance);
 
 /// The prism of an outline in a view's frame, with the view's depth and the centre of the outline's bounding box as

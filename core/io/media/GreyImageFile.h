@@ -19,7 +19,7 @@ struct DensityPicture {
     std::string note;                        // a sentence if the picture was larger; else empty
 };
 
-/// Loads a PNG file of any colour type as luminance and opacity, with 8 or 16 bits per pixel as in the file, reduced if
+/// Loads a PNG file of any colour type as luminance and opacity, with 8 or 16 bits for each as in the file, reduced if
 /// it is larger than GreyImage::kMaxSide pixels a side.
 ///
 /// Errors: those of readFile(); BadInput, with the file's name, if it is no PNG file or damaged; those of
@@ -30,7 +30,8 @@ Result<DensityPicture> loadDensityPicture(const std::filesystem::path& path);
 
 bool isPng(std::string_view bytes);
 
-/// Decodes a PNG file. `name` is the file's, for messages. The size of the image is that of the picture.
+/// Decodes a PNG file, whose size is checked before its pixels are read. `name` is the file's, for messages. The size
+/// of the image is that of the picture.
 ///
 /// Errors: BadInput if it is damaged; those of checkPictureSize().
 Result<GreyImage> greyImageOfPng(std::string_view bytes, const std::string& name);

@@ -17,8 +17,8 @@ public:
     /// Creates the folder if it is missing, and locks it against other videos where the file system has locks. Errors
     /// of writing name `shown` instead of the picture, where given: of a hidden folder, the user knows nothing.
     ///
-    /// Errors: BadInput if it already holds such pictures or another video is being written to it; those of
-    /// CreatedDirectories::create().
+    /// Errors: BadInput if it already holds such pictures or another video is being written to it; Io and NotFound if
+    /// it cannot be read; those of CreatedDirectories::create().
     static Result<std::unique_ptr<PictureSequence>> create(const std::filesystem::path& folder,
                                                            std::filesystem::path shown = {});
     ~PictureSequence();

@@ -17,7 +17,8 @@ inline constexpr const char* kPackBinaryName = "pack.bin";
 /// principal inertia as floats. The bytes do not depend on the number of threads. All fields are described in
 /// docs/formats/pack-bin.md.
 ///
-/// Errors: Limit if a hull has more than 65,535 vertices, or all together more than 4 billion.
+/// Errors: Limit if a hull has more than 65,535 vertices, or all together more than 4 billion vertices, corners of
+/// faces or bytes of names.
 Result<std::string> packBinary(const PackBuilder& builder, std::span<const PackMeshFile> meshes,
                                const TaskContext& task = {});
 /// The same of a pack that was read.

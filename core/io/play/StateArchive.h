@@ -108,8 +108,8 @@ private:
     std::string m_bytes;
 };
 
-/// Reads the fields that a StateWriter wrote, from bytes that may be anything. After the first fault all that follows
-/// is empty.
+/// Reads the fields that a StateWriter wrote, from bytes that may be anything. After the first fault nothing more is
+/// read: of what follows, numbers are 0 and tables empty, and arrays of numbers stay as they were.
 class StateReader {
 public:
     /// `absent`: the names of fields that the bytes do not have, since they are of an older version.

@@ -35,7 +35,7 @@ Result<SavedSession> loadSavedSession(const std::filesystem::path& path, Content
 
 /// The state that a test starts from, in the folder of its project; null if it starts from the scene.
 ///
-/// Errors, with the test and the path: those of loadSavedSession().
+/// Errors, with the test and the path: BadInput for a link; those of loadSavedSession().
 Result<std::shared_ptr<const SavedSession>> loadStart(const PlayTest& test, const std::filesystem::path& folder,
                                                       ContentHash scene);
 

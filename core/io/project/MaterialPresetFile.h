@@ -15,8 +15,8 @@ std::string materialPresetText(const MaterialPreset& preset);
 
 /// Reads a material preset, written by materialPresetText() or by hand.
 ///
-/// Errors: BadInput if the text is not JSON of this form or verifyPreset() finds an error; Unsupported for newer
-/// versions.
+/// Errors: those of JsonDocument::parse(); BadInput if the text is not of this form or verifyPreset() finds an error;
+/// Unsupported for newer versions.
 Result<MaterialPreset> readMaterialPresetText(std::string_view json);
 
 /// Loads a material preset from a file.
@@ -29,8 +29,8 @@ Result<MaterialPreset> loadMaterialPreset(const std::filesystem::path& path);
 /// Errors: BadInput if verifyPreset() finds an error; those of writeFileAtomically().
 Status saveMaterialPreset(const std::filesystem::path& path, const MaterialPreset& preset);
 
-/// Returns the file for a preset of this name in a folder: "dark-oak.json" for "Dark oak". Letters beyond ASCII stay;
-/// other characters become dashes.
+/// Returns the file for a preset of this name in a folder: "dark-oak.json" for "Dark oak". Digits, '_' and letters
+/// beyond ASCII stay; a run of other characters becomes a dash.
 std::filesystem::path materialPresetPath(const std::filesystem::path& folder, const std::string& name);
 
 /// A material preset and its file.

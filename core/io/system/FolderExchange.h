@@ -9,12 +9,12 @@
 namespace rubble {
 
 /// Locks a folder against other processes that replace folders in it, where the file system has locks, until the result
-/// is closed. Waits for them. Errors: Io; Cancelled.
+/// is closed. Waits for them. Errors: NotFound; Io; Cancelled.
 Result<OpenFile> lockFolder(const std::filesystem::path& folder, const TaskContext& task = {});
 
 /// Gives a new folder its name in one step that survives a power cut; afterwards `replacement` holds the old one, if
 /// there was one. Where the file system cannot exchange folders, in two steps. Errors: Io; the old folder is in its
-/// place then.
+/// place again then, unless that fails, too.
 Status replaceFolder(const TemporaryFolder& replacement, const std::filesystem::path& folder);
 
 }  // namespace rubble

@@ -20,10 +20,10 @@ struct Manifold {
     std::array<Point, kMaxManifoldPoints> points;
 };
 
-/// The contact points along an axis with a separation below `margin`. For a face: the incident face of the other hull
-/// clipped to it and reduced to the four points that span the largest area. For edges: the same of the two faces that
-/// are most along the axis, if one is within 37 degrees of it; else the point between the edges, none if the closest
-/// points of their lines lie beyond their ends.
+/// The contact points along an axis with a separation of at most `margin`. For a face: the incident face of the other
+/// hull clipped to it and reduced to four points: the deepest, and three that span a large area with it. For edges: the
+/// same of the two faces that are most along the axis, if one is within 37 degrees of it; else the point between the
+/// edges, none if the closest points of their lines lie beyond their ends.
 /// Source: Gregorius 2015, "Robust contact creation"; faces for edges as in Rouwe's Jolt Physics.
 Manifold manifoldAlong(const SeparatingAxis& axis, const Hull& first, const Hull& second, const RelativePose& pose,
                        float margin);

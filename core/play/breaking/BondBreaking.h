@@ -18,8 +18,9 @@ bool breakHitBonds(const SessionParts& parts, std::span<const Impact> impacts);
 /// Breaks all bonds of a body that can break; with clusters, those of the level at which it breaks.
 void breakAllBonds(const SessionParts& parts, PlayBody& body);
 
-/// Damages and breaks bonds of a body by an impulse, N·s, at points in the world. The body stays as it is: the result
-/// is for splitBodies(), if bonds broke. `level`: at which it breaks; none: that of heldClusters().
+/// Damages and breaks bonds of a body by an impulse, N·s, at points in the world, and adds the hit to the impacts of
+/// the step. The body stays as it is: the result is for splitBodies(), if bonds broke. `level`: at which it breaks;
+/// none: that of heldClusters().
 BrokenBonds damageBonds(const SessionParts& parts, PlayBody& body, std::span<const Vec3> points, double impulse,
                         std::optional<ClusterLevel> level = {});
 

@@ -22,7 +22,7 @@ struct PlayTestOutcome {
     std::vector<ExpectationOutcome> expectations;  // in the test's order
     ContentHash hash;                              // after the last step
     bool isPassed() const;
-    /// The step after which the first expectation failed; 0 if none did.
+    /// The step after which the first of the failed expectations, in the test's order, was decided; 0 if none failed.
     std::uint64_t failedAt() const;
 };
 
@@ -36,16 +36,18 @@ std::vector<TimedInput> inputsOf(const Project& project, const PlayTest& test, s
 Result<Session> sessionOf(std::shared_ptr<const PlayScene> scene, const PlayTest& test,
                           const SessionSettings& settings = {}, const SavedSession* start = nullptr);
 
-/// Plays a test of the scene's project and evaluates its expectations. With a saved moment it starts there, and what
-/// happened before does not count; steps are those of the session.
+/// Plays a test of the scene's project, one step at least, and evaluates its expectations. With a saved moment it
+/// starts there, and what happened before does not count; steps are those of the session.
 ///
 /// A bonded instance breaks where its first bonds break, and each body that comes off it counts as a fragment.
-/// StandsUntouched: within `value` seconds the instance, or any instance, neither moves more than 1 cm nor breaks.
+/// StandsUntouched: within `value` seconds the instance, or any instance, neither moves more than 1 cm nor breaks; not
+/// met by a test that ends before.
 /// Breaks, DoesNotBreak: the instance, or any instance. BreaksIntoAtLeast: its fragments at the end, removed ones
 /// included; without an instance, those of the one with the most. NothingAbove, NothingFaster: at the end, of all
 /// bodies that are not fixed, or of the instance and its fragments. StaysUp: how much of the mass that stood at the
 /// start, removed parts not counted, does not stand at the end, see standingParts(); without an instance, of the one
-/// that lost most. HoleAtMost: see holeWidth(), at the end; without an instance, the widest.
+/// that lost most; not met where nothing stood. HoleAtMost: see holeWidth(), at the end; without an instance, the
+/// widest; not met without an instance that breaks along bonds.
 ///
 /// Errors: those of sessionOf(); Cancelled.
 Result<PlayTestOutcome> runPlayTest(std::shared_ptr<const PlayScene> scene, const PlayTest& test,

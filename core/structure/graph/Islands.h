@@ -29,11 +29,12 @@ struct Islands {
 };
 
 /// The islands of some nodes, ascending, by the unbroken bonds between them; `damage` has one per bond of the graph.
-/// Nearly O(nodes + their bonds), and one pass over a flag for each node of the graph. Five allocations.
+/// Nearly O(nodes + their bonds), and one pass over a flag for each node of the graph. Five arrays are allocated.
 Islands islandsOf(const BondGraph& graph, std::span<const BondDamage> damage, std::span<const std::uint32_t> nodes);
 
-/// The same, of nodes that were one island until some bonds broke. Follows bonds only in what came off and around what
-/// broke, where a small hole in a large wall takes little, and else copies the nodes.
+/// The same, of nodes that were one island until some bonds broke, `broken`. Follows bonds only in what came off and
+/// around what broke, where a small hole in a large wall takes little, and to the first anchor of an island, and else
+/// copies the nodes and flags for those of the graph. With many broken bonds, the same as islandsOf().
 /// Source: the searches of Even, Shiloach 1981, "An on-line edge-deletion problem", from all ends at once.
 Islands islandsAfter(const BondGraph& graph, std::span<const BondDamage> damage, std::span<const std::uint32_t> nodes,
                      std::span<const std::uint32_t> broken);

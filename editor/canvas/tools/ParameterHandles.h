@@ -33,7 +33,7 @@ public:
     /// Cancels the drag and restores the value; false if there is none.
     bool cancel();
     void paint(QPainter& painter, const CanvasColours& colours) const;
-    /// The name of the hovered handle: "Centre of radial".
+    /// The name of the hovered handle: "Centre of radial"; empty without one.
     QString text() const;
 
 private:

@@ -20,7 +20,7 @@ public:
         return *this;
     }
 
-    /// Creates an object.
+    /// Creates an object; none of a shader, which is created with its stage.
     static GlObject create();
     std::uint32_t id() const { return m_id; }
 

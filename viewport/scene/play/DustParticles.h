@@ -19,14 +19,14 @@ struct ParticleStart {
 
 /// Where particles fall.
 struct ParticleWorld {
-    Vec3 gravity{0.0, 0.0, 0.0};  // m/s²; dust floats
+    Vec3 gravity{0.0, 0.0, 0.0};  // m/s²; dust and flashes float
     double ground = 0.0;          // m: the height at which they lie; far below all without a ground
     Vec3 origin{0.0, 0.0, 0.0};   // m: of the scene
     double stepLength = 0.0;      // s
 };
 
-/// A particle at an age in (0, lifetime), s. Dust drifts, grows and fades; the others fall, and lie on the ground until
-/// they fade; sparks glow.
+/// A particle at an age in (0, lifetime), s. Dust drifts, grows and fades; a flash fades; the others fall, and lie on
+/// the ground until they fade; sparks glow.
 Particle particleAt(const ParticleStart& start, double age, const ParticleWorld& world);
 
 }  // namespace rubble
