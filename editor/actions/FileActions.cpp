@@ -286,13 +286,14 @@ void FileActions::exportWithDialog() {
     ExportDialog dialog(m_workspace, &m_views.window());
     if (dialog.exec() != QDialog::Accepted) return;
     const ExportOptions options = dialog.options();
-    if (const ExportSummary summary = exportWith(options); summary.isExported) {
+    const ExportSummary summary = exportWith(options);
+    if (summary.isExported && summary.assetErrors.isEmpty()) {
         offerFolder(&m_views.window(), summary.sentence, options.folder);
     }
 }
 
 void FileActions::exportAgain() {
-    std::vector<ExportOptions> targets = exportTargets(m_workspace);
+    std::vector<ExportOptions> targets = earlierExports(m_workspace);
     std::erase_if(targets, [](const ExportOptions& target) { return target.assets && target.assets->empty(); });
     if (targets.size() > 1)
         std::erase_if(targets, [](const ExportOptions& target) { return !QFileInfo::exists(target.folder); });

@@ -1,5 +1,6 @@
 #include "editor/dialogs/ExportDialog.h"
 
+#include "core/io/formats/ExportFormat.h"
 #include "core/io/pack/SceneFile.h"
 #include "editor/dialogs/ExportTree.h"
 #include "editor/dialogs/OutputPath.h"
@@ -8,10 +9,10 @@
 #include "editor/widgets/ScreenFit.h"
 
 #include <QCheckBox>
+#include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -19,7 +20,6 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
-#include <QStandardPaths>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -31,39 +31,13 @@ namespace {
 constexpr int kDescriptionLines = 2;          // of the longest one
 constexpr QSize kExportDialogSize{800, 540};  // pixels, so that a path and file names fit
 
-/// What is written for a program unless the user changes it: see optionsFor().
-QString descriptionOf(ExportTarget target) {
-    switch (target) {
-        case ExportTarget::Neutral:
-            return ExportDialog::tr("OBJ and GLB meshes, and the bodies in pack.json and pack.bin.");
-        case ExportTarget::Unity:
-            return ExportDialog::tr("GLB meshes for glTFast or UnityGLTF; a script reads pack.json or pack.bin.");
-        case ExportTarget::Unreal:
-            return ExportDialog::tr(
-                "GLB with collision hulls, a script that imports them, and pack.json and pack.bin.");
-        case ExportTarget::Godot:
-            return ExportDialog::tr("GLB with rigid bodies, which Godot 4.3 and later read on import; and pack.json.");
-        case ExportTarget::Blender:
-            return ExportDialog::tr("GLB meshes, which Blender imports; and masses in pack.json.");
-        case ExportTarget::Web:
-            return ExportDialog::tr("GLB with rigid bodies for three.js and Babylon.js; and pack.json.");
-        case ExportTarget::Usd:
-            return ExportDialog::tr("USD with rigid bodies, colliders and breakable joints; and pack.json.");
-    }
-    return {};
-}
+/// A text of the rows of formats, options and programs.
+QString exportText(std::string_view text) { return QCoreApplication::translate("Export", std::string(text).c_str()); }
 
 QCheckBox* checkBox(const QString& text, const QString& toolTip) {
     auto* box = new QCheckBox(text);
     box->setToolTip(toolTip);
     return box;
-}
-
-ExportOptions defaultOptions(Workspace& workspace) {
-    const QString path = workspace.file().path();
-    const QString base = path.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
-                                        : QFileInfo(path).absolutePath();
-    return {.folder = base + "/packs"};
 }
 
 }  // namespace
@@ -72,13 +46,12 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent) : QDialog(pare
     setWindowTitle(tr("Export"));
     addFields();
     addForm();
-    showOptions(lastExportOptions(workspace).value_or(defaultOptions(workspace)));
+    showOptions(lastExportOptions(workspace).value_or(ExportOptions{.folder = defaultExportFolder(workspace)}));
     connect(m_target, &QComboBox::currentIndexChanged, this, &ExportDialog::applyTarget);
-    for (QCheckBox* box : {m_obj, m_glb, m_usd, m_mjcf})
-        connect(box, &QCheckBox::toggled, this, &ExportDialog::refresh);
-    for (QComboBox* box : {m_contents, m_glbKind, m_split, m_place, m_faces}) {
+    for (const auto& [format, box] : m_formats) connect(box, &QCheckBox::toggled, this, &ExportDialog::refresh);
+    for (const auto& [option, box] : m_options)
         connect(box, &QComboBox::currentIndexChanged, this, &ExportDialog::refresh);
-    }
+    connect(m_contents, &QComboBox::currentIndexChanged, this, &ExportDialog::refresh);
     connect(m_assets, &QListWidget::itemChanged, this, &ExportDialog::refresh);
     connect(m_folder, &QLineEdit::textChanged, this, &ExportDialog::refresh);
     refresh();
@@ -93,28 +66,23 @@ void ExportDialog::addFields() {
                              "ground and the saved throws"));
     m_folder = new QLineEdit;
     m_folder->setToolTip(tr("Set the output folder, which gets a subfolder for each asset"));
-    m_target = comboBox({tr("Any engine"), "Unity", "Unreal Engine", "Godot", "Blender", tr("Web"), "USD"},
-                        tr("Select the program that the export is for; a README.md says how to use it there"));
+    QStringList programs;
+    for (const ExportTarget& target : exportTargets()) programs.append(exportText(target.title));
+    m_target =
+        comboBox(programs, tr("Select the program that the export is for; a README.md says how to use it there"));
     m_description = new QLabel;
     m_description->setObjectName("program-description");
     m_description->setWordWrap(true);
     m_description->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_description->setMinimumHeight(kDescriptionLines * m_description->fontMetrics().lineSpacing());
-    m_obj = checkBox(tr("&OBJ with materials"), tr("Write Wavefront OBJ files, which all 3D programs read"));
-    m_glb = checkBox(tr("&GLB"), tr("Write binary glTF files"));
-    m_usd = checkBox(tr("U&SD"), tr("Write USD files with rigid bodies and colliders of UsdPhysics"));
-    m_mjcf = checkBox(tr("MuJo&Co"), tr("Write the fragments as a model of MuJoCo (MJCF)"));
-    m_glbKind = comboBox({tr("Plain"), tr("With rigid bodies"), tr("Compact"), tr("With hulls for Unreal Engine")},
-                         tr("Select the content of GLB files: a node per fragment; the same with rigid bodies and "
-                            "colliders; one skinned mesh, small and drawn at once; or with hulls called UCX_"));
-    m_split = comboBox({tr("One file for all"), tr("One file each")},
-                       tr("Select one file for all fragments or one file per fragment"));
-    m_place = comboBox({tr("Assembled"), tr("Centred on the centre of mass")},
-                       tr("Select the position of the fragments in the mesh files"));
-    m_faces = comboBox({tr("Polygons"), tr("Triangles")}, tr("Select the faces of OBJ files"));
-    m_up = comboBox({tr("Y up"), tr("Z up")}, tr("Select the up axis of OBJ files; GLB files always have y up"));
-    m_unit = comboBox({tr("Metres"), tr("Centimetres"), tr("Millimetres")},
-                      tr("Select the unit of OBJ files; GLB files are always in metres"));
+    for (const ExportFormat* format : exportFormats())
+        m_formats.emplace_back(format, checkBox(exportText(format->caption), exportText(format->hint)));
+    for (const ExportOption* option : exportOptions()) {
+        if (option->caption.empty()) continue;
+        QStringList texts;
+        for (const ExportOption::Value& value : option->values) texts.append(exportText(value.text));
+        m_options.emplace_back(option, comboBox(texts, exportText(option->hint)));
+    }
     m_onSave = checkBox(tr("Export again &whenever the project is saved"),
                         tr("Repeat this export in the background after each save of the project's file"));
     m_tree = new ExportTree;
@@ -151,27 +119,23 @@ void ExportDialog::addOptions(QFormLayout& form) {
     form.addRow(tr("&Program:"), m_target);
     form.addRow(QString(), m_description);
     form.addRow(tr("Meshes:"), createFormats());
-    form.addRow(tr("GLB &kind:"), m_glbKind);
-    form.addRow(tr("Frag&ments:"), m_split);
-    form.addRow(tr("Posi&tion:"), m_place);
-    form.addRow(tr("OBJ fac&es:"), m_faces);
-    form.addRow(tr("OBJ a&xes:"), m_up);
-    form.addRow(tr("OBJ &unit:"), m_unit);
+    for (const auto& [option, box] : m_options) form.addRow(exportText(option->caption), box);
     form.addRow(m_onSave);
 }
 
 QGridLayout* ExportDialog::createFormats() const {
+    constexpr int kRows = 2;
     auto* formats = new QGridLayout;
-    formats->addWidget(m_obj, 0, 0);
-    formats->addWidget(m_glb, 1, 0);
-    formats->addWidget(m_usd, 0, 1);
-    formats->addWidget(m_mjcf, 1, 1);
+    for (int k = 0; const auto& [format, box] : m_formats) {
+        formats->addWidget(box, k % kRows, k / kRows);
+        ++k;
+    }
     return formats;
 }
 
 /// The list of earlier exports; null where there is at most the one that is shown anyway.
 QWidget* ExportDialog::createTargets() {
-    m_targets = exportTargets(m_workspace);
+    m_targets = earlierExports(m_workspace);
     if (m_targets.size() < 2) return nullptr;
     auto* row = new QWidget;
     auto* layout = new QHBoxLayout(row);
@@ -198,15 +162,15 @@ QWidget* ExportDialog::createTargets() {
 void ExportDialog::listTargets() {
     m_targetList->clear();
     for (const ExportOptions& target : m_targets)
-        m_targetList->addItem(m_target->itemText(static_cast<int>(target.target)) + " · " + pathText(target.folder));
+        m_targetList->addItem(exportText(target.target->title) + " · " + pathText(target.folder));
     m_targetList->setCurrentIndex(m_targetList->count() - 1);
 }
 
 void ExportDialog::forgetTarget() {
     const int index = m_targetList->currentIndex();
     if (index < 0) return;
-    forgetExportTarget(m_workspace, m_targets[static_cast<std::size_t>(index)].folder);
-    m_targets = exportTargets(m_workspace);
+    forgetExport(m_workspace, m_targets[static_cast<std::size_t>(index)].folder);
+    m_targets = earlierExports(m_workspace);
     listTargets();
     if (m_targets.empty()) return m_targetList->parentWidget()->setEnabled(false);
     showOptions(m_targets.back());
@@ -225,21 +189,13 @@ void ExportDialog::showOptions(const ExportOptions& options) {
     m_folder->setText(QDir::toNativeSeparators(options.folder));
     m_contents->setCurrentIndex(options.isWithScene ? 0 : 1);
     m_onSave->setChecked(options.isRepeatedOnSave);
-    m_target->setCurrentIndex(static_cast<int>(options.target));
-    showFormats(options.meshes);
-    m_split->setCurrentIndex(options.meshes.split == FileSplit::PerFragment);
-    m_place->setCurrentIndex(options.meshes.place == PartPlacement::Centred);
-    m_faces->setCurrentIndex(options.meshes.faces == FaceShape::Triangles);
-    m_up->setCurrentIndex(options.meshes.objFrame.up == UpAxis::Z);
-    m_unit->setCurrentIndex(static_cast<int>(options.meshes.objFrame.unit));
+    m_target->setCurrentIndex(static_cast<int>(options.target - exportTargets().data()));
+    showFiles(options.pack);
 }
 
-void ExportDialog::showFormats(const MeshOptions& meshes) {
-    m_obj->setChecked(meshes.obj);
-    m_glb->setChecked(meshes.glb);
-    m_usd->setChecked(meshes.usd);
-    m_mjcf->setChecked(meshes.mjcf);
-    m_glbKind->setCurrentIndex(static_cast<int>(meshes.glbKind));
+void ExportDialog::showFiles(const PackOptions& pack) {
+    for (const auto& [format, box] : m_formats) box->setChecked(pack.meshes.formats.contains(format->word));
+    for (const auto& [option, box] : m_options) box->setCurrentIndex(static_cast<int>(option->get(pack)));
 }
 
 std::vector<Id> ExportDialog::selectedAssets() const {
@@ -258,17 +214,14 @@ ExportOptions ExportDialog::options() const {
     if (!areAll) options.assets = std::move(selected);  // all: includes assets that are added later
     options.isWithScene = m_contents->currentIndex() == 0;
     options.isRepeatedOnSave = m_onSave->isChecked();
-    options.target = static_cast<ExportTarget>(m_target->currentIndex());
-    options.meshes.obj = m_obj->isChecked();
-    options.meshes.glb = m_glb->isChecked();
-    options.meshes.usd = m_usd->isChecked();
-    options.meshes.mjcf = m_mjcf->isChecked();
-    options.meshes.glbKind = static_cast<GlbKind>(m_glbKind->currentIndex());
-    options.meshes.split = m_split->currentIndex() == 1 ? FileSplit::PerFragment : FileSplit::Single;
-    options.meshes.place = m_place->currentIndex() == 1 ? PartPlacement::Centred : PartPlacement::Assembled;
-    options.meshes.faces = m_faces->currentIndex() == 1 ? FaceShape::Triangles : FaceShape::Polygons;
-    options.meshes.objFrame.up = m_up->currentIndex() == 1 ? UpAxis::Z : UpAxis::Y;
-    options.meshes.objFrame.unit = static_cast<ObjUnit>(m_unit->currentIndex());
+    options.target = &exportTargets()[static_cast<std::size_t>(m_target->currentIndex())];
+    options.pack = options.target->options();
+    options.pack.meshes.formats = {};
+    for (const auto& [format, box] : m_formats) {
+        if (box->isChecked()) options.pack.meshes.formats.insert(format->word);
+    }
+    for (const auto& [option, box] : m_options)
+        option->set(options.pack, static_cast<std::size_t>(std::max(0, box->currentIndex())));
     return options;
 }
 
@@ -277,22 +230,28 @@ void ExportDialog::browse() {
     if (!folder.isEmpty()) m_folder->setText(QDir::toNativeSeparators(folder));
 }
 
-/// Selects the meshes that the program reads.
+/// Selects the formats that the program reads, and their kind; how the meshes are written otherwise stays.
 void ExportDialog::applyTarget() {
-    showFormats(optionsFor(options().target).meshes);
+    PackOptions pack = options().pack;
+    const PackOptions needed = options().target->options();
+    pack.meshes.formats = needed.meshes.formats;
+    pack.meshes.glbKind = needed.meshes.glbKind;
+    showFiles(pack);
     refresh();
 }
 
 /// Shows what will be written, and enables what is relevant.
 void ExportDialog::refresh() {
     const ExportOptions options = this->options();
-    const MeshOptions& meshes = options.meshes;
-    m_description->setText(descriptionOf(options.target));
+    m_description->setText(exportText(options.target->description));
     m_contents->setEnabled(!options.assets && hasScene(m_workspace.project()));
-    m_split->setEnabled(meshes.obj || meshes.glb);
-    m_place->setEnabled(meshes.obj || meshes.glb);
-    m_glbKind->setEnabled(meshes.glb);
-    for (QComboBox* box : {m_faces, m_up, m_unit}) box->setEnabled(meshes.obj);
+    const std::vector<const ExportFormat*> formats = formatsOf(options.pack.meshes.formats);
+    for (const auto& [option, box] : m_options) {
+        const auto hasOption = [&](const ExportFormat* format) {
+            return std::ranges::find(format->options, option) != format->options.end();
+        };
+        box->setEnabled(std::ranges::any_of(formats, hasOption));
+    }
     const QString problem = selectedAssets().empty()   ? tr("No asset is selected.")
                             : options.folder.isEmpty() ? tr("No folder is set.")
                                                        : QString();

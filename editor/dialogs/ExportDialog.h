@@ -4,6 +4,9 @@
 
 #include <QDialog>
 
+#include <utility>
+#include <vector>
+
 class QCheckBox;
 class QComboBox;
 class QFormLayout;
@@ -16,6 +19,8 @@ class QPushButton;
 namespace rubble {
 
 class ExportTree;
+struct ExportFormat;
+struct ExportOption;
 
 /// Asks what to export, and shows what will be written.
 class ExportDialog : public QDialog {
@@ -33,7 +38,7 @@ private:
     void forgetTarget();
     QGridLayout* createFormats() const;
     void showOptions(const ExportOptions& options);
-    void showFormats(const MeshOptions& meshes);
+    void showFiles(const PackOptions& pack);
     void browse();
     std::vector<Id> selectedAssets() const;
     void applyTarget();
@@ -47,16 +52,8 @@ private:
     QComboBox* m_contents;
     QComboBox* m_target;
     QLabel* m_description;
-    QCheckBox* m_obj;
-    QCheckBox* m_glb;
-    QCheckBox* m_usd;
-    QCheckBox* m_mjcf;
-    QComboBox* m_glbKind;
-    QComboBox* m_split;
-    QComboBox* m_place;
-    QComboBox* m_faces;
-    QComboBox* m_up;
-    QComboBox* m_unit;
+    std::vector<std::pair<const ExportFormat*, QCheckBox*>> m_formats;
+    std::vector<std::pair<const ExportOption*, QComboBox*>> m_options;  // those with a caption
     QCheckBox* m_onSave;
     ExportTree* m_tree;
     QLabel* m_problem;

@@ -11,7 +11,7 @@ ExportOnSave::ExportOnSave(Workspace& workspace, Messages& messages, QObject* pa
 void ExportOnSave::start() {
     cancel();
     std::vector<ExportJob> jobs;
-    for (const ExportOptions& options : exportTargets(m_workspace)) {
+    for (const ExportOptions& options : earlierExports(m_workspace)) {
         const bool areAssetsGone = options.assets && options.assets->empty();
         if (options.isRepeatedOnSave && !areAssetsGone) jobs.push_back(exportJob(m_workspace, options));
     }

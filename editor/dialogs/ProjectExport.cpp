@@ -1,5 +1,6 @@
 #include "editor/dialogs/ProjectExport.h"
 
+#include "core/io/formats/ExportFormat.h"
 #include "editor/dialogs/MessageBoxes.h"
 #include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
@@ -7,7 +8,9 @@
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
+#include <QFileInfo>
 #include <QSettings>
+#include <QStandardPaths>
 
 #include <algorithm>
 
@@ -16,6 +19,7 @@ namespace rubble {
 namespace {
 
 constexpr const char* kTargetsKey = "targets";
+constexpr const char* kFormatsKey = "formats";
 constexpr std::size_t kMaxTargets = 8;
 
 struct ExportTexts {
@@ -29,22 +33,27 @@ QString settingsGroup(const QString& projectPath) {
     return "exports/" + QString::fromLatin1(hash);
 }
 
+QString textOf(std::string_view word) { return QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size())); }
+
+/// The formats of stored words; those that this version does not know are left out.
+FormatSet formatsNamed(const QVariant& words) {
+    FormatSet formats;
+    for (const QString& word : words.toStringList()) {
+        if (const ExportFormat* format = formatNamed(word.toStdString())) formats.insert(format->word);
+    }
+    return formats;
+}
+
 void write(QSettings& settings, const ExportOptions& options) {
     settings.setValue("folder", settingOf(options.folder));
-    const std::string_view target = kExportTargets[static_cast<std::size_t>(options.target)];
-    settings.setValue("target", QString::fromUtf8(target.data(), static_cast<qsizetype>(target.size())));
+    settings.setValue("target", textOf(options.target->word));
     settings.setValue("scene", options.isWithScene);
     settings.setValue("onSave", options.isRepeatedOnSave);
-    settings.setValue("obj", options.meshes.obj);
-    settings.setValue("glb", options.meshes.glb);
-    settings.setValue("usd", options.meshes.usd);
-    settings.setValue("mjcf", options.meshes.mjcf);
-    settings.setValue("glbKind", static_cast<int>(options.meshes.glbKind));
-    settings.setValue("filePerFragment", options.meshes.split == FileSplit::PerFragment);
-    settings.setValue("centred", options.meshes.place == PartPlacement::Centred);
-    settings.setValue("triangles", options.meshes.faces == FaceShape::Triangles);
-    settings.setValue("zUp", options.meshes.objFrame.up == UpAxis::Z);
-    settings.setValue("unit", static_cast<int>(options.meshes.objFrame.unit));
+    QStringList formats;
+    for (const std::string_view word : options.pack.meshes.formats) formats.append(textOf(word));
+    settings.setValue(kFormatsKey, formats);
+    for (const ExportOption* option : exportOptions())
+        settings.setValue(textOf(option->word), textOf(option->values[option->get(options.pack)].word));
     if (!options.assets) return;
     QStringList assets;
     for (const Id asset : *options.assets) assets.append(QString::number(asset));
@@ -54,22 +63,16 @@ void write(QSettings& settings, const ExportOptions& options) {
 /// Reads the options of a target. Assets that no longer exist are left out.
 ExportOptions read(const QSettings& settings, const Project& project) {
     ExportOptions options{.folder = pathOf(settings.value("folder"))};
-    const auto target = std::ranges::find(kExportTargets, settings.value("target").toString().toStdString());
-    if (target != kExportTargets.end()) options.target = static_cast<ExportTarget>(target - kExportTargets.begin());
+    if (const ExportTarget* target = targetNamed(settings.value("target").toString().toStdString()))
+        options.target = target;
+    options.pack = options.target->options();
     options.isWithScene = settings.value("scene", true).toBool();
     options.isRepeatedOnSave = settings.value("onSave").toBool();
-    options.meshes.obj = settings.value("obj").toBool();
-    options.meshes.glb = settings.value("glb").toBool();
-    const MeshOptions needed = optionsFor(options.target).meshes;  // what versions before these settings wrote
-    options.meshes.usd = settings.value("usd", needed.usd).toBool();
-    options.meshes.mjcf = settings.value("mjcf", needed.mjcf).toBool();
-    const int glbKind = settings.value("glbKind", static_cast<int>(needed.glbKind)).toInt();
-    options.meshes.glbKind = static_cast<GlbKind>(std::clamp(glbKind, 0, static_cast<int>(GlbKind::Named)));
-    if (settings.value("filePerFragment").toBool()) options.meshes.split = FileSplit::PerFragment;
-    if (settings.value("centred").toBool()) options.meshes.place = PartPlacement::Centred;
-    if (settings.value("triangles").toBool()) options.meshes.faces = FaceShape::Triangles;
-    if (settings.value("zUp").toBool()) options.meshes.objFrame.up = UpAxis::Z;
-    options.meshes.objFrame.unit = static_cast<ObjUnit>(std::clamp(settings.value("unit").toInt(), 0, 2));
+    if (settings.contains(kFormatsKey)) options.pack.meshes.formats = formatsNamed(settings.value(kFormatsKey));
+    for (const ExportOption* option : exportOptions()) {
+        if (const auto value = valueNamed(*option, settings.value(textOf(option->word)).toString().toStdString()))
+            option->set(options.pack, *value);
+    }
     if (!settings.contains("assets")) return options;
     options.assets.emplace();
     for (const QString& asset : settings.value("assets").toStringList()) {
@@ -97,11 +100,12 @@ std::vector<ExportOptions> without(std::vector<ExportOptions> targets, const QSt
     return targets;
 }
 
-/// What the program needs, with the meshes that were selected.
-PackOptions packOptions(const ExportOptions& options) {
-    PackOptions pack = optionsFor(options.target);
-    pack.meshes = options.meshes;
-    return pack;
+/// Keeps the options of an export as the last ones.
+void remember(Workspace& workspace, const ExportOptions& options) {
+    std::vector<ExportOptions> targets = without(earlierExports(workspace), options.folder);
+    targets.push_back(options);
+    if (targets.size() > kMaxTargets) targets.erase(targets.begin());
+    store(settingsGroup(workspace.file().path()), std::move(targets));
 }
 
 std::vector<Id> assetsToExport(const ExportOptions& options, const Project& project) {
@@ -114,7 +118,7 @@ std::vector<Id> assetsToExport(const ExportOptions& options, const Project& proj
 OutputRequest outputRequest(Workspace& workspace, const ExportOptions& options) {
     return {.folder = toPath(options.folder),
             .project = indexName(toPath(workspace.file().path())),
-            .options = packOptions(options),
+            .options = options.pack,
             .target = options.target,
             .hasAllAssets = !options.assets,
             .isWithScene = options.isWithScene};
@@ -123,19 +127,23 @@ OutputRequest outputRequest(Workspace& workspace, const ExportOptions& options) 
 /// Whether nothing was written because a file was changed after the last export.
 bool isEdited(const Status& status) { return !status && status.error().code == ErrorCode::Edited; }
 
-/// Asks whether to replace the folders that hold files changed after their export.
-bool confirmReplacing(const Result<OutputExport>& run, const QString& folder, QWidget* parent) {
+/// Asks whether to replace what an export kept: nothing was written, or folders with changed files are as they were.
+bool confirmReplacing(const Result<OutputExport>& run, QWidget* parent) {
+    const QString replace = ExportTexts::tr("Replace");
+    const Status whole = run ? run->finished : Status(run.error());
+    if (isEdited(whole))
+        return confirmLoss(parent, QString::fromStdString(whole.error().message), replace,
+                           ExportTexts::tr("Do Not Export"));
     QStringList folders;
     for (const AssetExport& asset : run ? run->packs : std::vector<AssetExport>()) {
         if (isEdited(asset.status)) folders.append('"' + fileNameText(fromPath(asset.folder)) + '"');
     }
-    if (isEdited(run ? run->finished : Status(run.error()))) folders.append('"' + fileNameText(folder) + '"');
     if (folders.isEmpty()) return false;
     const QString changed = ExportTexts::tr("Files in the %n folder(s) %1 were changed after the last export.", nullptr,
                                             static_cast<int>(folders.size()))
                                 .arg(folders.join(", "));
-    return confirmLoss(parent, changed + ' ' + ExportTexts::tr("Replacing them discards these changes."),
-                       ExportTexts::tr("Replace"), ExportTexts::tr("Keep Changed Files"));
+    return confirmLoss(parent, changed + ' ' + ExportTexts::tr("Replacing them discards these changes."), replace,
+                       ExportTexts::tr("Keep Changed Files"));
 }
 
 /// Adds a message for each asset that failed or was kept, and returns the summary of the others. Files that the user
@@ -182,7 +190,7 @@ ExportSummary summaryOf(const OutputExport& run, const QString& folder, Messages
 
 }  // namespace
 
-std::vector<ExportOptions> exportTargets(Workspace& workspace) {
+std::vector<ExportOptions> earlierExports(Workspace& workspace) {
     const QString group = settingsGroup(workspace.file().path());
     QSettings settings;
     if (group.isEmpty()) return {};
@@ -198,13 +206,24 @@ std::vector<ExportOptions> exportTargets(Workspace& workspace) {
     return targets;
 }
 
+QString defaultExportFolder(Workspace& workspace) {
+    const QString path = workspace.file().path();
+    if (path.isEmpty()) return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/packs";
+    const QFileInfo file(path);
+    const QString folder = file.absolutePath() + "/packs";
+    const Result<std::optional<ExportIndex>> index = readExportIndex(toPath(folder));
+    const IndexedProject project{indexName(toPath(path)), workspace.project().identity};
+    const bool isOfOther = index && *index && !isIndexOf(*index, project);
+    return isOfOther ? file.absolutePath() + '/' + file.completeBaseName() + "-packs" : folder;
+}
+
 std::optional<ExportOptions> lastExportOptions(Workspace& workspace) {
-    std::vector<ExportOptions> targets = exportTargets(workspace);
+    std::vector<ExportOptions> targets = earlierExports(workspace);
     return targets.empty() ? std::nullopt : std::optional(std::move(targets.back()));
 }
 
-void forgetExportTarget(Workspace& workspace, const QString& folder) {
-    store(settingsGroup(workspace.file().path()), without(exportTargets(workspace), folder));
+void forgetExport(Workspace& workspace, const QString& folder) {
+    store(settingsGroup(workspace.file().path()), without(earlierExports(workspace), folder));
 }
 
 ExportListing exportListing(Workspace& workspace, const ExportOptions& options) {
@@ -236,7 +255,7 @@ ExportSummary addMessages(Messages& messages, const Result<OutputExport>& run, c
     if (isEdited(run.error())) {  // and the user keeps it
         messages.add({.severity = Severity::Warning, .text = sentence});
         const QString nothing =
-            ExportTexts::tr("Nothing was exported to %1: a changed file is kept.").arg(pathText(folder));
+            ExportTexts::tr("Nothing was exported to %1: what is there is kept.").arg(pathText(folder));
         messages.add({.text = nothing});
         return {.sentence = nothing};
     }
@@ -245,26 +264,25 @@ ExportSummary addMessages(Messages& messages, const Result<OutputExport>& run, c
 }
 
 ExportSummary exportProject(Workspace& workspace, const ExportOptions& options, Messages& messages, QWidget* parent) {
-    std::vector<ExportOptions> targets = without(exportTargets(workspace), options.folder);
-    targets.push_back(options);
-    if (targets.size() > kMaxTargets) targets.erase(targets.begin());
-    store(settingsGroup(workspace.file().path()), std::move(targets));
     ExportJob job = exportJob(workspace, options);
     const auto run = [&] {
         TaskDialog dialog(ExportTexts::tr("Exporting…"), parent);
         return dialog.run<Result<OutputExport>>([&](const TaskContext& task) { return runExport(job, task); });
     };
     Result<OutputExport> outcome = run();
-    if (confirmReplacing(outcome, options.folder, parent)) {
+    if (confirmReplacing(outcome, parent)) {
         job.request.edited = EditedFiles::Replaced;
         outcome = run();
     }
     ExportSummary summary = addMessages(messages, outcome, options.folder);
+    if (outcome) remember(workspace, options);
     if (!summary.failure.isEmpty()) showError(parent, summary.failure);
     if (!summary.assetErrors.isEmpty()) {
         const int failed = static_cast<int>(summary.assetErrors.size());
-        const QString text = ExportTexts::tr("%n asset(s) could not be exported. See the details.", nullptr, failed);
-        showError(parent, text, summary.assetErrors);
+        const QString others = ExportTexts::tr("%n more asset(s) could not be exported.", nullptr, failed - 1);
+        const QString& first = summary.assetErrors.first();
+        showError(parent, failed == 1 ? first : first + ' ' + others,
+                  failed == 1 ? QStringList() : summary.assetErrors);
     }
     return summary;
 }

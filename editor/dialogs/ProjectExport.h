@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/pack/ExportTarget.h"
+#include "core/io/formats/ExportTarget.h"
 #include "core/io/pack/OutputFolder.h"
 #include "editor/document/Messages.h"
 #include "editor/workspace/Workspace.h"
@@ -13,19 +13,21 @@ namespace rubble {
 struct ExportOptions {
     QString folder;
     std::optional<std::vector<Id>> assets;  // none: all assets of the project at the time of the export
-    ExportTarget target = ExportTarget::Neutral;
-    MeshOptions meshes;
+    const ExportTarget* target = &exportTargets().front();
+    PackOptions pack = target->options();
     bool isWithScene = true;  // with scene.json, if all assets are exported and the project has a scene
     bool isRepeatedOnSave = false;
 };
 
 /// Returns the options of the project's exports, one per output folder, the last one last; QSettings keep up to eight
 /// by the project's path. Assets that no longer exist are left out.
-std::vector<ExportOptions> exportTargets(Workspace& workspace);
+std::vector<ExportOptions> earlierExports(Workspace& workspace);
 /// Those of the last export; none if it was never exported.
 std::optional<ExportOptions> lastExportOptions(Workspace& workspace);
+/// The folder to export to first: "packs" beside the project, or "house-packs" where another project exports to that.
+QString defaultExportFolder(Workspace& workspace);
 /// Exports to a folder no more, until it is exported there anew.
-void forgetExportTarget(Workspace& workspace, const QString& folder);
+void forgetExport(Workspace& workspace, const QString& folder);
 
 /// The folders and files that an export writes.
 struct ExportListing {
@@ -58,8 +60,8 @@ struct ExportSummary {
 /// or whose files were changed and kept.
 ExportSummary addMessages(Messages& messages, const Result<OutputExport>& run, const QString& folder);
 
-/// Exports the project with a progress dialog and stores the options as its last ones. Errors are shown in a message
-/// box, and everything is added to `messages`.
+/// Exports the project with a progress dialog and, where that can be done, stores the options as its last ones. Errors
+/// are shown in a message box, and everything is added to `messages`.
 ExportSummary exportProject(Workspace& workspace, const ExportOptions& options, Messages& messages, QWidget* parent);
 
 }  // namespace rubble

@@ -71,7 +71,7 @@ std::vector<std::string> linesOf(std::string_view text) {
 Sample sampleOf(const fs::path& folder) {
     const Project project = sampleProject();
     const auto played = needed(playScene(project, {.threads = 1}));
-    const PackOptions options{.meshes = {.obj = false, .glb = false}, .topology = PackTopology::Loops};
+    const PackOptions options{.meshes = {.formats = {}}, .topology = PackTopology::Loops};
     std::vector<Id> assets;
     for (const Asset& asset : project.assets) assets.push_back(asset.id);
     needed(exportPacks(project, assets, folder / "scene", options, EditedFiles::Kept, {.threads = 1}));

@@ -8,12 +8,16 @@
 #include "app/cli/output/ProjectLoading.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/project/Ranges.h"
+#include "core/io/formats/ExportFormat.h"
+#include "core/io/formats/ExportTarget.h"
 #include "core/io/output/ExportIndex.h"
 #include "core/io/pack/OutputFolder.h"
 #include "core/io/pack/PackExport.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -40,15 +44,14 @@ Examples:
   rubble-cli export house.rubble --out packs --watch
   rubble-cli export house.rubble --out packs --asset wall --format obj --pieces files --place centred)";
 
-enum class Formats { Default, Obj, Glb, Both, None };
-
 struct ExportArguments {
     std::string project;
     std::string out;
     std::vector<std::string> assets;
-    std::optional<ExportTarget> target;
-    Formats formats = Formats::Default;
+    const ExportTarget* target = nullptr;
     PackOptions pack;
+    std::optional<FormatSet> partFormats;           // of --format, in place of those of the program
+    std::map<std::string_view, bool> addedFormats;  // by their own options
     bool isWithoutScene = false;
     bool isOverwriting = false;
     bool isDryRun = false;
@@ -58,25 +61,15 @@ struct ExportArguments {
     int threads = 1;
 };
 
-template <class Value>
-using Alternatives = std::vector<std::pair<std::string, Value>>;
-
-/// Adds an option whose value is one of a few words.
-template <class Value>
-void addEnumOption(Command& command, const char* name, const char* help, const Alternatives<Value>& alternatives,
-                   Value& value) {
-    std::vector<std::string> words;
+/// Adds an option whose value is one of a few words; `set` gets the number of the word.
+void addWordOption(Command& command, std::string_view name, std::string_view help,
+                   const std::vector<std::string>& words, const std::function<void(std::size_t)>& set) {
     std::string label;
-    for (const auto& [word, meaning] : alternatives) {
-        words.push_back(word);
-        label += (label.empty() ? "" : "|") + word;
-    }
-    const auto select = [alternatives, &value](const std::string& given) {
-        for (const auto& [word, meaning] : alternatives) {
-            if (word == given) value = meaning;
-        }
+    for (const std::string& word : words) label += (label.empty() ? "" : "|") + word;
+    const auto select = [words, set](const std::string& given) {
+        set(static_cast<std::size_t>(std::ranges::find(words, given) - words.begin()));
     };
-    command.callback(name, select, help).oneOf(words).valueName(label);
+    command.callback("--" + std::string(name), select, std::string(help)).oneOf(words).valueName(label);
 }
 
 using Names = std::vector<std::string>;
@@ -163,9 +156,15 @@ Result<ExportOutcome> exportOrPlan(const ExportArguments& arguments, const Proje
 }
 
 Status exportAssets(ExportArguments arguments, VerbReport& report, const CliContext& context) {
-    if (arguments.formats != Formats::Default) {
-        arguments.pack.meshes.obj = arguments.formats == Formats::Obj || arguments.formats == Formats::Both;
-        arguments.pack.meshes.glb = arguments.formats == Formats::Glb || arguments.formats == Formats::Both;
+    FormatSet& formats = arguments.pack.meshes.formats;
+    if (arguments.partFormats) {
+        for (const ExportFormat* format : exportFormats()) {
+            if (format->partFile != nullptr) formats.erase(format->word);
+        }
+        for (const std::string_view word : *arguments.partFormats) formats.insert(word);
+    }
+    for (const auto& [word, isAdded] : arguments.addedFormats) {
+        if (isAdded) formats.insert(word);
     }
     const Result<Project> project = openProject(arguments.project, context);
     if (!project) return project.error();
@@ -203,17 +202,34 @@ Status watch(const ExportArguments& arguments, const VerbReport& report, const C
     return success();
 }
 
-/// Adds the options for files beside OBJ and plain GLB.
-void addMeshKinds(Command& command, ExportArguments& arguments) {
-    MeshOptions& meshes = arguments.pack.meshes;
-    command.flag("--usd", meshes.usd, "Write the whole and the fragments as USD with physics, too");
-    command.flag("--mjcf", meshes.mjcf, "Write the fragments as a model of MuJoCo, too");
-    addEnumOption<GlbKind>(command, "--glb", "What GLB files hold (default: plain, or what --for needs)",
-                           {{"plain", GlbKind::Plain},
-                            {"physics", GlbKind::Physics},
-                            {"ucx", GlbKind::Named},
-                            {"compact", GlbKind::Compact}},
-                           meshes.glbKind);
+/// Adds the options for the formats: --format for those with files of parts, which are the default, and one for each
+/// other.
+void addFormats(Command& command, ExportArguments& arguments) {
+    std::vector<std::string> words;
+    std::vector<FormatSet> sets;
+    FormatSet all;
+    for (const ExportFormat* format : exportFormats()) {
+        if (format->partFile == nullptr) continue;
+        words.emplace_back(format->word);
+        sets.push_back({format->word});
+        all.insert(format->word);
+    }
+    words.insert(words.end(), {"both", "none"});
+    sets.insert(sets.end(), {all, {}});
+    addWordOption(command, "format", "The mesh files to write (default: both)", words,
+                  [&arguments, sets](std::size_t k) { arguments.partFormats = sets[k]; });
+    for (const ExportFormat* format : exportFormats()) {
+        if (format->partFile != nullptr) continue;
+        bool& isAdded = arguments.addedFormats[format->word];
+        command.flag("--" + std::string(format->word), isAdded, std::string(format->hint) + ", too");
+    }
+}
+
+void addOption(Command& command, const ExportOption& option, PackOptions& options) {
+    std::vector<std::string> words;
+    for (const ExportOption::Value& value : option.values) words.emplace_back(value.word);
+    addWordOption(command, option.word, option.help, words,
+                  [&option, &options](std::size_t value) { option.set(options, value); });
 }
 
 /// Adds the options for the output folder.
@@ -232,48 +248,23 @@ void addFolderOptions(Command& command, ExportArguments& arguments) {
 Verb addExport(CLI::App& program) {
     Command command(program, "export", "Fracture assets and write their packs and meshes", kExportFooter);
     const auto arguments = std::make_shared<ExportArguments>();
-    MeshOptions& meshes = arguments->pack.meshes;
     addProjectArgument(command, arguments->project);
     command.option("-o,--out", arguments->out, "The output folder, with a subfolder for each asset")
         .required()
         .valueName("FOLDER");
     addAssetOption(command, arguments->assets);
-    std::vector<std::string> targets(kExportTargets.begin(), kExportTargets.end());
-    const auto setTarget = [arguments](const std::string& word) {
-        const auto found = std::ranges::find(kExportTargets, word);
-        arguments->target = static_cast<ExportTarget>(found - kExportTargets.begin());
-        arguments->pack = optionsFor(*arguments->target);
-    };
+    std::vector<std::string> programs;
+    for (const ExportTarget& target : exportTargets()) programs.emplace_back(target.word);
     // Before the options that change what it sets: they are applied in this order.
-    command.callback("--for", setTarget, "Write what a program needs, with a README.md for it")
-        .oneOf(targets)
-        .valueName("neutral|unity|unreal|godot|blender|web|usd");
-    addEnumOption<Formats>(
-        command, "--format", "The mesh files to write (default: both)",
-        {{"obj", Formats::Obj}, {"glb", Formats::Glb}, {"both", Formats::Both}, {"none", Formats::None}},
-        arguments->formats);
-    addMeshKinds(command, *arguments);
-    addEnumOption<FileSplit>(command, "--pieces", "All fragments in a single file (default) or one file each",
-                             {{"single", FileSplit::Single}, {"files", FileSplit::PerFragment}}, meshes.split);
-    addEnumOption<PartPlacement>(
-        command, "--place", "Fragments in place (default) or with their centres of mass at the origin",
-        {{"assembled", PartPlacement::Assembled}, {"centred", PartPlacement::Centred}}, meshes.place);
-    addEnumOption<FaceShape>(command, "--faces", "The faces in OBJ files (default: polygons)",
-                             {{"polygons", FaceShape::Polygons}, {"triangles", FaceShape::Triangles}}, meshes.faces);
-    addEnumOption<UpAxis>(command, "--up", "The up axis of OBJ files (default: y)",
-                          {{"y", UpAxis::Y}, {"z", UpAxis::Z}}, meshes.objFrame.up);
-    addEnumOption<ObjUnit>(command, "--unit", "The unit of OBJ files (default: m)",
-                           {{"m", ObjUnit::Metre}, {"cm", ObjUnit::Centimetre}, {"mm", ObjUnit::Millimetre}},
-                           meshes.objFrame.unit);
+    addWordOption(command, "for", "Write what a program needs, with a README.md for it", programs, [arguments](auto k) {
+        arguments->target = &exportTargets()[k];
+        arguments->pack = arguments->target->options();
+    });
+    addFormats(command, *arguments);
+    for (const ExportOption* option : exportOptions()) addOption(command, *option, arguments->pack);
     command.option("--inset", arguments->pack.inset, "The inset of collision hulls in m (default: 0.0001)")
         .inRange(ProjectNumber::HullInset)
         .valueName("LENGTH");
-    addEnumOption<PackFiles>(command, "--pack", "The files that describe the bodies (default: both)",
-                             {{"json", PackFiles::Json}, {"bin", PackFiles::Binary}, {"both", PackFiles::Both}},
-                             arguments->pack.files);
-    addEnumOption<PackTopology>(
-        command, "--topology", "Edges and planes of hulls in pack.json (default), or loops only",
-        {{"full", PackTopology::Full}, {"loops", PackTopology::Loops}}, arguments->pack.topology);
     command.flag("--short-names", arguments->pack.hasShortNames,
                  "Cut names at 32 bytes, for Blender's names and Windows's paths");
     addFolderOptions(command, *arguments);

@@ -8,12 +8,12 @@
 #include "core/io/system/CreatedDirectories.h"
 #include "core/io/system/FolderExchange.h"
 #include "core/io/system/FolderReading.h"
-#include "unreal_script.h"
 
 #include <sys/stat.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -41,7 +41,7 @@ std::vector<std::string> filesOfAllPacks(const OutputRequest& request, const Pro
     std::vector<std::string> names;
     if (request.isWithScene && hasScene(project)) names.push_back(kSceneName);
     if (request.target) names.push_back(kReadmeName);
-    if (request.target == ExportTarget::Unreal) names.push_back(kUnrealScriptName);
+    if (request.target && !request.target->script.empty()) names.emplace_back(request.target->script);
     return names;
 }
 
@@ -68,10 +68,8 @@ Result<std::string> sceneBytes(const OutputRequest& request, const Project& proj
 Result<std::string> bytesOf(const std::string& name, const OutputRequest& request, const Project& project,
                             const std::optional<ExportIndex>& earlier, const TaskContext& task) {
     if (name == kSceneName) return sceneBytes(request, project, earlier, task);
-    if (name == kUnrealScriptName) return std::string(unrealScript(name));
-    const MeshOptions& meshes = request.options.meshes;
-    const GlbKind glbKind = meshes.glb ? meshes.glbKind : GlbKind::Plain;  // nothing to be said of other kinds
-    return readmeFor(*request.target, glbKind);
+    if (name == request.target->script) return scriptOf(*request.target);
+    return readmeOf(*request.target, request.options.meshes);
 }
 
 /// The files in the output folder itself.
@@ -102,6 +100,22 @@ Result<OpenFile> lockOutput(const fs::path& folder, CreatedDirectories& created,
         const bool isThere = ::fstat(lock->descriptor(), &locked) == 0 && ::stat(folder.c_str(), &named) == 0;
         if (isThere && locked.st_ino == named.st_ino && locked.st_dev == named.st_dev) return lock;
     }
+}
+
+/// Fails where a folder would be replaced that the index lists for another project.
+Status checkFoldersOfOthers(const OutputRequest& request, const Project& project, std::span<const Id> assets,
+                            const std::optional<ExportIndex>& earlier) {
+    const bool isOfOther = earlier && !isIndexOf(earlier, indexed(request, project));
+    if (!isOfOther || request.edited == EditedFiles::Replaced) return success();
+    for (const auto& [variant, names] : packNames(project, request.options)) {
+        const bool isExported = std::ranges::find(assets, variant.asset) != assets.end();
+        const bool isListed = std::ranges::find(earlier->folders, names.folder) != earlier->folders.end();
+        if (!isExported || !isListed || !isThere(request.folder / names.folder)) continue;
+        return Error{ErrorCode::Edited,
+                     quotedPath(request.folder / names.folder) + " is of the export of another project, " +
+                         quotedName(earlier->project.name) + ", and would be lost; export elsewhere."};
+    }
+    return success();
 }
 
 /// Fails where a file would be replaced that is not of this project's export: before any pack is written.
@@ -165,36 +179,47 @@ std::vector<RenamedFolder> renameFolders(const OutputRequest& request, const Pro
     return renamed;
 }
 
-/// Writes the scene, and how to use it, if all packs are in place, and updates the index. `earlier` is that before the
-/// packs were written.
+/// Updates the index and writes how to use the export; the scene only if all packs are in place, else that of before
+/// stays. `earlier` is the index before the packs were written.
 ///
 /// Errors: those of writeOutputFiles() and changeExportIndex(); those of playScene() of a scene with bonds.
 Status finishExport(const OutputRequest& request, const Project& project, std::span<const AssetExport> packs,
                     const std::optional<ExportIndex>& earlier, const TaskContext& task) {
     const auto isInPlace = [](const AssetExport& pack) { return pack.status.hasValue(); };
-    const bool isWhole = request.hasAllAssets && std::ranges::all_of(packs, isInPlace);
     const std::vector<std::string> current = folderNames(project, request.options);
     std::set<std::string> exported;
     for (const AssetExport& pack : packs) {
         if (pack.status) exported.insert(pack.folder.filename().string());
     }
     const IndexedProject owner = indexed(request, project);
+    std::vector<ManifestEntry> kept;  // files of before that this export leaves as they are
     const auto list = [&](std::optional<std::span<const ManifestEntry>> files) {
         const auto change = [&](const std::optional<ExportIndex>& before) {
             const std::vector<std::string> stale = stalePacks(request, project, before);
             ExportIndex index = indexAfterExport(before, owner, current, exported, stale);
-            if (files) index.files.assign(files->begin(), files->end());
+            if (files) {
+                index.files.assign(files->begin(), files->end());
+                index.files.insert(index.files.end(), kept.begin(), kept.end());
+            }
             listAssets(index, project, request.options, before);
             return index;
         };
         return changeExportIndex(request.folder, change);
     };
     const Status listed = list(std::nullopt);  // whatever fails from here on
-    if (!isWhole || !listed) return listed;
-    const Result<std::vector<ExportFile>> files = outputFiles(request, project, earlier, task);
+    if (!request.hasAllAssets || !listed || (exported.empty() && !packs.empty())) return listed;
+    OutputRequest complete = request;
+    std::optional<ExportIndex> replaced = earlier;
+    if (!std::ranges::all_of(packs, isInPlace)) {
+        complete.isWithScene = false;
+        const auto isScene = [](const ManifestEntry& file) { return file.name == kSceneName; };
+        if (earlier) std::ranges::copy_if(earlier->files, std::back_inserter(kept), isScene);
+        if (replaced) std::erase_if(replaced->files, isScene);
+    }
+    const Result<std::vector<ExportFile>> files = outputFiles(complete, project, earlier, task);
     if (!files) return files.error();
     const Result<std::vector<ManifestEntry>> written =
-        writeOutputFiles(request.folder, *files, earlier, owner, request.edited, list);
+        writeOutputFiles(request.folder, *files, replaced, owner, request.edited, list);
     return written ? list(*written) : Status(written.error());
 }
 
@@ -216,6 +241,7 @@ Result<OutputExport> exportToFolder(const OutputRequest& request, const Project&
     if (!lock) return lock.error();
     const Result<std::optional<ExportIndex>> earlier = readExportIndex(request.folder);
     if (!earlier) return earlier.error();
+    if (const Status free = checkFoldersOfOthers(request, project, assets, *earlier); !free) return free.error();
     if (const Status free = checkFilesOfOthers(request, project, *earlier, task); !free) return free.error();
     OutputExport result{.renamed = renameFolders(request, project, assets, *earlier)};
     Result<std::vector<AssetExport>> packs =

@@ -2,8 +2,8 @@
 
 #include "core/base/Result.h"
 #include "core/base/TaskContext.h"
+#include "core/io/formats/ExportTarget.h"
 #include "core/io/output/ExportIndex.h"
-#include "core/io/pack/ExportTarget.h"
 #include "core/io/pack/PackExport.h"
 
 #include <filesystem>
@@ -20,9 +20,9 @@ struct OutputRequest {
     std::string project;     // the name of the project's file in the index, see indexName()
     bool isPruning = false;  // removes stalePacks()
     PackOptions options;
-    std::optional<ExportTarget> target;  // none: without a README.md
-    bool hasAllAssets = true;            // all packs of the project are exported
-    bool isWithScene = true;             // with scene.json, if the project has a scene
+    const ExportTarget* target = nullptr;  // null: without a README.md
+    bool hasAllAssets = true;              // all packs of the project are exported
+    bool isWithScene = true;               // with scene.json, if the project has a scene
     EditedFiles edited = EditedFiles::Kept;
 };
 
@@ -54,11 +54,12 @@ struct OutputExport {
 };
 
 /// Exports assets of a project: renames the folders of renamed assets, with what engines wrote for their files; writes
-/// their packs, see exportPacks(); the scene and how to use it, if all packs are in place;
+/// their packs, see exportPacks(); how to use them; the scene, if all packs are in place, else that of before stays;
 /// and the index. The output folder is locked meanwhile: processes that export into one folder take turns, and the last
 /// one wins.
 ///
-/// Errors: those of exportPacks(), readExportIndex(), lockFolder(), and checkOutputFiles(): nothing was written then.
+/// Errors: those of exportPacks(), readExportIndex(), lockFolder(), and checkOutputFiles(); Edited if a folder is of
+/// the export of another project and is to be kept. Nothing was written then.
 Result<OutputExport> exportToFolder(const OutputRequest& request, const Project& project, std::span<const Id> assets,
                                     const TaskContext& task = {});
 

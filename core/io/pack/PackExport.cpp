@@ -9,9 +9,10 @@
 #include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
 #include "core/base/Version.h"
+#include "core/io/formats/ExportFormat.h"
+#include "core/io/formats/ExportTarget.h"
 #include "core/io/output/ExportCheck.h"
 #include "core/io/output/ExportIndex.h"
-#include "core/io/pack/ExportTarget.h"
 #include "core/io/pack/PackBinary.h"
 #include "core/io/pack/PackFile.h"
 #include "core/io/pack/SceneFile.h"
@@ -29,7 +30,7 @@ namespace rubble {
 namespace {
 
 /// To be increased when pack.json or the mesh files of an asset change, so that existing exports are rewritten.
-constexpr std::uint64_t kExportRevision = 5;
+constexpr std::uint64_t kExportRevision = 6;
 
 /// An asset or a variant of it, and its names.
 struct PackedAsset {
@@ -170,6 +171,10 @@ void addSourceText(Hasher& hasher, std::string_view text) {
     hasher.add(text);
 }
 
+void addValue(Hasher& hasher, const ExportOption& option, const PackOptions& options) {
+    addSourceText(hasher, option.values[option.get(options)].word);
+}
+
 /// Removes all that the pack of an asset that breaks whole does not contain: of bonds.
 void removeBonds(Asset& asset) {
     asset.bonding = {};
@@ -185,7 +190,10 @@ std::map<AssetVariant, PackNames> packNames(const Project& project, const PackOp
     // Assets come before variants: a variant "wall_1" of a wall leaves the name to an asset of that name.
     std::vector<AssetVariant> used = usedVariants(project);
     std::ranges::stable_sort(used, {}, [](const AssetVariant& one) { return one.variant != 0; });
-    std::vector<std::string> words{kIndexName, kSceneName, kReadmeName, kUnrealScriptName};  // not those of packs
+    std::vector<std::string> words{kIndexName, kSceneName, kReadmeName};  // not those of packs
+    for (const ExportTarget& target : exportTargets()) {
+        if (!target.script.empty()) words.emplace_back(target.script);
+    }
     const std::size_t first = words.size();
     for (const auto& [id, variant] : used)
         words.push_back(meshName(nameOfVariant(findAsset(project, id)->name, variant)));
@@ -228,19 +236,11 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Pac
     hasher.add(bakeInputHash(asset).high);  // for the version of bake()
     hasher.add(bakeInputHash(asset).low);
     addSourceText(hasher, programVersion());
-    const MeshOptions& meshes = options.meshes;
-    hasher.add(std::uint64_t{meshes.obj});
-    hasher.add(std::uint64_t{meshes.glb});
-    hasher.add(std::uint64_t{meshes.usd});
-    hasher.add(std::uint64_t{meshes.mjcf});
-    hasher.add(meshes.glb ? static_cast<std::uint64_t>(meshes.glbKind) : 0);
-    for (const std::uint64_t option :
-         {static_cast<std::uint64_t>(meshes.split), static_cast<std::uint64_t>(meshes.place),
-          static_cast<std::uint64_t>(meshes.faces), static_cast<std::uint64_t>(meshes.objFrame.up),
-          static_cast<std::uint64_t>(meshes.objFrame.unit), static_cast<std::uint64_t>(options.topology),
-          static_cast<std::uint64_t>(options.files)}) {
-        hasher.add(option);
+    for (const ExportFormat* format : formatsOf(options.meshes.formats)) {
+        addSourceText(hasher, format->word);
+        for (const ExportOption* option : format->options) addValue(hasher, *option, options);
     }
+    for (const ExportOption* option : {&kPackFilesOption, &kTopologyOption}) addValue(hasher, *option, options);
     hasher.add(options.inset);
     for (const std::string& name : {names.name, names.base, names.folder}) addSourceText(hasher, name);
     hasher.add(projectText(single));

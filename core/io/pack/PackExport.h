@@ -30,19 +30,6 @@ struct AssetExport {
     std::vector<Diagnostic> diagnostics;  // of the bake
 };
 
-/// The files that describe the bodies.
-enum class PackFiles { Json, Binary, Both };
-
-/// The files of an export.
-struct PackOptions {
-    PackFiles files = PackFiles::Both;
-    MeshOptions meshes;
-    double inset = kDefaultInset;  // m, >= 0: of collision hulls
-    PackTopology topology = PackTopology::Full;
-    bool hasShortNames = false;  // of at most kShortestName bytes
-    bool operator==(const PackOptions&) const = default;
-};
-
 /// The settings of packs of a project that are exported so.
 PackSettings packSettings(const Project& project, const PackOptions& options);
 

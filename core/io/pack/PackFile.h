@@ -3,6 +3,7 @@
 #include "core/base/Result.h"
 #include "core/base/TaskContext.h"
 #include "core/io/exchange/PackBuilder.h"
+#include "core/io/formats/PackOptions.h"
 
 #include <optional>
 #include <span>
@@ -16,12 +17,6 @@ inline constexpr std::uint32_t kPackVersion = 2;
 
 /// The file of a pack that describes its bodies and lists its meshes.
 inline constexpr const char* kPackName = "pack.json";
-
-/// What is written of the hulls beside vertices and faces.
-enum class PackTopology {
-    Full,   // edges, signed edges and planes, which follow from vertices and faces
-    Loops,  // nothing
-};
 
 /// Returns pack.json: one body per line, every number the shortest that reads back as the same double. The bytes do not
 /// depend on the number of threads. All fields are described in docs/formats/pack.md.

@@ -107,9 +107,8 @@ private slots:
         }
         for (const char* item : {"Z up", "Centimetres"}) boxWith(dialog, item).setCurrentText(item);
         exportProject(*m_workspace, dialog.options(), m_messages, nullptr);
-        QCOMPARE(lastExportOptions(*m_workspace)->meshes.objFrame, (ObjFrame{UpAxis::Z, ObjUnit::Centimetre}));
-        QVERIFY(!lastExportOptions(*m_workspace)->meshes.obj);
-        QVERIFY(lastExportOptions(*m_workspace)->meshes.glb);
+        QCOMPARE(lastExportOptions(*m_workspace)->pack.meshes.objFrame, (ObjFrame{UpAxis::Z, ObjUnit::Centimetre}));
+        QCOMPARE(lastExportOptions(*m_workspace)->pack.meshes.formats, FormatSet{"glb"});
         QVERIFY(m_workspace->file().saveAs(m_folder->filePath("other.rubble")).hasValue());
         QVERIFY(!lastExportOptions(*m_workspace));
     }
@@ -117,27 +116,30 @@ private slots:
         {
             ExportDialog dialog(*m_workspace, nullptr);
             boxWith(dialog, "Godot").setCurrentText("Godot");
-            QVERIFY(!dialog.options().meshes.obj && dialog.options().meshes.glb);
+            QCOMPARE(dialog.options().pack.meshes.formats, FormatSet{"glb"});
             exportProject(*m_workspace, dialog.options(), m_messages, nullptr);
         }
         QVERIFY(bytesOfFile(m_folder->filePath("packs/README.md")).startsWith("# Destructible assets for Godot\n"));
         QVERIFY(bytesOfFile(m_folder->filePath("packs/wall/wall-fragments.glb")).contains("KHR_physics_rigid_bodies"));
         QVERIFY(!QFile::exists(m_folder->filePath("packs/wall/pack.bin")));
-        QVERIFY(lastExportOptions(*m_workspace)->target == ExportTarget::Godot);
+        QVERIFY(lastExportOptions(*m_workspace)->target->word == "godot");
     }
     void programsAreDescribedByWhatTheyGet() {
         ExportDialog dialog(*m_workspace, nullptr);
         QComboBox& programs = boxWith(dialog, "Godot");
-        QCOMPARE(std::size_t(programs.count()), kExportTargets.size());
+        QCOMPARE(std::size_t(programs.count()), exportTargets().size());
         for (int k = 0; k < programs.count(); ++k) {
             programs.setCurrentIndex(k);
-            const PackOptions options = optionsFor(static_cast<ExportTarget>(k));
+            const PackOptions options = exportTargets()[std::size_t(k)].options();
             const MeshOptions& meshes = options.meshes;
             const QString text = dialog.findChild<QLabel*>("program-description")->text();
-            QVERIFY2(text.contains("OBJ") == meshes.obj && text.contains("GLB") == meshes.glb, qPrintable(text));
-            QVERIFY2(text.contains("USD") == meshes.usd, qPrintable(text));
-            QVERIFY2(text.contains("rigid bodies") == (meshes.usd || meshes.glbKind == GlbKind::Physics),
+            QVERIFY2(text.contains("OBJ") == meshes.formats.contains("obj") &&
+                         text.contains("GLB") == meshes.formats.contains("glb"),
                      qPrintable(text));
+            QVERIFY2(text.contains("USD") == meshes.formats.contains("usd"), qPrintable(text));
+            QVERIFY2(
+                text.contains("rigid bodies") == (meshes.formats.contains("usd") || meshes.glbKind == GlbKind::Physics),
+                qPrintable(text));
             QVERIFY2(text.contains("pack.bin") == (options.files == PackFiles::Both), qPrintable(text));
             QVERIFY2(text.contains("pack.json") && text.endsWith('.'), qPrintable(text));
         }
@@ -190,44 +192,79 @@ private slots:
         for (const char* name : {"U&SD", "MuJo&Co"}) QVERIFY(boxNamed(later, name).isChecked());
     }
     void exportsToSeveralFoldersAreRemembered() {
-        const auto exportFor = [&](ExportTarget target, const char* folder) {
+        const auto exportFor = [&](const char* program, const char* folder) {
             exportProject(*m_workspace,
-                          {.folder = m_folder->filePath(folder), .target = target, .meshes = optionsFor(target).meshes},
+                          {.folder = m_folder->filePath(folder),
+                           .target = targetNamed(program),
+                           .pack = targetNamed(program)->options()},
                           m_messages, nullptr);
         };
-        exportFor(ExportTarget::Blender, "blender");
-        exportFor(ExportTarget::Unity, "unity");
-        exportFor(ExportTarget::Blender, "blender");  // again
-        const std::vector<ExportOptions> targets = exportTargets(*m_workspace);
+        exportFor("blender", "blender");
+        exportFor("unity", "unity");
+        exportFor("blender", "blender");  // again
+        const std::vector<ExportOptions> targets = earlierExports(*m_workspace);
         QCOMPARE(targets.size(), std::size_t{2});
-        QVERIFY(targets[0].target == ExportTarget::Unity && targets[1].target == ExportTarget::Blender);
+        QVERIFY(targets[0].target->word == "unity" && targets[1].target->word == "blender");
         ExportDialog dialog(*m_workspace, nullptr);
         QComboBox& earlier = boxNamedAfter(dialog, "unity");
         QCOMPARE(earlier.currentText(), "Blender · " + m_folder->filePath("blender"));
         earlier.setCurrentIndex(0);
         emit earlier.activated(0);
-        QVERIFY(dialog.options().target == ExportTarget::Unity);
+        QVERIFY(dialog.options().target->word == "unity");
         QCOMPARE(dialog.options().folder, m_folder->filePath("unity"));
         QCOMPARE(dialog.findChild<QListWidget*>()->count(), 2);
         for (auto* button : dialog.findChildren<QPushButton*>()) {
             if (button->text() == "Forget") button->click();
         }
-        QCOMPARE(exportTargets(*m_workspace).size(), std::size_t{1});
-        QVERIFY(dialog.options().target == ExportTarget::Blender);
+        QCOMPARE(earlierExports(*m_workspace).size(), std::size_t{1});
+        QVERIFY(dialog.options().target->word == "blender");
         QVERIFY(QFile::exists(m_folder->filePath("unity/README.md")));
     }
-    /// Which had what the program selects.
-    void settingsOfEarlierVersionsAreRead() {
-        for (const ExportTarget target : {ExportTarget::Godot, ExportTarget::Usd}) {
-            ExportOptions options{.folder = m_folder->filePath("packs"), .target = target};
-            options.meshes = optionsFor(target).meshes;
-            exportProject(*m_workspace, options, m_messages, nullptr);
-            QSettings settings;
-            for (const QString& key : settings.allKeys()) {
-                if (key.endsWith("/glbKind") || key.endsWith("/usd") || key.endsWith("/mjcf")) settings.remove(key);
-            }
-            QVERIFY(lastExportOptions(*m_workspace)->meshes == options.meshes);
+    void failedExportsAreNotRemembered() {
+        QFile file(m_folder->filePath("file"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        const ExportOptions options{.folder = m_folder->filePath("file")};
+        test::onNextDialog<QMessageBox>([](QMessageBox& box) { box.accept(); });
+        QVERIFY(!exportProject(*m_workspace, options, m_messages, nullptr).failure.isEmpty());
+        QVERIFY(!lastExportOptions(*m_workspace));
+    }
+    void theFolderOfAnotherProjectIsNotProposed() {
+        QCOMPARE(defaultExportFolder(*m_workspace), m_folder->filePath("packs"));
+        exportBy([](QListWidget&) {});
+        QVERIFY(m_workspace->file().saveAs(m_folder->filePath("other.rubble")).hasValue());
+        QCOMPARE(defaultExportFolder(*m_workspace), m_folder->filePath("other-packs"));
+    }
+    void theReasonIsAskedAboutWhereNothingIsExported() {
+        exportBy([](QListWidget&) {});
+        QFile readme(m_folder->filePath("packs/README.md"));
+        QVERIFY(readme.open(QIODevice::Append));
+        readme.write("mine");
+        readme.close();
+        QStringList buttons;
+        QString text;
+        test::onNextDialog<QMessageBox>([&](QMessageBox& box) {
+            text = box.text();
+            for (const QAbstractButton* button : box.buttons()) buttons += button->text().remove('&');
+            box.reject();
+        });
+        exportAgain();
+        QVERIFY2(text.contains("README.md\" was modified after the export"), qPrintable(text));
+        buttons.sort();
+        QCOMPARE(buttons, (QStringList{"Do Not Export", "Replace"}));
+    }
+    /// Of a version that had other formats and options: what is not known is as the program has it.
+    void unknownSettingsAreLeftOut() {
+        const ExportOptions options{.folder = m_folder->filePath("packs"),
+                                    .target = targetNamed("godot"),
+                                    .pack = targetNamed("godot")->options()};
+        exportProject(*m_workspace, options, m_messages, nullptr);
+        QSettings settings;
+        for (const QString& key : settings.allKeys()) {
+            if (key.endsWith("/glb")) settings.setValue(key, "vast");
+            if (key.endsWith("/up")) settings.remove(key);
+            if (key.endsWith("/formats")) settings.setValue(key, QStringList{"glb", "stone"});
         }
+        QVERIFY(lastExportOptions(*m_workspace)->pack == options.pack);
     }
     /// As the command line: the scene and the index, which know what an export wrote.
     void sceneAndIndexAreWritten() {

@@ -1,5 +1,6 @@
 #include "editor/dialogs/ExportTree.h"
 
+#include "core/io/formats/ExportFormat.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/SavedWall.h"
 #include "tests/support/files/FileTree.h"
@@ -23,13 +24,12 @@ private slots:
 
     void showsWhatAnExportWrites_data() {
         QTest::addColumn<ExportOptions>("options");
-        for (std::size_t k = 0; k < kExportTargets.size(); ++k) {
-            const auto target = static_cast<ExportTarget>(k);
-            QTest::addRow("%s", kExportTargets[k].data())
-                << ExportOptions{.target = target, .meshes = optionsFor(target).meshes};
-        }
-        QTest::addRow("no meshes") << ExportOptions{.meshes = {.obj = false, .glb = false}};
-        QTest::addRow("all formats") << ExportOptions{.meshes = {.usd = true, .mjcf = true}};
+        for (const ExportTarget& target : exportTargets())
+            QTest::addRow("%s", target.word.data()) << ExportOptions{.target = &target, .pack = target.options()};
+        FormatSet all;
+        for (const ExportFormat* format : exportFormats()) all.insert(format->word);
+        QTest::addRow("no meshes") << ExportOptions{.pack = {.meshes = {.formats = {}}}};
+        QTest::addRow("all formats") << ExportOptions{.pack = {.meshes = {.formats = all}}};
         QTest::addRow("no scene") << ExportOptions{.isWithScene = false};
         QTest::addRow("some assets") << ExportOptions{.assets = std::vector<Id>{}};
     }
@@ -49,7 +49,7 @@ private slots:
     void saysThatThereAreMoreMeshes() {
         m_workspace->document().push(addLevel(m_workspace->project(), m_workspace->project().assets.front().id));
         for (const FileSplit split : {FileSplit::Single, FileSplit::PerFragment}) {
-            const ExportOptions options{.folder = m_folder->filePath("packs"), .meshes = {.split = split}};
+            const ExportOptions options{.folder = m_folder->filePath("packs"), .pack = {.meshes = {.split = split}}};
             ExportTree tree;
             tree.setListing(exportListing(*m_workspace, options));
             QVERIFY(hasMore(tree));
@@ -65,7 +65,7 @@ private slots:
         tree.setListing(exportListing(*m_workspace, options));
         QVERIFY(tree.topLevelItem(0)->child(0)->isExpanded());
         tree.topLevelItem(0)->child(0)->setExpanded(false);
-        options.meshes.obj = false;
+        options.pack.meshes.formats.erase("obj");
         tree.setListing(exportListing(*m_workspace, options));
         QVERIFY(!tree.topLevelItem(0)->child(0)->isExpanded());
         QVERIFY(tree.topLevelItem(0)->child(1)->isExpanded());

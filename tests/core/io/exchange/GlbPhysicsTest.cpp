@@ -25,7 +25,7 @@ const char* const kOmi = "OMI_physics_body";
 /// The ring, whose fragments have several hulls and two levels, its GLB files with physics by name, and its pack.
 struct PhysicsExport {
     explicit PhysicsExport(MeshOptions options = {}, Asset exported = ringAsset()) : asset(std::move(exported)) {
-        options.obj = false;
+        options.formats.erase("obj");
         const Bake baked = bake(asset).value();
         const PackInput input{baked, asset, {kStone, kStone}, packNames(asset), {}};
         pack = packOf(input, {});

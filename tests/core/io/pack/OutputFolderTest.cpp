@@ -48,12 +48,11 @@ private slots:
         empty.instances.clear();
         for (const Project& project : {starterProject(), empty}) {
             for (const bool hasAllAssets : {true, false}) {
-                for (const std::optional<ExportTarget> target :
-                     {std::optional<ExportTarget>(), {ExportTarget::Godot}}) {
+                for (const ExportTarget* target : {static_cast<const ExportTarget*>(nullptr), targetNamed("godot")}) {
                     const QTemporaryDir place;
                     const OutputRequest request{.folder = place.path().toStdString(),
                                                 .project = "wall.rubble",
-                                                .options = {.meshes = {.obj = false, .glb = false}},
+                                                .options = {.meshes = {.formats = {}}},
                                                 .target = target,
                                                 .hasAllAssets = hasAllAssets};
                     QCOMPARE(namesAfterExport(project, request), listedNames(project, request));
@@ -116,6 +115,50 @@ private slots:
         QCOMPARE(exportToFolder(request, second, assets)->pruned.size(), 1U);
         QVERIFY(fs::exists(request.folder / kOnlyPack) && !fs::exists(request.folder / "third"));
     }
+    void foldersOfOtherProjectsAreKept() {
+        const QTemporaryDir place;
+        OutputRequest request{.folder = place.path().toStdString(), .project = "a.rubble", .isWithScene = false};
+        Project first = starterProject(), second = starterProject();
+        first.identity = newIdentity();
+        second.identity = newIdentity();
+        second.assets.front().prism.depth *= 2.0;
+        QVERIFY(exportToFolder(request, first, kAssets)->finished.hasValue());
+        const std::string before = textOf(request.folder / kOnlyPack / "manifest.json");
+        request.project = "b.rubble";
+        const auto refused = exportToFolder(request, second, kAssets);
+        QVERIFY(!refused && refused.error().code == ErrorCode::Edited);
+        QVERIFY(refused.error().message.ends_with(
+            "/wall\" is of the export of another project, \"a.rubble\", and would be lost; export elsewhere."));
+        QCOMPARE(textOf(request.folder / kOnlyPack / "manifest.json"), before);
+        second.assets.front().name = "another";  // they may share the folder
+        QVERIFY(exportToFolder(request, second, kAssets)->finished.hasValue());
+    }
+    /// Also where a pack could not be replaced; the scene, which would name it, stays as it was.
+    void theReadmeIsOfTheLastProgram() {
+        const QTemporaryDir place;
+        OutputRequest request = requestFor(place);
+        Project project = starterProject();
+        project.assets.push_back(project.assets.front());
+        project.assets.back().id = project.nextId++;
+        project.assets.back().name = "roof";
+        const std::vector<Id> assets{project.assets[0].id, project.assets[1].id};
+        QVERIFY(exportToFolder(request, project, assets)->finished.hasValue());
+        const std::string scene = textOf(request.folder / kSceneName);
+        std::ofstream(request.folder / kOnlyPack / "notes.txt") << "mine";
+        request.target = targetNamed("unity");
+        request.options = request.target->options();
+        for (Asset& asset : project.assets) asset.prism.depth *= 2.0;
+        for (int round = 0; round < 2; ++round) {  // the second one finds what the first one listed
+            const auto exported = exportToFolder(request, project, assets);
+            QVERIFY(exported && exported->finished.hasValue());
+            QVERIFY(!exported->packs[0].status && exported->packs[1].status);
+            QVERIFY(textOf(request.folder / kReadmeName).starts_with("# Destructible assets for Unity\n"));
+            QCOMPARE(textOf(request.folder / kSceneName), scene);
+        }
+        fs::remove(request.folder / kOnlyPack / "notes.txt");
+        QVERIFY(exportToFolder(request, project, assets)->packs[0].status);
+        QVERIFY(textOf(request.folder / kSceneName) != scene);
+    }
     void foldersAreRenamedWithTheirAssets() {
         const QTemporaryDir place;
         const OutputRequest request = requestFor(place);
@@ -177,7 +220,7 @@ private slots:
 
 private:
     static OutputRequest requestFor(const QTemporaryDir& place) {
-        return {.folder = place.path().toStdString(), .project = "wall.rubble", .target = ExportTarget::Godot};
+        return {.folder = place.path().toStdString(), .project = "wall.rubble", .target = targetNamed("godot")};
     }
     /// Why the scene in a folder does not fit its packs; nothing if it does.
     static std::optional<std::string> verifyScene(const fs::path& folder) {

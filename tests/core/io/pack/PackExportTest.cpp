@@ -158,7 +158,8 @@ private slots:
         Project project = projectOf({"wall", "old roof"});
         project.instances = {{.id = 50, .asset = 11, .variant = 3}};
         for (const PackFiles files : {PackFiles::Json, PackFiles::Binary, PackFiles::Both}) {
-            const PackOptions options{.files = files, .meshes = {.glb = files == PackFiles::Both}};
+            PackOptions options{.files = files};
+            if (files != PackFiles::Both) options.meshes.formats.erase("glb");
             QVERIFY(exportPacks(project, allAssets(project), m_out, options));
             std::vector<std::string> written, listed;
             for (const auto& [path, bytes] : treeOf(m_out)) written.push_back(path);
@@ -220,13 +221,14 @@ private slots:
         QVERIFY(!differs([](Project&, Asset& a) { a.bonding.radius = 2.0; }));
         QVERIFY(differs([](Project&, Asset& a) { a.breakAs = BreakAs::Bonded; }));
         for (const MeshOptions& options :
-             {MeshOptions{.obj = false}, MeshOptions{.glb = false}, MeshOptions{.usd = true}, MeshOptions{.mjcf = true},
+             {MeshOptions{.formats = {"glb"}}, MeshOptions{.formats = {"obj"}},
+              MeshOptions{.formats = {"obj", "glb", "usd"}}, MeshOptions{.formats = {"obj", "glb", "mjcf"}},
               MeshOptions{.split = FileSplit::PerFragment}, MeshOptions{.place = PartPlacement::Centred},
               MeshOptions{.faces = FaceShape::Triangles}, MeshOptions{.glbKind = GlbKind::Physics},
               MeshOptions{.glbKind = GlbKind::Compact}, MeshOptions{.glbKind = GlbKind::Named}}) {
             QVERIFY(sourceOf(project, {.meshes = options}) != source);
         }
-        const MeshOptions obj{.glb = false}, objWithPhysics{.glb = false, .glbKind = GlbKind::Physics};
+        const MeshOptions obj{.formats = {"obj"}}, objWithPhysics{.formats = {"obj"}, .glbKind = GlbKind::Physics};
         QVERIFY(sourceOf(project, {.meshes = obj}) == sourceOf(project, {.meshes = objWithPhysics}));
         QVERIFY(sourceOf(project, {.inset = 0.0}) != source);
         QVERIFY(sourceOf(project, {.topology = PackTopology::Loops}) != source);
@@ -271,7 +273,7 @@ private slots:
         const auto assets = exportPacks(project, allAssets(project), m_out, {}).value();
         for (const std::size_t k : {0u, 1u, 2u}) QVERIFY(assets[k].folder.filename().string().ends_with("-2"));
         QCOMPARE(assets[3].folder, m_out / "wall");
-        const OutputRequest request{.folder = m_out, .project = "p.rubble", .target = ExportTarget::Unreal};
+        const OutputRequest request{.folder = m_out, .project = "p.rubble", .target = targetNamed("unreal")};
         QVERIFY(exportToFolder(request, project, allAssets(project))->finished);
         for (const char* name : {"README.md", "import_into_unreal.py"})
             QVERIFY2(fs::is_regular_file(m_out / name), name);

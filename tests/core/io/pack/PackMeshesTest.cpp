@@ -1,4 +1,6 @@
 #include "core/io/pack/PackMeshes.h"
+
+#include "core/io/formats/ExportFormat.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Fragments.h"
 #include "tests/support/files/GlbReading.h"
@@ -68,9 +70,13 @@ Asset texturedWall() {
 
 /// All selections of formats.
 std::vector<MeshOptions> formatOptions() {
-    std::vector<MeshOptions> options;
-    for (int bits = 0; bits < 16; ++bits)
-        options.push_back({.obj = (bits & 1) > 0, .glb = (bits & 2) > 0, .usd = (bits & 4) > 0, .mjcf = bits > 7});
+    std::vector<MeshOptions> options{{.formats = {}}};
+    for (const ExportFormat* format : exportFormats()) {
+        for (std::size_t k = 0, count = options.size(); k < count; ++k) {
+            options.push_back(options[k]);
+            options.back().formats.insert(format->word);
+        }
+    }
     return options;
 }
 
@@ -89,24 +95,24 @@ private slots:
         QVERIFY(bytesNamed(files, "wall-fragments.obj").find("\nmtllib wall.mtl\n") != std::string::npos);
     }
     void perFragmentFilesHoldOneFragmentEach() {
-        const MeshOptions options{.glb = false, .split = FileSplit::PerFragment};
+        const MeshOptions options{.formats = {"obj"}, .split = FileSplit::PerFragment};
         const std::vector<ExportFile> files = filesOf(wallAsset(), options);
         QCOMPARE(namesOf(files), (Names{"wall-intact.obj", "wall_f4_0.obj", "wall_f4_1.obj", "wall.mtl"}));
         QCOMPARE(readObj(bytesNamed(files, "wall_f4_1.obj"))[0].name, std::string("wall_f4_1"));
     }
-    void withoutFormatsThereAreNoFiles() { QVERIFY(filesOf(wallAsset(), {.obj = false, .glb = false}).empty()); }
+    void withoutFormatsThereAreNoFiles() { QVERIFY(filesOf(wallAsset(), {.formats = {}}).empty()); }
     void glbAloneHasNoMaterialFile() {
-        QCOMPARE(namesOf(filesOf(wallAsset(), {.obj = false})), (Names{"wall-intact.glb", "wall-fragments.glb"}));
+        QCOMPARE(namesOf(filesOf(wallAsset(), {.formats = {"glb"}})), (Names{"wall-intact.glb", "wall-fragments.glb"}));
     }
     void usdAndMjcfAreFilesBesideTheMeshes() {
-        const MeshOptions options{.obj = false, .glb = false, .usd = true, .mjcf = true};
+        const MeshOptions options{.formats = {"usd", "mjcf"}};
         const PackMeshes meshes = meshesOf(wallAsset(), options).value();
         QVERIFY(meshes.list.empty());
         QCOMPARE(namesOf(meshes.files), (Names{"wall.mjcf.xml", "wall.usda", "wall-intact.usda"}));
         Asset textured = wallAsset();
         const auto image = std::make_shared<const EncodedImage>(imageOf(checkerPng()));
         textured.texture = Texture{.name = "wall.png", .image = image, .materials = {0}};
-        const std::vector<ExportFile> files = filesOf(textured, {.obj = false, .glb = false, .usd = true});
+        const std::vector<ExportFile> files = filesOf(textured, {.formats = {"usd"}});
         QCOMPARE(bytesNamed(files, "wall.png"), image->bytes());
         QVERIFY(bytesNamed(files, "wall.usda").find("inputs:file = @./wall.png@\n") != std::string::npos);
     }
@@ -127,17 +133,17 @@ private slots:
         QVERIFY(glb.json["images"][0]["mimeType"] == "image/png");
         QVERIFY(glb.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] == 0);
         QVERIFY(!glb.json["materials"][1]["pbrMetallicRoughness"].contains("baseColorTexture"));
-        QCOMPARE(namesOf(filesOf(asset, {.obj = false})).size(), std::size_t{2});  // no file for the image
+        QCOMPARE(namesOf(filesOf(asset, {.formats = {"glb"}})).size(), std::size_t{2});  // no file for the image
         asset.texture->name = "pack.json";
         QVERIFY(!bytesNamed(filesOf(asset, {}), "pack.png").empty());
     }
     void everyMeshIsListedForThePack() {
         const Asset asset = wallAsset();
-        const PackMeshes single = meshesOf(asset, {.glb = false}).value();
+        const PackMeshes single = meshesOf(asset, {.formats = {"obj"}}).value();
         const std::vector<PackMeshFile> expected{{"wall-intact.obj", PackMeshBodies::Whole},
                                                  {"wall-fragments.obj", PackMeshBodies::Fragments}};
         QVERIFY(single.list == expected);
-        const MeshOptions options{.obj = false, .split = FileSplit::PerFragment, .place = PartPlacement::Centred};
+        const MeshOptions options{.formats = {"glb"}, .split = FileSplit::PerFragment, .place = PartPlacement::Centred};
         const PackMeshes each = meshesOf(asset, options).value();
         const PackMeshFile last{"wall_f4_1.glb", PackMeshBodies::Fragment, 1, PartPlacement::Centred};
         QVERIFY(each.list.back() == last);
@@ -170,14 +176,14 @@ private slots:
         }
     }
     void namesInFilesHaveNoSpaces() {
-        const std::vector<ExportFile> files = filesOf(ringAsset(), {.glb = false});
+        const std::vector<ExportFile> files = filesOf(ringAsset(), {.formats = {"obj"}});
         QCOMPARE(namesOf(files), (Names{"old_ring-intact.obj", "old_ring-fragments.obj",
                                         "old_ring-fragments-level-0.obj", "old_ring.mtl"}));
     }
     void objectsHaveTheNamesOfTheFragmentTable() {
         const Asset asset = ringAsset();
         const Bake baked = bake(asset).value();
-        const std::vector<ExportFile> files = filesOf(asset, {.glb = false});
+        const std::vector<ExportFile> files = filesOf(asset, {.formats = {"obj"}});
         std::set<std::string> expected, names;
         for (std::uint32_t k = 0; k < baked.fragmentCount(); ++k) {
             std::string name = "old_ring_f";

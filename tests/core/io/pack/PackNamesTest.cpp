@@ -98,7 +98,7 @@ private slots:
         std::vector<Id> ids;
         for (const Asset& asset : project.assets) ids.push_back(asset.id);
         const auto exported =
-            exportPacks(project, ids, out, {.meshes = {.glb = false, .split = FileSplit::PerFragment}});
+            exportPacks(project, ids, out, {.meshes = {.formats = {"obj"}, .split = FileSplit::PerFragment}});
         QVERIFY2(exported.hasValue(), exported ? "" : exported.error().message.c_str());
         for (std::size_t k = 0; k < names.size(); ++k) {
             const AssetExport& one = (*exported)[k];

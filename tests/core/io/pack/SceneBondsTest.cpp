@@ -37,7 +37,7 @@ struct ExportedScene {
     explicit ExportedScene(const std::string& name) {
         project = readProjectText(readFile(RUBBLE_SOURCE_DIR "/projects/" + name).value()).value();
         played = playScene(project).value();
-        const PackOptions options{.files = PackFiles::Json, .meshes = {.obj = false, .glb = false}};
+        const PackOptions options{.files = PackFiles::Json, .meshes = {.formats = {}}};
         json = sceneFileJson(project, options, played.get());
         std::string fault;
         if (!rubble_pack::parseScene(json, scene, fault)) qFatal("%s", fault.c_str());

@@ -75,7 +75,7 @@ private slots:
         const Project project = projectNamed("house.rubble");
         std::vector<Id> assets;
         for (const Asset& asset : project.assets) assets.push_back(asset.id);
-        const PackOptions options{.meshes = {.obj = false, .glb = false}, .inset = 2e-4};
+        const PackOptions options{.meshes = {.formats = {}}, .inset = 2e-4};
         QVERIFY(exportPacks(project, assets, out, options));
         rubble_pack::Scene scene;
         std::string fault;

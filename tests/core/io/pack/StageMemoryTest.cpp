@@ -125,8 +125,8 @@ private slots:
         compare("bake", estimate.bytes(MemoryStage::Bake), peakOf([&] { return bakes(asset); }));
         compare("verify", estimate.bytes(MemoryStage::Bake), peakOf([&] { return verifies(asset); }));
         const std::string folder = m_place.filePath(QTest::currentDataTag()).toStdString();
-        for (const MeshOptions& meshes : {MeshOptions(), MeshOptions{.obj = false, .glb = false},
-                                          MeshOptions{.obj = false, .usd = true, .glbKind = GlbKind::Physics}}) {
+        for (const MeshOptions& meshes : {MeshOptions(), MeshOptions{.formats = {}},
+                                          MeshOptions{.formats = {"glb", "usd"}, .glbKind = GlbKind::Physics}}) {
             estimate.meshBytes = meshBytesPerFragment(meshes);
             compare("export", estimate.bytes(MemoryStage::Export),
                     peakOf([&] { return exports(project, folder, meshes); }));
