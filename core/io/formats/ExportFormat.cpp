@@ -4,10 +4,11 @@
 
 namespace rubble {
 
-extern const ExportFormat kObjFormat, kGlbFormat, kMjcfFormat, kUsdFormat;
+extern const ExportFormat kObjFormat, kGlbFormat, kMjcfFormat, kUsdFormat, kCsvFormat;
 
 std::span<const ExportFormat* const> exportFormats() {
-    static constexpr const ExportFormat* kFormats[] = {&kObjFormat, &kGlbFormat, &kMjcfFormat, &kUsdFormat};
+    static constexpr const ExportFormat* kFormats[] = {&kObjFormat, &kGlbFormat, &kMjcfFormat, &kUsdFormat,
+                                                       &kCsvFormat};
     return kFormats;
 }
 

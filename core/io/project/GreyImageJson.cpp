@@ -3,7 +3,7 @@
 namespace rubble {
 namespace {
 
-constexpr std::string_view kHexDigits = "0123456789abcdef";
+constexpr std::string_view kGreyDigits = "0123456789abcdef";
 
 std::size_t digitsOf(const GreyImage& image) { return image.bits / 4; }
 
@@ -13,7 +13,8 @@ void writeRows(JsonWriter& json, std::string_view key, const GreyImage& image,
     json.openArray(key);
     std::string row;
     for (std::size_t pixel = 0; pixel < values.size(); ++pixel) {
-        for (std::size_t digit = digitsOf(image); digit-- > 0;) row += kHexDigits[(values[pixel] >> (4 * digit)) & 15u];
+        for (std::size_t digit = digitsOf(image); digit-- > 0;)
+            row += kGreyDigits[(values[pixel] >> (4 * digit)) & 15u];
         if ((pixel + 1) % image.width != 0) continue;
         json.text({}, row);
         row.clear();
@@ -27,7 +28,7 @@ bool appendRow(const std::string& row, const GreyImage& image, std::vector<std::
     if (row.size() != digits * image.width) return false;
     std::uint32_t value = 0;
     for (std::size_t k = 0; k < row.size(); ++k) {
-        const std::size_t digit = kHexDigits.find(row[k]);
+        const std::size_t digit = kGreyDigits.find(row[k]);
         if (digit == std::string_view::npos) return false;
         value = value << 4 | static_cast<std::uint32_t>(digit);
         if ((k + 1) % digits != 0) continue;
