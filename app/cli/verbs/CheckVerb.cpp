@@ -235,14 +235,8 @@ std::vector<Finding> lengthWarnings(const std::string& file, const Project& proj
 
 std::vector<Finding> overlapWarnings(const std::string& path, const Project& project) {
     std::vector<Finding> warnings;
-    const auto warnOf = [&](std::string sentence) {
-        warnings.push_back({Severity::Warning, "OverlappingInstances", {.file = path}, std::move(sentence)});
-    };
-    bool isComplete = true;
-    const std::vector<InstanceOverlap> overlaps = instanceOverlaps(project, &isComplete);
-    for (std::size_t k = 0; k < std::min(overlaps.size(), kListedOverlaps); ++k)
-        warnOf(sentenceOf(overlaps[k], project));
-    if (overlaps.size() > kListedOverlaps) warnOf(otherOverlapsText(overlaps.size(), isComplete));
+    for (OverlapNote& note : overlapNotes(project))
+        warnings.push_back({Severity::Warning, "OverlappingInstances", {.file = path}, std::move(note.sentence)});
     return warnings;
 }
 

@@ -302,7 +302,8 @@ bool SwapAudit::isClean() const {
                                [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::Note; });
 }
 
-Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const PlayAsset>& asset) {
+Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const PlayAsset>& asset,
+                            const TaskContext& task) {
     const Asset& authored = *findAsset(project, asset->bake->asset);
     if (asset->fractureOf(kNone) == nullptr) {
         return ofAsset(authored, {ErrorCode::NotFound, "It has no fragments, so there is no break to check."});
@@ -326,8 +327,10 @@ Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const 
                                                    " % of the mass and of its momenta.",
                                                audit.gapFraction));
     }
+    if (task.isCancelled()) return TaskContext::cancelled();
     measureExport(*asset->bake, audit);
     measureResting(std::move(*floating), audit);
+    if (task.isCancelled()) return TaskContext::cancelled();
     scene.gravity = {0.0, -9.81, 0.0};
     scene.ground.isOn = true;
     scene.instances[0].pose = {{0.0, authored.prism.depth / 2.0, 0.0}, kFlat};
@@ -336,6 +339,12 @@ Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const 
     measureLying(std::move(*lying), audit);
     checkLimits(*asset, audit);
     return audit;
+}
+
+Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const Bake>& bake, const TaskContext& task) {
+    const Result<std::shared_ptr<const PlayAsset>> ready = playAsset(*findAsset(project, bake->asset), bake, task);
+    if (!ready) return ready.error();
+    return swapAudit(project, *ready, task);
 }
 
 }  // namespace rubble

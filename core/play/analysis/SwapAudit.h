@@ -57,7 +57,12 @@ struct SwapAudit {
 /// 9.81 m/s². A bonded asset is measured as if all of its bonds broke at once.
 ///
 /// Errors, with the asset's name: NotFound if it has no fragments; Degenerate if it leaves the world before it breaks;
-/// those of Session::start() and Session::add().
-Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const PlayAsset>& asset);
+/// those of Session::start() and Session::add(); Cancelled.
+Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const PlayAsset>& asset,
+                            const TaskContext& task = {});
+/// The same, of an asset of the project with its bake.
+///
+/// Errors: as above; those of playAsset().
+Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const Bake>& bake, const TaskContext& task);
 
 }  // namespace rubble

@@ -60,4 +60,16 @@ std::string otherOverlapsText(std::size_t found, bool isComplete) {
     return "Instances overlap in " + (isComplete ? number : "more than " + number) + " more places.";
 }
 
+std::vector<OverlapNote> overlapNotes(const Project& project) {
+    bool isComplete = true;
+    const std::vector<InstanceOverlap> overlaps = instanceOverlaps(project, &isComplete);
+    std::vector<OverlapNote> notes;
+    for (std::size_t k = 0; k < std::min(overlaps.size(), kListedOverlaps); ++k) {
+        notes.push_back({sentenceOf(overlaps[k], project), {overlaps[k].first}});
+        if (overlaps[k].second != 0) notes.back().instances.push_back(overlaps[k].second);
+    }
+    if (overlaps.size() > kListedOverlaps) notes.push_back({otherOverlapsText(overlaps.size(), isComplete), {}});
+    return notes;
+}
+
 }  // namespace rubble

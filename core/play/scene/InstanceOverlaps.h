@@ -22,12 +22,20 @@ struct InstanceOverlap {
 /// 1,000.
 std::vector<InstanceOverlap> instanceOverlaps(const Project& project, bool* isComplete = nullptr);
 inline constexpr std::size_t kMaxOverlaps = 10'000;
-/// How many are listed one by one, followed by the number of the others.
+/// How many overlapNotes() lists one by one.
 inline constexpr std::size_t kListedOverlaps = 100;
 
 /// The overlap as a sentence: `"wall 3" and "wall 7" overlap by 12 mm.`
 std::string sentenceOf(const InstanceOverlap& overlap, const Project& project);
 /// The number of overlaps beyond the kListedOverlaps as a sentence: `Instances overlap in 400 more places.`
 std::string otherOverlapsText(std::size_t found, bool isComplete);
+
+/// A sentence about overlaps: sentenceOf() one, or otherOverlapsText().
+struct OverlapNote {
+    std::string sentence;
+    std::vector<Id> instances;  // of the one overlap
+};
+/// The overlaps of a project as they are listed: kListedOverlaps, then the number of the others if there are more.
+std::vector<OverlapNote> overlapNotes(const Project& project);
 
 }  // namespace rubble

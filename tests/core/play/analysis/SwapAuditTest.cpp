@@ -77,6 +77,14 @@ private slots:
         QVERIFY2(audit.isClean(), joined(audit).c_str());
         QVERIFY(found(audit, DiagnosticCode::LostPiece).message.empty());
     }
+    void cancelledAuditIsAnError() {
+        const Project project = twoPieces();
+        TaskContext task;
+        task.cancel.cancel();
+        const Result<SwapAudit> audit = swapAudit(project, test::playSceneOf(project)->assets.begin()->second, task);
+        QVERIFY(!audit);
+        QCOMPARE(audit.error().code, ErrorCode::Cancelled);
+    }
     void demoProjectsSwapCleanly_data() {
         QTest::addColumn<Project>("project");
         QTest::newRow("arcade, whose bonds break at once") << test::arcade();

@@ -67,6 +67,11 @@ private slots:
         QCOMPARE(otherOverlapsText(101, true), std::string("Instances overlap in 1 more places."));
         QCOMPARE(instanceOverlaps(rowOf(20, 0.0), &isComplete).size(), std::size_t{190});
         QVERIFY(isComplete);
+        const std::vector<OverlapNote> notes = overlapNotes(rowOf(20, 0.0));
+        QCOMPARE(notes.size(), kListedOverlaps + 1);
+        QCOMPARE(notes.front().instances.size(), std::size_t{2});
+        QCOMPARE(notes.back().sentence, std::string("Instances overlap in 90 more places."));
+        QVERIFY(notes.back().instances.empty());
     }
     void everyTwoNeighboursOfAThousandAreFound() {
         QCOMPARE(instanceOverlaps(rowOf(1000, 0.999)).size(), std::size_t{999});
