@@ -48,7 +48,7 @@ CompareActions::CompareActions(Views& views)
     connect(&views.canvas(), &PatternCanvas::comparisonDismissed, this, &CompareActions::end);
     connect(&m_comparison, &StateComparison::changed, this, &CompareActions::updateCanvas);
     connect(&views, &Views::layoutRestored, m_dock, &QDockWidget::hide);  // what it compared is not saved
-    connect(&m_comparison, &StateComparison::statusMessage, &views, &Views::showStatus);
+    connect(&m_comparison, &StateComparison::failed, &views, &Views::showStatus);
     connect(&m_workspace.file(), &DocumentFile::pathChanged, this, &CompareActions::updateEnabled);
     connect(&m_workspace.selection(), &Selection::assetChanged, this, &CompareActions::updateEnabled);
     updateEnabled();
@@ -96,12 +96,12 @@ void CompareActions::end() {
     m_dock->hide();
 }
 
-void CompareActions::updateCanvas() { m_views.canvas().setCompared(m_comparison.asset()); }
+void CompareActions::updateCanvas() { m_views.canvas().setCompared(m_comparison.value()); }
 
 /// Selects a fragment and frames it; frames the former place of a removed one.
 void CompareActions::reveal(const FragmentDifference& fragment) {
     Selection& selection = m_workspace.selection();
-    const ComparedAsset& compared = *m_comparison.asset();
+    const ComparedAsset& compared = *m_comparison.value();
     const bool exists = fragment.after != kNone;
     const Bake& bake = exists ? *compared.after : *compared.before;
     selection.setEnteredFragment({});

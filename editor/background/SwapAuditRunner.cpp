@@ -3,42 +3,23 @@
 namespace rubble {
 
 SwapAuditRunner::SwapAuditRunner(const Document& document, const Bakes& bakes, QObject* parent)
-    : QObject(parent), m_document(document), m_bakes(bakes) {
-    connect(&document, &Document::changed, this, &SwapAuditRunner::discard);
-}
-
-void SwapAuditRunner::discard(const Changes& changes) {
-    if (!changes.isEverything && !changes.touches(Part::Asset) && !changes.touches(Part::Material)) return;
-    m_job.cancel();
-    m_audit.reset();
-    emit changed();
-}
-
-const SwapAudit* SwapAuditRunner::auditOf(Id asset) const { return m_audit && m_asset == asset ? &*m_audit : nullptr; }
+    : Derived({document, {Part::Asset, Part::Material}, "checking the break stability", nullptr, OnChange::Discard}, {},
+              parent),
+      m_bakes(bakes) {}
 
 void SwapAuditRunner::audit(Id asset) {
-    const auto baked = m_bakes.find(asset);
-    const Asset* authored = findAsset(m_document.project(), asset);
-    if (authored == nullptr || !baked || !baked->bake || !(*baked->asset == *authored)) {
-        return emit statusMessage(tr("The asset is not baked yet; try again in a moment."));
-    }
+    if (asset != m_asset) reset();
     m_asset = asset;
-    m_audit.reset();
-    m_job.start(
-        [project = m_document.project(), authored = *authored,
-         bake = baked->bake](const TaskContext&) -> Result<SwapAudit> {
-            const Result<std::shared_ptr<const PlayAsset>> ready = playAsset(authored, bake, {});
-            if (!ready) return ready.error();
-            return swapAudit(project, *ready);
-        },
-        [this](const Result<SwapAudit>& audit) {
-            if (audit) m_audit = *audit;
-            emit changed();
-            if (!audit) emit statusMessage(QString::fromStdString(audit.error().message));
+    request([this, asset]() -> Result<Work> {
+        const auto baked = m_bakes.find(asset);
+        const Asset* authored = findAsset(project(), asset);
+        if (authored == nullptr || !baked || !baked->bake || !(*baked->asset == *authored)) {
+            return Error{ErrorCode::NotFound, tr("The asset is not baked yet; try again in a moment.").toStdString()};
+        }
+        return Work([project = project(), bake = baked->bake](const TaskContext& task, const Publish&) {
+            return swapAudit(project, bake, task);
         });
-    emit changed();
+    });
 }
 
 }  // namespace rubble
-
-#include "moc_SwapAuditRunner.cpp"

@@ -1,37 +1,25 @@
 #pragma once
 
 #include "core/play/analysis/SwapAudit.h"
-#include "editor/document/Bakes.h"
-#include "editor/document/Document.h"
-#include "editor/document/jobs/BackgroundJob.h"
-
-#include <optional>
+#include "editor/background/Derived.h"
 
 namespace rubble {
 
-/// Audits the swap of an asset in the background and keeps the result until an asset or a material changes.
-class SwapAuditRunner : public QObject {
-    Q_OBJECT
+/// Audits the swap of an asset on request and keeps the result until an asset or a material changes.
+class SwapAuditRunner : public Derived<SwapAudit> {
+    Q_DECLARE_TR_FUNCTIONS(rubble::SwapAuditRunner)
 public:
     SwapAuditRunner(const Document& document, const Bakes& bakes, QObject* parent = nullptr);
 
-    bool isBusy() const { return m_job.isRunning(); }
     void audit(Id asset);
     /// Null if there is no result for the asset.
-    const SwapAudit* auditOf(Id asset) const;
-
-signals:
-    void changed();
-    void statusMessage(const QString& sentence);
+    const SwapAudit* auditOf(Id asset) const { return isCurrent() && m_asset == asset ? &value() : nullptr; }
+    /// Null unless the audit of the asset failed.
+    const Error* errorOf(Id asset) const { return error() && m_asset == asset ? &*error() : nullptr; }
 
 private:
-    void discard(const Changes& changes);
-
-    const Document& m_document;
     const Bakes& m_bakes;
-    BackgroundJob m_job;
-    Id m_asset = 0;  // of m_audit, or being audited
-    std::optional<SwapAudit> m_audit;
+    Id m_asset = 0;  // of the last request
 };
 
 }  // namespace rubble

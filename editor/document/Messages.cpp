@@ -18,7 +18,13 @@ void Messages::add(Message message) {
 
 void Messages::setOfBake(Id asset, std::vector<Message> messages) { replace(asset, std::move(messages)); }
 
-void Messages::setOfScene(std::vector<Message> messages) { replace(kSceneTopic, std::move(messages)); }
+void Messages::setOfScene(std::vector<Message> messages) {
+    std::vector<QString> before, after;
+    for (std::size_t k = 0; k < m_list.size(); ++k)
+        if (m_topics[k] == kSceneTopic) before.push_back(m_list[k].text);
+    for (const Message& message : messages) after.push_back(message.text);
+    if (before != after) replace(kSceneTopic, std::move(messages));
+}
 
 void Messages::replace(Id topic, std::vector<Message> messages) {
     m_list.reserve(m_list.size() + messages.size());  // all or nothing where memory runs out

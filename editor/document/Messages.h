@@ -35,7 +35,7 @@ public:
     void add(Message message);
     /// Replaces the messages of this asset's last bake.
     void setOfBake(Id asset, std::vector<Message> messages);
-    /// Replaces the messages of the scene.
+    /// Replaces the messages of the scene, unless they are the same sentences.
     void setOfScene(std::vector<Message> messages);
     void clear();
 

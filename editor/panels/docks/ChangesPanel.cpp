@@ -52,7 +52,7 @@ ChangesPanel::ChangesPanel(const StateComparison& comparison, const Selection& s
     connect(&comparison, &StateComparison::changed, this, &ChangesPanel::refresh);
     connect(m_list, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
         const int fragment = item->data(Qt::UserRole).toInt();
-        const auto& compared = m_comparison.asset();
+        const auto& compared = m_comparison.value();
         if (compared && fragment >= 0)
             emit jumpRequested(compared->fragments.fragments[static_cast<std::size_t>(fragment)]);
     });
@@ -76,7 +76,8 @@ void ChangesPanel::refresh() {
     if (!asset) return m_title->setText(tr("No asset selected"));
     const QString name = nameText(asset->name);
     m_title->setText(tr("%1, compared with %2").arg(name, m_comparison.name()));
-    if (m_comparison.asset()) return fill(*m_comparison.asset());
+    if (m_comparison.error()) return add({}, QString::fromStdString(m_comparison.error()->message));
+    if (m_comparison.value()) return fill(*m_comparison.value());
     add({}, tr("Comparing…"));
 }
 

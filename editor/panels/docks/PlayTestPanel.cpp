@@ -37,6 +37,7 @@ PlayTestPanel::PlayTestPanel(Document& document, const DocumentFile& file, PlayC
       m_tree(new PlayTestTree(document, runner)),
       m_form(new PlayTestForm(document, file)),
       m_summary(new QLabel),
+      m_error(new QLabel),
       m_progress(new QProgressBar) {
     QScrollArea* form = verticalScrollArea(m_form);
     form->setMinimumWidth(kMinFormWidth);
@@ -50,7 +51,13 @@ PlayTestPanel::PlayTestPanel(Document& document, const DocumentFile& file, PlayC
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(2);
     rows->addWidget(makeBar());
+    rows->addWidget(m_error);
     rows->addWidget(parts, 1);
+    m_error->setObjectName("tests-error");
+    m_error->setWordWrap(true);
+    m_error->setMargin(4);
+    m_error->setTextFormat(Qt::PlainText);
+    m_error->setTextInteractionFlags(Qt::TextSelectableByMouse);
     connect(m_tree, &PlayTestTree::selectionMoved, this, &PlayTestPanel::refreshForm);
     connect(m_tree, &QTreeWidget::itemActivated, this, &PlayTestPanel::showFailure);
     connect(m_form, &PlayTestForm::refused, this, &PlayTestPanel::refused);
@@ -59,7 +66,7 @@ PlayTestPanel::PlayTestPanel(Document& document, const DocumentFile& file, PlayC
         if (isAffected(Part::PlayTest) || isAffected(Part::Shot) || isAffected(Part::Instance)) refresh();
     });
     connect(&runner, &PlayTestRunner::changed, this, &PlayTestPanel::refresh);
-    connect(&runner, &PlayTestRunner::statusMessage, this, &PlayTestPanel::statusMessage);
+    connect(&runner, &PlayTestRunner::failed, this, &PlayTestPanel::statusMessage);
     connect(&runner, &PlayTestRunner::progressed, this,
             [this](double fraction) { m_progress->setValue(static_cast<int>(100.0 * fraction)); });
     refresh();
@@ -115,10 +122,12 @@ void PlayTestPanel::refreshForm() {
 }
 
 void PlayTestPanel::refreshBar() {
-    const bool isBusy = m_runner.isBusy();
+    const bool isBusy = m_runner.isPending();
     const bool hasTest = m_tree->test() != nullptr;
     const auto count = m_document.project().playTests.size();
     m_progress->setVisible(isBusy);
+    m_error->setVisible(m_runner.error().has_value());
+    m_error->setText(m_runner.error() ? QString::fromStdString(m_runner.error()->message) : QString());
     m_run->setEnabled(count > 0);
     m_run->setText(isBusy ? tr("Cancel") : tr("Run All"));
     m_run->setAccessibleName(m_run->text());
@@ -128,17 +137,17 @@ void PlayTestPanel::refreshBar() {
     m_show->setEnabled(hasTest);
     if (count == 0) {
         m_summary->setText(tr("No tests"));
-    } else if (m_runner.passed() + m_runner.failed() == 0) {
+    } else if (m_runner.value().empty()) {
         m_summary->setText(tr("Not run"));
-    } else if (m_runner.failed() == 0) {
-        m_summary->setText(tr("%L1 of %L2 passed").arg(m_runner.passed()).arg(count));
+    } else if (m_runner.failedCount() == 0) {
+        m_summary->setText(tr("%L1 of %L2 passed").arg(m_runner.passedCount()).arg(count));
     } else {
-        m_summary->setText(tr("%L1 of %L2 failed").arg(m_runner.failed()).arg(count));
+        m_summary->setText(tr("%L1 of %L2 failed").arg(m_runner.failedCount()).arg(count));
     }
 }
 
 void PlayTestPanel::runAll() {
-    if (m_runner.isBusy()) return m_runner.cancel();
+    if (m_runner.isPending()) return m_runner.cancel();
     std::vector<Id> tests;
     for (const PlayTest& test : m_document.project().playTests) tests.push_back(test.id);
     m_runner.run(std::move(tests));

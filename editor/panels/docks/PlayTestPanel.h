@@ -54,6 +54,7 @@ private:
     PlayTestTree* m_tree;
     PlayTestForm* m_form;
     QLabel* m_summary;
+    QLabel* m_error;  // why the last run failed
     QProgressBar* m_progress;
     QToolButton* m_run = nullptr;
     QToolButton* m_remove = nullptr;

@@ -65,7 +65,7 @@ ProblemPanel::ProblemPanel(Document& document, Selection& selection, const Probl
     connect(m_runner, &QuickFixRunner::changed, this, &ProblemPanel::refreshButtons);
     connect(m_runner, &QuickFixRunner::statusMessage, this, &ProblemPanel::statusMessage);
     connect(&watch, &ProblemWatch::changed, this, &ProblemPanel::refresh);
-    connect(&watch, &ProblemWatch::statusMessage, this, &ProblemPanel::statusMessage);
+    connect(&watch, &ProblemWatch::failed, this, &ProblemPanel::statusMessage);
     connect(&selection, &Selection::assetChanged, this, &ProblemPanel::refresh);
     connect(m_isActiveOnly, &QCheckBox::toggled, this, &ProblemPanel::refresh);
     connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ProblemPanel::refreshButtons);
@@ -171,15 +171,19 @@ void ProblemPanel::refreshButtons() {
         button.widget->setVisible(!m_runner->isBusy() && std::ranges::any_of(problems, isApplicable));
     }
     m_cancel->setVisible(m_runner->isBusy());
-    m_description->setVisible(problems.size() == 1);  // in full: the column may be narrower
-    m_description->setText(problems.size() == 1 ? QString::fromStdString(problems.front().message) : QString());
+    QString description;
+    if (problems.size() == 1) description = QString::fromStdString(problems.front().message);
+    if (m_watch.error()) description = QString::fromStdString(m_watch.error()->message);
+    m_description->setVisible(!description.isEmpty());  // in full: the column may be narrower
+    m_description->setText(description);
     m_summary->setText(summary(problems.size()));
 }
 
 QString ProblemPanel::summary(std::size_t selected) const {
     if (m_runner->isBusy()) return tr("%1…").arg(textOf(m_runner->fix()));
     const int count = m_model->rowCount();
-    if (count == 0) return tr("No problems");
+    if (m_watch.error()) return tr("Problems unknown");
+    if (count == 0) return m_watch.isCurrent() ? tr("No problems") : tr("Looking for problems…");
     if (selected > 1) return tr("%L1 of %Ln problem(s) selected", nullptr, count).arg(selected);
     return tr("%Ln problem(s)", nullptr, count);
 }

@@ -57,7 +57,7 @@ private:
     QTreeView* m_view;
     QCheckBox* m_isActiveOnly;
     QLabel* m_summary;
-    QLabel* m_description;  // of the selected problem
+    QLabel* m_description;  // of the selected problem, or why the search failed
     QuickFixRunner* m_runner;
     QToolButton* m_cancel = nullptr;
     std::vector<Button> m_fixes;

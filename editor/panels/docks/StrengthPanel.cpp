@@ -72,7 +72,7 @@ StrengthPanel::StrengthPanel(Document& document, Selection& selection, const Bak
     connect(&selection, &Selection::instancesChanged, this, &StrengthPanel::refresh);
     connect(&bakes, &Bakes::changed, this, &StrengthPanel::refresh);
     connect(&audits, &SwapAuditRunner::changed, this, &StrengthPanel::refreshAudit);
-    connect(&audits, &SwapAuditRunner::statusMessage, this, &StrengthPanel::refused);
+    connect(&audits, &SwapAuditRunner::failed, this, &StrengthPanel::refused);
     refresh();
 }
 
@@ -154,7 +154,7 @@ void StrengthPanel::refresh() {
     m_suggested.reset();
     m_whole.reset();
     m_bar->setVisible(shown != nullptr);
-    if (!shown) return;
+    if (!shown) return refreshAudit();
     std::optional<ThresholdInterval> interval;
     const auto baked = m_bakes.find(shown->id);
     if (baked && baked->bake && baked->asset->prism == shown->prism) {
@@ -438,13 +438,13 @@ void StrengthPanel::applySuggested() {
 
 void StrengthPanel::refreshAudit() {
     const SwapAudit* audit = asset() != nullptr ? m_audits.auditOf(asset()->id) : nullptr;
-    m_audit->setEnabled(!m_audits.isBusy());
-    m_audit->setText(m_audits.isBusy() ? tr("Checking…") : tr("Check Break Stability"));
+    m_audit->setEnabled(!m_audits.isPending());
+    m_audit->setText(m_audits.isPending() ? tr("Checking…") : tr("Check Break Stability"));
     m_fix->setVisible(faultySeed().has_value());
     if (faultySeed()) m_fix->setText(tr("Delete Seed %1").arg(QString::fromStdString(faultySeed()->text())));
-    if (audit == nullptr) {
-        return m_auditText->setText(tr("Not checked since the last change"));
-    }
+    if (const Error* error = asset() != nullptr ? m_audits.errorOf(asset()->id) : nullptr)
+        return m_auditText->setText(QString::fromStdString(error->message).toHtmlEscaped());
+    if (audit == nullptr) return m_auditText->setText(tr("Not checked since the last change"));
     QStringList lines{audit->isClean() ? tr("<b>Passed</b>") : tr("<b>Failed</b>")};
     for (const Diagnostic& diagnostic : audit->diagnostics) {
         if (diagnostic.severity != Severity::Note) lines << QString::fromStdString(diagnostic.message).toHtmlEscaped();

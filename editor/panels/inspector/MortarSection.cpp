@@ -230,7 +230,11 @@ QString MortarSection::jointText(const JoinedMortar& joined) const {
 
 void MortarSection::showJoints() {
     const JoinedMortar* joined = m_joints.find(m_selection.mortar());
-    m_result->setText(joined ? jointText(*joined) : tr("Finding the joints…"));
+    if (m_joints.error()) {
+        m_result->setText(QString::fromStdString(m_joints.error()->message));
+    } else {
+        m_result->setText(joined ? jointText(*joined) : tr("Finding the joints…"));
+    }
     m_result->setVisible(m_selection.mortar() != 0);
 }
 

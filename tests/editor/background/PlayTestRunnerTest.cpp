@@ -39,17 +39,17 @@ private slots:
     void reportsEachOutcome() {
         const auto& tests = m_stage->document.project().playTests;
         m_runner->run({tests[0].id, tests[1].id});
-        QVERIFY(m_runner->isBusy());
-        QTRY_VERIFY_WITH_TIMEOUT(!m_runner->isBusy(), kPatience);
-        QCOMPARE(m_runner->passed(), 1);
-        QCOMPARE(m_runner->failed(), 1);
+        QVERIFY(m_runner->isPending());
+        QTRY_VERIFY_WITH_TIMEOUT(!m_runner->isPending(), kPatience);
+        QCOMPARE(m_runner->passedCount(), 1);
+        QCOMPARE(m_runner->failedCount(), 1);
         QVERIFY(m_runner->outcomeOf(tests[0].id)->isPassed());
         QVERIFY(m_runner->outcomeOf(tests[1].id)->failedAt() > 0);
     }
     void documentChangeDiscardsOutcomes() {
         const PlayTest first = m_stage->document.project().playTests[0];
         m_runner->run({first.id});
-        QTRY_VERIFY_WITH_TIMEOUT(!m_runner->isBusy(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_runner->isPending(), kPatience);
         PlayTest changed = first;
         changed.duration = 0.4;
         m_stage->document.push(modify("shorter", changed));
@@ -59,19 +59,19 @@ private slots:
         const auto& tests = m_stage->document.project().playTests;
         m_runner->run({tests[0].id});
         m_runner->cancel();
-        QVERIFY(!m_runner->isBusy());
-        QCOMPARE(m_runner->passed() + m_runner->failed(), 0);
+        QVERIFY(!m_runner->isPending());
+        QCOMPARE(m_runner->passedCount() + m_runner->failedCount(), 0);
         m_runner->run({tests[1].id});  // after the cancelled one, on the same thread
-        QTRY_VERIFY(!m_runner->isBusy());
+        QTRY_VERIFY(!m_runner->isPending());
         QVERIFY(m_runner->outcomeOf(tests[0].id) == nullptr);
-        QCOMPARE(m_runner->passed() + m_runner->failed(), 1);
+        QCOMPARE(m_runner->passedCount() + m_runner->failedCount(), 1);
     }
     void refusesToRunBeforeAssetsAreBaked() {
         m_stage->bakes.clear();
-        const QSignalSpy messages(m_runner.get(), &PlayTestRunner::statusMessage);
+        const QSignalSpy messages(m_runner.get(), &PlayTestRunner::failed);
         m_runner->run({m_stage->document.project().playTests[0].id});
         QCOMPARE(messages.size(), 1);
-        QVERIFY(!m_runner->isBusy());
+        QVERIFY(!m_runner->isPending());
     }
     void failureIsReplayedUpToItsStep() {
         const PlayTest& failing = m_stage->document.project().playTests[1];

@@ -1,3 +1,4 @@
+// Tests editor/background/ProblemWatch.cpp and editor/background/AssetProblems.cpp.
 #include "editor/background/ProblemWatch.h"
 
 #include "editor/commands/ProjectEdits.h"

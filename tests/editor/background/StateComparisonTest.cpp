@@ -1,3 +1,4 @@
+// Tests editor/background/StateComparison.cpp and editor/background/ComparedAsset.cpp.
 #include "editor/background/StateComparison.h"
 
 #include "core/fracture/pattern/SeedEdits.h"
@@ -50,7 +51,7 @@ struct Fixture {
     void begin(Project earlier) {
         comparison.begin(std::make_shared<const Project>(std::move(earlier)), "an earlier state");
     }
-    const ComparedAsset* compared() const { return comparison.asset().get(); }
+    const ComparedAsset* compared() const { return comparison.value().get(); }
 };
 
 }  // namespace
@@ -133,7 +134,7 @@ private slots:
         Fixture fixture;
         Project earlier = boxes();
         earlier.assets[0].prism.depth = -1.0;
-        QSignalSpy messages(&fixture.comparison, &StateComparison::statusMessage);
+        QSignalSpy messages(&fixture.comparison, &StateComparison::failed);
         fixture.begin(std::move(earlier));
         QTRY_COMPARE_WITH_TIMEOUT(messages.count(), 1, kPatience);
         QVERIFY(messages[0][0].toString().contains("depth is -1"));
@@ -158,7 +159,7 @@ private slots:
     }
     void laterBeginReplacesTheFirst() {
         Fixture fixture;
-        QSignalSpy messages(&fixture.comparison, &StateComparison::statusMessage);
+        QSignalSpy messages(&fixture.comparison, &StateComparison::failed);
         Project first = boxes();
         first.assets[0].pattern.layers[0].parameters = UniformScatter{2000};
         fixture.begin(std::move(first));

@@ -67,11 +67,11 @@ void editWhileBaking(Desk& desk) {
         QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
     }
     waitFor("no bake", [&] { return desk.bakes.areCurrent(desk.document.project()) && !desk.baker.isBusy(); });
-    waitFor("no comparison", [&] { return desk.comparison.asset() != nullptr; });
+    waitFor("no comparison", [&] { return desk.comparison.value() != nullptr; });
     waitFor("no search for problems", [&] { return desk.problems.bakeOf(desk.selection.asset()) != nullptr; });
     waitFor("no search for overlaps", [&] { return desk.overlaps.isCurrent(); });
     desk.audits.audit(desk.selection.asset());
-    waitFor("no audit", [&] { return !desk.audits.isBusy(); });
+    waitFor("no audit", [&] { return !desk.audits.isPending(); });
 }
 
 /// Throws at the scene, seeks, edits, and stops: twice.

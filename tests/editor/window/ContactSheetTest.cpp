@@ -242,7 +242,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(isBaked(), kPatience);
         QTest::keyClick(m_window, Qt::Key_D, Qt::ControlModifier | Qt::ShiftModifier);
         CompareActions& compare = compareActions();
-        QTRY_VERIFY_WITH_TIMEOUT(compare.comparison().asset() != nullptr, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(compare.comparison().value() != nullptr, kPatience);
         QVERIFY(m_window->findChild<QDockWidget*>("dock-changes")->isVisible());
         QStringList rows;
         QListWidget& list = compare.panel().list();
@@ -253,10 +253,10 @@ private slots:
     void comparisonFollowsUndo() {
         CompareActions& compare = compareActions();
         QTest::keyClick(m_window, Qt::Key_Z, Qt::ControlModifier);
-        QTRY_VERIFY_WITH_TIMEOUT(compare.comparison().asset()->isEmpty(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(compare.comparison().value()->isEmpty(), kPatience);
         QVERIFY(compare.panel().list().item(0)->text().startsWith("No changes"));
         QTest::keyClick(m_window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-        QTRY_VERIFY_WITH_TIMEOUT(!compare.comparison().asset()->isEmpty(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(!compare.comparison().value()->isEmpty(), kPatience);
     }
     void enterRevealsFragment() {
         CompareActions& compare = compareActions();
@@ -264,7 +264,7 @@ private slots:
         list.setCurrentRow(list.count() - 1);
         list.setFocus();
         QTest::keyClick(&list, Qt::Key_Return);
-        const FragmentDifference& last = compare.comparison().asset()->fragments.fragments.back();
+        const FragmentDifference& last = compare.comparison().value()->fragments.fragments.back();
         if (last.after != kNone) QCOMPARE(m_window->workspace().selection().seeds().size(), std::size_t{1});
     }
     void escapeEndsComparison() {
@@ -281,10 +281,10 @@ private slots:
         const QString path = m_folder.filePath("older.rubble");
         QVERIFY(saveProject(path.toStdString(), older).hasValue());
         compareWith(path);
-        QTRY_VERIFY_WITH_TIMEOUT(compareActions().comparison().asset() != nullptr, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(compareActions().comparison().value() != nullptr, kPatience);
         QVERIFY(m_window->findChild<QDockWidget*>("dock-changes")->isVisible());
         QCOMPARE(compareActions().comparison().name(), QString("older.rubble"));
-        QCOMPARE(compareActions().comparison().asset()->before->fragmentCount(), count);
+        QCOMPARE(compareActions().comparison().value()->before->fragmentCount(), count);
         QStringList rows;
         for (int k = 0; k < compareActions().panel().list().count(); ++k)
             rows += compareActions().panel().list().item(k)->text();

@@ -8,9 +8,11 @@
 #include "editor/widgets/NumberField.h"
 #include "editor/widgets/StateField.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/FailingWork.h"
 #include "tests/support/editor/PlayStage.h"
 
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QSignalSpy>
@@ -72,7 +74,7 @@ private slots:
         QCOMPARE(m_stage->document.project().playTests[0].state, "later.rubblestate");
         const Id id = m_stage->document.project().playTests[0].id;
         m_runner->run({id});
-        QTRY_VERIFY_WITH_TIMEOUT(!m_runner->isBusy(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_runner->isPending(), kPatience);
         QVERIFY(m_runner->outcomeOf(id) && m_runner->outcomeOf(id)->isPassed());
         m_panel->findChild<QToolButton*>("show-failure")->click();  // the test itself, as it has not failed
         m_stage->settle();
@@ -80,7 +82,7 @@ private slots:
         QVERIFY(QFile::remove(folder.filePath("later.rubblestate")));
         const QSignalSpy status(m_panel.get(), &PlayTestPanel::statusMessage);
         m_runner->run({id});
-        QTRY_VERIFY_WITH_TIMEOUT(!m_runner->isBusy(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_runner->isPending(), kPatience);
         QVERIFY(m_runner->outcomeOf(id) == nullptr);
         m_panel->findChild<QToolButton*>("show-failure")->click();
         QCOMPARE(status.size(), 2);  // of the run, and of the replay
@@ -177,7 +179,7 @@ private slots:
     void resultsAreListedAndReplayed() {
         m_panel->runAll();
         QCOMPARE(m_panel->findChild<QToolButton*>("run-tests")->text(), "Cancel");
-        QTRY_VERIFY(!m_runner->isBusy());
+        QTRY_VERIFY(!m_runner->isPending());
         QCOMPARE(m_tree->topLevelItem(0)->text(1), "Passed");
         QCOMPARE(m_tree->topLevelItem(1)->text(1), "Failed");
         QVERIFY(!m_tree->topLevelItem(1)->child(0)->text(1).isEmpty());
@@ -187,11 +189,29 @@ private slots:
         QCOMPARE(shown.count(), 1);
         QVERIFY(m_stage->controller.isInPlay());
     }
+    void runThatFailsIsExplained() {
+        auto* error = m_panel->findChild<QLabel*>("tests-error");
+        QVERIFY(!error->isVisibleTo(m_panel.get()));
+        PlayTest test = tests()[1];
+        test.state = "gone.rubblestate";
+        QVERIFY(m_stage->document.push(modify("Change", std::move(test))));
+        m_panel->runAll();
+        QTRY_VERIFY_WITH_TIMEOUT(!m_runner->isPending(), kPatience);
+        QVERIFY(error->isVisibleTo(m_panel.get()));
+        QVERIFY2(error->text().startsWith("Test \"breaks\": "), qPrintable(error->text()));
+        QCOMPARE(m_tree->topLevelItem(0)->text(1), "Passed");  // the outcome of the one before is kept
+        test::runOutOfMemory(*m_runner);
+        QVERIFY(!error->isVisibleTo(m_panel.get()));
+        QTRY_VERIFY_WITH_TIMEOUT(error->text().startsWith(test::kOutOfMemory), kPatience);
+        QVERIFY(error->isVisibleTo(m_panel.get()));
+        m_stage->document.undoStack().undo();
+        QVERIFY(!error->isVisibleTo(m_panel.get()));
+    }
     /// What the runner says is no refusal, which would be kept as a warning.
     void statusIsNoRefusal() {
         const QSignalSpy refused(m_panel.get(), &PlayTestPanel::refused);
         const QSignalSpy status(m_panel.get(), &PlayTestPanel::statusMessage);
-        emit m_runner->statusMessage("1 of 2 passed");
+        emit m_runner->failed("1 of 2 passed");
         QCOMPARE(status.count(), 1);
         QCOMPARE(refused.count(), 0);
         emit field("Duration")->refused("unknown unit");

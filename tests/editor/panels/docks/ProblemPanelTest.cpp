@@ -2,6 +2,7 @@
 
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Combs.h"
+#include "tests/support/editor/FailingWork.h"
 
 #include <QLabel>
 #include <QTest>
@@ -53,6 +54,23 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(cancel->isHidden(), kPatience);
         QCOMPARE(document.undoStack().count(), 1);
         QCOMPARE(document.undoStack().text(0), QString("Split Fragment"));
+    }
+    void searchThatFailsIsExplained() {
+        CombDesk desk;
+        auto& [document, selection, bakes, watch, panel] = desk;
+        panel.show();
+        const auto says = [&panel](const QString& text) {
+            const QList<QLabel*> labels = panel.findChildren<QLabel*>();
+            return std::ranges::any_of(
+                labels, [&](QLabel* label) { return label->isVisible() && label->text().startsWith(text); });
+        };
+        QVERIFY(says("Looking for problems") && !says("No problems"));
+        QTRY_VERIFY_WITH_TIMEOUT(panel.view().model()->rowCount() > 0, kPatience);
+        test::runOutOfMemory(watch);
+        QTRY_VERIFY_WITH_TIMEOUT(says(test::kOutOfMemory), kPatience);
+        QVERIFY(says("Problems unknown") && !says("No problems"));
+        test::failWith(watch, "The support cannot be computed.");
+        QTRY_VERIFY_WITH_TIMEOUT(says("The support cannot be computed."), kPatience);
     }
     void descriptionIsShownInFull() {
         CombDesk desk;

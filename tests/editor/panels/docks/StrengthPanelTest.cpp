@@ -5,6 +5,7 @@
 #include "editor/panels/docks/IntervalBar.h"
 #include "editor/widgets/NumberField.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/editor/FailingWork.h"
 #include "tests/support/editor/PlayStage.h"
 
 #include <QComboBox>
@@ -191,6 +192,33 @@ private slots:
         asset.prism.depth = 0.3;
         desk.stage.document.push({.text = "Resize", .replacements = {Replacement<Asset>{asset.id, asset}}});
         QVERIFY(desk.says("Not checked"));
+    }
+    void checkThatFailsIsExplained() {
+        Desk desk;
+        desk.stage.bakes.clear();
+        QTest::mouseClick(&desk.button("check-break-stability"), Qt::LeftButton);
+        QVERIFY(desk.says("The asset is not baked yet"));
+        QVERIFY(desk.button("check-break-stability").isEnabled());
+        test::runOutOfMemory(desk.audits);
+        QCOMPARE(desk.button("check-break-stability").text(), "Checking…");
+        QTRY_VERIFY_WITH_TIMEOUT(desk.says(test::kOutOfMemory), kPatience);
+        QVERIFY(desk.button("check-break-stability").isEnabled());
+        desk.selection.setAsset(0);
+        QVERIFY(!desk.says(test::kOutOfMemory));  // it is about the other asset
+    }
+    void checkIsCancelledByAChange() {
+        Desk desk;
+        const QSignalSpy refusals(desk.panel.get(), &StrengthPanel::refused);
+        QTest::mouseClick(&desk.button("check-break-stability"), Qt::LeftButton);
+        QVERIFY(desk.audits.isPending());
+        Asset asset = desk.asset();
+        asset.prism.depth = 0.3;
+        desk.stage.document.push({.text = "Resize", .replacements = {Replacement<Asset>{asset.id, asset}}});
+        QVERIFY(!desk.audits.isPending() && desk.says("Not checked"));
+        desk.stage.bake();
+        QTest::mouseClick(&desk.button("check-break-stability"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(desk.says("Passed"), kPatience);
+        QVERIFY(refusals.isEmpty());
     }
 };
 

@@ -4,6 +4,7 @@
 #include "editor/commands/ProjectEdits.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/BakedAssets.h"
+#include "tests/support/editor/FailingWork.h"
 #include "tests/support/editor/InspectorDesk.h"
 #include "tests/support/play/MortarPortal.h"
 
@@ -124,6 +125,22 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(desk.joints().contains("hold nothing"), kPatience);
         desk.type("Least area", "0.9");
         QTRY_VERIFY_WITH_TIMEOUT(desk.joints().startsWith("No faces"), kPatience);
+    }
+    /// An asset that cannot be fractured leaves the scene without joints: once, the section searched for ever.
+    void searchThatFailsIsExplained() {
+        MortarDesk desk;
+        desk.clickRow(0);
+        const Project& project = desk.document.project();
+        test::bakeAll(project, desk.bakes);
+        QTRY_VERIFY_WITH_TIMEOUT(desk.joints().contains("2 pair"), kPatience);
+        const auto asset = desk.bakes.find(project.instances[0].asset)->asset;
+        desk.bakes.set(asset->id, std::make_shared<const BakedAsset>(
+                                      BakedAsset{asset, nullptr, Error{ErrorCode::Limit, "Too many fragments."}, {}}));
+        QTRY_VERIFY_WITH_TIMEOUT(desk.joints().contains("which is not baked yet"), kPatience);
+        test::bakeAll(project, desk.bakes);
+        QTRY_VERIFY_WITH_TIMEOUT(desk.joints().contains("2 pair"), kPatience);
+        test::runOutOfMemory(desk.InspectorDesk::mortars);
+        QTRY_VERIFY_WITH_TIMEOUT(desk.joints().startsWith(test::kOutOfMemory), kPatience);
     }
 };
 
