@@ -108,11 +108,12 @@ private:
         QTRY_VERIFY_WITH_TIMEOUT(!window().workspace().baker().isBusy(), kPatience);
         test::runTimersDueWithin(1);
     }
-    /// With memory again: an edit is applied, baked, shown and saved.
+    /// With memory again: an edit is applied, baked, searched for problems, and saved.
     void checkEditor() {
         m_count = m_count == 11 ? 12 : 11;
         QVERIFY(document().push(seedEdit(document(), m_count)));
         QTRY_VERIFY_WITH_TIMEOUT(bakes().areCurrent(project()), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(window().workspace().problems().isCurrent(), kPatience);
         QVERIFY(window().workspace().file().save());
         QCOMPARE(projectText(*loadProject(toPath(pathOf("wall.rubble")))), text());
     }
