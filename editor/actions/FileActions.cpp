@@ -27,6 +27,12 @@
 
 namespace rubble {
 
+namespace {
+
+constexpr const char* kImportFolderKey = "import/folder";
+
+}  // namespace
+
 FileActions::FileActions(Views& views, const PreferenceStore& preferences, RecentFiles& recentFiles)
     : QObject(&views.window()),
       m_views(views),
@@ -106,7 +112,10 @@ void FileActions::openWithDialog() {
 }
 
 void FileActions::openFile(const QString& path) {
-    if (isMeshPath(path)) return importMesh(path);
+    if (isMeshPath(path)) {
+        importMesh(path);
+        return;
+    }
     emit openProjectRequested(path);
 }
 
@@ -265,21 +274,29 @@ bool FileActions::confirmLosingChanges() {
 }
 
 void FileActions::importWithDialog() {
-    const QString path = QFileDialog::getOpenFileName(&m_views.window(), tr("Import Mesh"), folder(), meshFilter());
-    if (!path.isEmpty()) importMesh(path);
+    const QString last = pathOf(QSettings().value(kImportFolderKey));
+    const QString from = QFileInfo(last).isDir() ? last : folder();
+    const QStringList paths = QFileDialog::getOpenFileNames(&m_views.window(), tr("Import Mesh"), from, meshFilter());
+    if (paths.isEmpty()) return;
+    QSettings().setValue(kImportFolderKey, settingOf(QFileInfo(paths.first()).absolutePath()));
+    for (const QString& path : paths) {
+        if (!importMesh(path)) return;
+    }
 }
 
-void FileActions::importMesh(const QString& path) {
+bool FileActions::importMesh(const QString& path) {
     ImportDialog dialog(path, m_workspace.project(), m_preferences.preferences(), &m_views.window());
     const std::filesystem::path importer = importerPath(programFolder());
-    if (!dialog.read(importer) || dialog.exec() != QDialog::Accepted) return;
+    if (!dialog.read(importer)) return true;
+    if (dialog.exec() != QDialog::Accepted) return false;
     m_views.showProject();
     for (Message& message : dialog.messages()) m_views.messages().add(std::move(message));
-    if (!m_workspace.document().push(dialog.edit())) return;
+    if (!m_workspace.document().push(dialog.edit())) return true;
     const std::vector<Id> assets = dialog.assets();
     m_workspace.selection().setAsset(assets.front());
     m_views.frameInstancesOf(assets);
     m_views.showStatus(tr("Imported %1.").arg(fileNameText(path)));
+    return true;
 }
 
 void FileActions::exportWithDialog() {

@@ -35,7 +35,8 @@ public:
     bool confirmClose();
     /// Opens a project file, or imports a mesh file.
     void openFile(const QString& path);
-    void importMesh(const QString& path);
+    /// Imports a mesh file with a dialog. Returns false if the user gave up.
+    bool importMesh(const QString& path);
 
 signals:
     void newProjectRequested();

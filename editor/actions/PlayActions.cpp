@@ -55,11 +55,7 @@ PlayActions::PlayActions(Views& views, PreferenceStore& preferences, VideoAction
       m_video(video),
       m_events(new EventActions(views)),
       m_menu(new QMenu(tr("&Play"), &views.window())) {
-    controller().setToolSettings(readPlayTools(QSettings()));
-    connect(&controller(), &PlayController::toolSettingsChanged, this, [this] {
-        QSettings settings;
-        writePlayTools(controller().toolSettings(), settings);
-    });
+    keepPlayTools(m_workspace);
     addRun();
     m_menu->addSeparator();
     addTools();

@@ -35,7 +35,8 @@ SelectActions::SelectActions(Views& views, const PreferenceStore& preferences, c
       m_preferences(preferences),
       m_menu(new QMenu(tr("Sele&ct"), &views.window())) {
     const auto add = actionAdder(*m_menu, this);
-    add({"select-all", tr("Select &All"), tr("Select all seeds and fragments"), QKeySequence("Ctrl+A")},
+    add({"select-all", tr("Select &All"),
+         tr("Select all seeds and fragments; where an instance is selected, all instances"), QKeySequence("Ctrl+A")},
         &SelectActions::selectAll);
     add({"select-none", tr("Select &None"), tr("Clear the selection"), QKeySequence("Ctrl+Shift+A")},
         &SelectActions::selectNone);
@@ -100,10 +101,26 @@ std::shared_ptr<const BakedPattern> SelectActions::pattern() const {
 }
 
 void SelectActions::selectAll() {
-    if (const auto shown = pattern()) m_workspace.selection().setSeeds(allCells(*shown));
+    Selection& selection = m_workspace.selection();
+    if (areInstancesSelected()) {
+        std::set<Id> instances;
+        for (const Instance& instance : m_workspace.project().instances) {
+            if (!instance.isHidden && !instance.isLocked) instances.insert(instance.id);
+        }
+        return selection.setInstances(m_workspace.project(), std::move(instances));
+    }
+    if (const auto shown = pattern()) selection.setSeeds(allCells(*shown));
 }
 
-void SelectActions::selectNone() { m_workspace.selection().setSeeds({}); }
+void SelectActions::selectNone() {
+    Selection& selection = m_workspace.selection();
+    areInstancesSelected() ? selection.setInstances(m_workspace.project(), {}) : selection.setSeeds({});
+}
+
+bool SelectActions::areInstancesSelected() const {
+    const Selection& selection = m_workspace.selection();
+    return selection.subject() == Part::Instance && !selection.instances().empty();
+}
 
 /// Inverts by seeds, some of which may have no cell; by fragments if only some of a seed's fragments are selected.
 void SelectActions::invert() {

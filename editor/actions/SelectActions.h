@@ -50,6 +50,7 @@ private:
     void selectRandomly();
 
     /// Returns the bake of the active asset, or null if there is none.
+    bool areInstancesSelected() const;
     std::shared_ptr<const Bake> bake() const;
     /// Returns the pattern shown in the canvas, or null if there is none.
     std::shared_ptr<const BakedPattern> pattern() const;

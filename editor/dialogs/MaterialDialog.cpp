@@ -66,7 +66,7 @@ QWidget* MaterialDialog::createOptions() {
     auto* options = new QWidget;
     auto* layout = new QVBoxLayout(options);
     layout->setContentsMargins(0, 0, 0, 0);
-    m_appliesPattern = new QCheckBox(tr("Apply the fracture &pattern"));
+    m_appliesPattern = new QCheckBox;
     m_appliesPattern->setToolTip(
         tr("Replace the layers, merges and splits of the asset by the pattern of the material, and let it break "
            "where it is hit if the material does"));
@@ -134,6 +134,9 @@ void MaterialDialog::showSelected() {
     m_summary->setHtml(materialSummary(*material, m_units, locale()));
     m_preview->setPreset(material->preset);
     m_apply->setEnabled(asset() != nullptr);
+    const auto layers = asset() != nullptr ? static_cast<int>(asset()->pattern.layers.size()) : 0;
+    m_appliesPattern->setText(layers == 0 ? tr("Apply the fracture &pattern")
+                                          : tr("Apply the fracture &pattern in place of %n layer(s)", nullptr, layers));
     m_appliesPattern->setEnabled(asset() != nullptr && !material->preset.pattern.layers.empty());
     m_derivesThreshold->setEnabled(asset() != nullptr && material->preset.tensileStrength.has_value());
     showThreshold();

@@ -7,7 +7,6 @@
 #include "editor/widgets/TaskDialog.h"
 
 #include <QCoreApplication>
-#include <QCryptographicHash>
 #include <QFileInfo>
 #include <QSettings>
 #include <QStandardPaths>
@@ -28,9 +27,8 @@ struct ExportTexts {
 
 /// Returns the settings group of a project's last export; empty for a project without a file.
 QString settingsGroup(const QString& projectPath) {
-    if (projectPath.isEmpty()) return {};
-    const QByteArray hash = QCryptographicHash::hash(settingOf(projectPath), QCryptographicHash::Sha1).toHex();
-    return "exports/" + QString::fromLatin1(hash);
+    const QString key = projectKey(projectPath);
+    return key.isEmpty() ? key : "exports/" + key;
 }
 
 QString textOf(std::string_view word) { return QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size())); }

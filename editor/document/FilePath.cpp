@@ -2,6 +2,8 @@
 
 #include "core/base/Utf8.h"
 
+#include <QCryptographicHash>
+
 #include <algorithm>
 #include <string_view>
 #include <system_error>
@@ -68,5 +70,10 @@ std::filesystem::file_status statusOf(const QString& path) {
 QByteArray settingOf(const QString& path) { return QByteArray::fromStdString(toPath(path).native()); }
 
 QString pathOf(const QVariant& setting) { return fromPath(setting.toByteArray().toStdString()); }
+
+QString projectKey(const QString& path) {
+    if (path.isEmpty()) return {};
+    return QString::fromLatin1(QCryptographicHash::hash(settingOf(path), QCryptographicHash::Sha1).toHex());
+}
 
 }  // namespace rubble

@@ -24,4 +24,7 @@ std::filesystem::file_status statusOf(const QString& path);
 QByteArray settingOf(const QString& path);
 QString pathOf(const QVariant& setting);
 
+/// The key under which the settings have what is kept of a project, for its path; empty for one without a file.
+QString projectKey(const QString& path);
+
 }  // namespace rubble

@@ -65,8 +65,16 @@ void PlayController::finish(const QString& sentence) {
     emit statusMessage(sentence);
 }
 
+/// Where nothing but throws and the like was added to the session, it starts over itself and keeps its timelines.
 void PlayController::reset() {
-    if (isInPlay()) restart();
+    if (!isInPlay()) return;
+    const bool isScripted = m_script.steps > 0 || !m_script.inputs.empty() || m_script.state;
+    const bool isAsStarted = !isScripted && m_script.settings == nextSettings() &&
+                             m_followedProject == m_startProject && m_document.project() == m_startProject;
+    if (m_isWaitingForBakes || m_state == PlayState::Preparing || !isAsStarted) return restart();
+    forgetAim();
+    post([](PlayEngine& engine) { engine.startOver(); });
+    m_thread.seek(0);  // which shows it
 }
 
 void PlayController::replay(PlayScript script) {
@@ -281,14 +289,18 @@ void PlayController::prepare(PlayScript script) {
     m_script = std::move(script);
     m_queuedTasks.clear();
     m_requestedDestruction.reset();
-    m_soughtStep.reset();
-    if (m_frame) {  // nothing is aimed in it any more
-        m_frame->aimed.reset();
-        m_frame->trajectory.reset();
-    }
+    forgetAim();
     setState(PlayState::Preparing);
     m_isWaitingForBakes = true;
     startIfBaked();
+}
+
+/// Nothing is sought or aimed any more.
+void PlayController::forgetAim() {
+    m_soughtStep.reset();
+    if (!m_frame) return;
+    m_frame->aimed.reset();
+    m_frame->trajectory.reset();
 }
 
 /// Starts once all assets are baked in their current state.

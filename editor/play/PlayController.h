@@ -137,6 +137,7 @@ signals:
 private:
     void prepare(PlayScript script);
     void restart();
+    void forgetAim();
     void startIfBaked();
     void applyEdits();
     void setState(PlayState state);

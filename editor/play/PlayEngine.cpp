@@ -187,17 +187,33 @@ void PlayEngine::add(const PlayInput& input) {
     if (const Status added = m_timeline.add(input); !added) {
         return report(DiagnosticCode::UnappliedInput, added.error().message);
     }
-    if (m_timeline.currentId() != course) {
-        m_branchLogs[course] = m_log;
-        std::erase_if(m_branchLogs, [this](const auto& log) {  // of branches that were dropped
-            return std::ranges::find(m_timeline.branches(), log.first, &TimelineBranch::id) ==
-                   m_timeline.branches().end();
-        });
-        m_update.isBranchKept = true;
-    }
+    if (m_timeline.currentId() != course) keepLog(course);
     if (m_log.steps() > now) discardRecordsAfter(now);
     if (m_hashes.size() > now) m_hashes.resize(now);
     m_scriptSteps = 0;
+}
+
+/// Keeps the records of a course that became a branch.
+void PlayEngine::keepLog(std::uint32_t course) {
+    m_branchLogs[course] = m_log;
+    std::erase_if(m_branchLogs, [this](const auto& log) {  // of branches that were dropped
+        return std::ranges::find(m_timeline.branches(), log.first, &TimelineBranch::id) == m_timeline.branches().end();
+    });
+    m_update.isBranchKept = true;
+}
+
+void PlayEngine::startOver() {
+    const std::uint32_t course = m_timeline.currentId();
+    m_timeline.startOver();
+    if (m_timeline.currentId() != course) keepLog(course);
+    const std::uint64_t first = session().stepsDone();
+    discardRecordsAfter(first);
+    if (m_hashes.size() > first) m_hashes.resize(first);
+    m_scriptSteps = 0;
+    m_loop.reset();
+    m_grabDistance.reset();
+    m_aim.reset();
+    m_lastMotion = first;
 }
 
 void PlayEngine::switchTo(std::uint32_t branch) {

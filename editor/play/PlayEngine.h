@@ -51,6 +51,8 @@ public:
     bool advance();
     /// Sets or ends the loop, which a shot ends, too. It ends with the script at the latest.
     void setLoop(std::optional<PlayLoop> loop);
+    /// Goes back to the first step without inputs; a course that had some becomes a branch.
+    void startOver();
     /// Exchanges the current course with a branch and goes to their fork.
     void switchTo(std::uint32_t branch);
     void seek(std::uint64_t step, const TaskContext& task);
@@ -93,6 +95,7 @@ private:
     PlayFrame frame();
     Throw throwOf(const ChargedThrow& charged, const Ray& ray) const;
     void discardRecordsAfter(std::uint64_t step);
+    void keepLog(std::uint32_t course);
     std::vector<PlayBranch> branches() const;
     void orderForecast(const std::optional<Throw>& thrown);
     std::optional<BodyPart> aimedPart() const;

@@ -1,6 +1,8 @@
 #include "editor/workspace/PlayToolStore.h"
 
 #include "core/asset/project/Ranges.h"
+#include "editor/document/FilePath.h"
+#include "editor/workspace/Workspace.h"
 
 #include <array>
 
@@ -10,7 +12,7 @@ namespace {
 
 constexpr std::array kKinds{"box", "ball", "plank"};  // as in ProjectileKind
 
-QString keyOf(const char* name) { return QString("play/tools/") + name; }
+QString groupOf(const QString& project) { return "play/tools/" + projectKey(project); }
 
 /// A number of the tools, and its key.
 struct ToolNumber {
@@ -41,7 +43,8 @@ const std::array kNumbers{
 
 }  // namespace
 
-PlayToolSettings readPlayTools(const QSettings& settings) {
+PlayToolSettings readPlayTools(const QSettings& settings, const QString& project) {
+    const auto keyOf = [group = groupOf(project)](const char* name) { return group + '/' + name; };
     PlayToolSettings tools;
     for (const ToolNumber& number : kNumbers) {
         bool isNumber = false;
@@ -59,14 +62,30 @@ PlayToolSettings readPlayTools(const QSettings& settings) {
     return tools;
 }
 
-void writePlayTools(const PlayToolSettings& tools, QSettings& settings) {
+void writePlayTools(const PlayToolSettings& tools, const QString& project, QSettings& settings) {
+    const auto keyOf = [group = groupOf(project)](const char* name) { return group + '/' + name; };
     const auto kind = static_cast<std::size_t>(tools.projectile.kind);
-    if (kind >= kKinds.size()) return;  // its size and mass are those of the asset
+    if (project.isEmpty() || kind >= kKinds.size()) return;  // its size and mass are those of the asset
     PlayToolSettings written = tools;
     for (const ToolNumber& number : kNumbers) settings.setValue(keyOf(number.key), number.of(written));
     settings.setValue(keyOf("projectile"), kKinds[kind]);
     settings.setValue(keyOf("automaticSpeed"), tools.isSpeedAutomatic);
     settings.setValue(keyOf("automaticHammerRadius"), tools.isHammerRadiusAutomatic);
+}
+
+void keepPlayTools(Workspace& workspace) {
+    const auto read = [&workspace] {
+        const QString path = workspace.file().path();
+        const QSettings settings;
+        if (settings.contains(groupOf(path) + "/projectile"))
+            workspace.play().setToolSettings(readPlayTools(settings, path));
+    };
+    QObject::connect(&workspace.file(), &DocumentFile::pathChanged, &workspace, read);
+    QObject::connect(&workspace.play(), &PlayController::toolSettingsChanged, &workspace, [&workspace] {
+        QSettings settings;
+        writePlayTools(workspace.play().toolSettings(), workspace.file().path(), settings);
+    });
+    read();
 }
 
 }  // namespace rubble

@@ -6,9 +6,16 @@
 
 namespace rubble {
 
-/// Returns the stored settings of the play tools; a missing or invalid value gets its default. A projectile that is an
-/// asset of a project is not kept, nor whether a click throws.
-PlayToolSettings readPlayTools(const QSettings& settings);
-void writePlayTools(const PlayToolSettings& tools, QSettings& settings);
+class Workspace;
+
+/// Returns the stored settings of the play tools for a project, by its path; a missing or invalid value gets its
+/// default. A projectile that is an asset of a project is not kept, nor whether a click throws.
+PlayToolSettings readPlayTools(const QSettings& settings, const QString& project);
+/// Stores nothing for a project without a file.
+void writePlayTools(const PlayToolSettings& tools, const QString& project, QSettings& settings);
+
+/// Keeps the settings of a workspace's play tools with its project: what suits a pane does not suit a house. A project
+/// that has none keeps those that are set.
+void keepPlayTools(Workspace& workspace);
 
 }  // namespace rubble

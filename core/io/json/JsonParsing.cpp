@@ -135,6 +135,8 @@ private:
 
 Result<JsonDocument> JsonDocument::parse(std::string_view text) {
     if (const Status fits = checkJsonSize(text); !fits) return fits.error();
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+        return Error{ErrorCode::BadInput, "The text is empty; it should be JSON."};
     if (const std::size_t null = text.find('\0'); null != std::string_view::npos) {  // the library would stop there
         const TextPosition at = textPosition(text, null + 1);
         return Error{ErrorCode::BadInput, "The text is not JSON at line " + std::to_string(at.line) + ", column " +

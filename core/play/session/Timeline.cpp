@@ -111,6 +111,16 @@ Status Timeline::addInputsUntil(std::uint64_t step) {
 }
 
 /// Keeps the current course as a branch; what follows is another one.
+void Timeline::startOver() {
+    restore(m_keyframes.front());
+    const std::uint64_t first = m_session.stepsDone();
+    if (m_length > first && !m_inputs.empty()) keepAsBranch();
+    m_inputs.clear();
+    m_added = 0;
+    m_length = first;
+    removeSnapshotsAfter(first);
+}
+
 void Timeline::keepAsBranch() {
     if (m_branches.size() == kMaxBranches) m_branches.erase(m_branches.begin());
     m_branches.push_back({m_id, m_inputs, m_length});

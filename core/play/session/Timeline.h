@@ -57,6 +57,9 @@ public:
     /// Errors: those of step(); Cancelled.
     Status seek(std::uint64_t step, const TaskContext& task = {}, const std::function<void()>& afterEach = {});
 
+    /// Goes back to the first step and drops all inputs. A course that had some becomes a branch.
+    void startOver();
+
     /// The other courses, oldest first.
     const std::vector<TimelineBranch>& branches() const { return m_branches; }
     /// The last step up to which a branch and the current course are the same.

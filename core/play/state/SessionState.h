@@ -17,6 +17,7 @@ struct SessionSettings {
     int threads = 1;
     SimdWidth lanes = widestSimd();
     bool checksEnergy = true;  // RUBBLE_ASSERT that only sources add energy; not where damaged assets are examined
+    bool operator==(const SessionSettings&) const = default;
 };
 
 /// An impact that was told: while its bodies go on touching, their next ones are not.

@@ -211,8 +211,8 @@ void AssetPage::showWayToBreak(const Asset& asset) {
     const Id way = wayToBreak(asset);
     m_breakNote->setText(way == kBreakBonded ? tr("A hit breaks the bonds near it. What is no longer held comes off.")
                          : way == kBreakCut
-                             ? tr("A hit that reaches the threshold cuts it anew around the point of impact. Exports "
-                                  "have the fragments of the pattern.")
+                             ? tr("A hit that reaches the threshold cuts it into cells around the point of impact, not "
+                                  "along the pattern. Exports have the fragments of the pattern.")
                              : tr("A hit that reaches the threshold breaks it into all of its fragments at once."));
     for (QWidget* field : {m_cutFragments, m_cutRadius}) m_asset->setRowVisible(field, way == kBreakCut);
 }

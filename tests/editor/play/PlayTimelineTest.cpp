@@ -39,6 +39,27 @@ private slots:
         stage.settle();
         QCOMPARE(stage.step(), 41u);
     }
+    void restartKeepsEarlierTimelines() {
+        test::Stage stage;
+        stage.controller.setToolSettings(test::heavyBox());
+        stage.start();
+        stage.controller.throwAlong(test::kAtBlock);
+        stage.advance(40);
+        const ContentHash broken = stage.hash();
+        stage.controller.reset();
+        stage.settle();
+        QCOMPARE(stage.step(), 0u);
+        QCOMPARE(stage.controller.frame()->branches.size(), std::size_t{1});
+        QVERIFY(stage.controller.events().breaks().empty());
+        stage.advance(40);
+        QVERIFY(stage.hash() != broken);  // nothing was thrown
+        stage.controller.switchTo(stage.controller.frame()->branches[0].id);
+        stage.settle();
+        stage.controller.seek(40);
+        stage.settle();
+        QCOMPARE(stage.hash(), broken);
+        QCOMPARE(stage.controller.events().breaks().size(), 1u);
+    }
     void loopsAroundABreak() {
         test::Stage stage;
         stage.controller.setToolSettings(test::heavyBox());

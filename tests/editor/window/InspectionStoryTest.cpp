@@ -1,4 +1,5 @@
 // Tests editor/actions/SelectActions.cpp, editor/views/Views.cpp and editor/view3d/tools/SurfaceMeasureTool.cpp.
+#include "editor/commands/ProjectEdits.h"
 #include "editor/panels/docks/FragmentTable.h"
 #include "editor/panels/docks/ProblemPanel.h"
 #include "editor/panels/docks/VolumeHistogram.h"
@@ -46,6 +47,21 @@ private slots:
         QVERIFY((selection().seeds() == Selection::Seeds{{3, 0}, {3, 1}}));  // the fifth has no fragment
         lasso({{0.6, 0.9}, {0.6, 0.1}, {0.95, 0.1}, {0.95, 0.9}});
         QVERIFY((selection().seeds() == Selection::Seeds{{3, 2}}));
+    }
+    /// Also in the 3D view, where instances are selected.
+    void allInstancesAreSelectedWhereOneIs() {
+        const Selection::Seeds seeds = selection().seeds();
+        const Id first = project().instances.front().id;
+        window().workspace().document().push(duplicateInstances(project(), std::vector{first}, {2.0, 0.0, 0.0}));
+        selection().setInstances(project(), {first});
+        QTest::keyClick(&window(), Qt::Key_A, Qt::ControlModifier);
+        QCOMPARE(selection().instances().size(), project().instances.size());
+        QVERIFY(selection().subject() == Part::Instance);
+        window().findChild<QAction*>("select-none")->trigger();
+        QVERIFY(selection().instances().empty());
+        stack().undo();
+        selection().setAsset(2);
+        selection().setSeeds(seeds);
     }
     void shortcutsSelectNeighboursAndInvert() {
         QTest::keyClick(&window(), Qt::Key_G, Qt::ControlModifier);

@@ -47,6 +47,27 @@ private slots:
             QCOMPARE(timeline.length(), 200u);
         }
     }
+    void startingOverKeepsTheCourse() {
+        Timeline timeline = timelineOf(test::floatingBlock());
+        const ContentHash start = timeline.session().hash();
+        play(timeline, 20);
+        timeline.startOver();  // nothing was thrown: it will be the same again
+        QVERIFY(timeline.branches().empty());
+        play(timeline, 10);
+        QVERIFY(timeline.add(throwIt(30.0)).hasValue());
+        play(timeline, 40);
+        const ContentHash thrown = timeline.session().hash();
+        timeline.startOver();
+        QCOMPARE(timeline.session().stepsDone(), 0u);
+        QCOMPARE(timeline.session().hash(), start);
+        QVERIFY(timeline.inputs().empty() && timeline.isAtEnd());
+        QCOMPARE(timeline.branches().size(), std::size_t{1});
+        play(timeline, 50);
+        QVERIFY(timeline.session().hash() != thrown);
+        QVERIFY(timeline.switchTo(timeline.branches()[0].id).hasValue());
+        seek(timeline, 50);
+        QCOMPARE(timeline.session().hash(), thrown);
+    }
     void playsRecordedAndNewSteps() {
         Timeline straight = timelineOf(test::floatingBlock()), scrubbed = timelineOf(test::floatingBlock());
         for (Timeline* timeline : {&straight, &scrubbed}) {
