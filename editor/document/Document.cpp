@@ -112,32 +112,23 @@ void Document::pushTogether(const QString& text, const std::function<void()>& pu
     m_undoStack.undo();  // removes it
 }
 
-void Document::replace(Project project) {
-    m_isUnsaved = false;
-    clear(std::move(project));
-}
+void Document::replace(Project project) { clear(std::move(project), true); }
 
-void Document::replaceUnsaved(Project project) {
-    m_isUnsaved = true;
-    clear(std::move(project));
-}
+void Document::replaceUnsaved(Project project) { clear(std::move(project), false); }
 
 /// Starts anew with a project and no undo steps.
-void Document::clear(Project project) {
+void Document::clear(Project project, bool isSaved) {
     m_project = std::move(project);
-    m_undoStack.clear();
+    m_undoStack.clear();  // which keeps the clean state of an empty stack
+    isSaved ? m_undoStack.setClean() : m_undoStack.resetClean();
     tell({{}, true});
     emit modifiedChanged(isModified());
 }
 
-void Document::setSaved() {
-    const bool wasUnsaved = std::exchange(m_isUnsaved, false);
-    m_undoStack.setClean();
-    if (wasUnsaved) emit modifiedChanged(isModified());
-}
+void Document::setSaved() { m_undoStack.setClean(); }
 
 void Document::setUnsaved() {
-    m_isUnsaved = true;
+    m_undoStack.resetClean();
     emit modifiedChanged(isModified());
 }
 

@@ -19,7 +19,7 @@ public:
     ~Document() override;
 
     const Project& project() const { return m_project; }
-    /// The undo stack; its clean state is the saved file.
+    /// The undo stack; its clean state is the saved file. It has none while no state is saved.
     QUndoStack& undoStack() { return m_undoStack; }
 
     /// Applies an edit as one undo step, or merges it into the last step if both have the same merge key. An edit that
@@ -43,7 +43,7 @@ public:
     void setIdentity(const std::string& identity) { m_project.identity = identity; }
 
     /// Whether the project differs from the saved file.
-    bool isModified() const { return !m_undoStack.isClean() || m_isUnsaved; }
+    bool isModified() const { return !m_undoStack.isClean(); }
     /// Marks the current state as saved.
     void setSaved();
     /// Marks the current state as never saved: its file was deleted, for example.
@@ -62,7 +62,7 @@ private:
     void apply(Edit& edit, bool isUndoOrRedo);
     bool isLastStep(const Command* command) const;
     void takeBackPushed();
-    void clear(Project project);
+    void clear(Project project, bool isSaved);
     void tell(const Changes& changes);
 
     Project m_project;
@@ -70,7 +70,6 @@ private:
     Command* m_pushed = nullptr;  // while it is pushed; null once it is deleted
     QTimer m_repeat;              // tells again what receivers had no memory for
     quint64 m_lastMergeKey = 0;
-    bool m_isUnsaved = false;
     bool m_isTelling = false;  // of a change
 };
 

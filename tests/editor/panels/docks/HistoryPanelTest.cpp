@@ -1,5 +1,6 @@
 #include "editor/panels/docks/HistoryPanel.h"
 
+#include "core/asset/library/StarterProject.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/document/Document.h"
 #include "tests/support/TestProgram.h"
@@ -26,6 +27,20 @@ private slots:
         panel.setCurrentIndex(panel.model()->index(1, 0));
         QCOMPARE(document.project().assets[0].prism.depth, 1.5);
         QVERIFY(!panel.cleanIcon().isNull());
+    }
+    /// A restored backup is in no file yet.
+    void onlyASavedStateIsMarked() {
+        Document document(emptyProject());
+        document.replaceUnsaved(boxProject(UniformScatter{.count = 4}));
+        HistoryPanel panel(document.undoStack());
+        const auto isMarked = [&] { return panel.model()->index(0, 0).data(Qt::DecorationRole).isValid(); };
+        QVERIFY(document.isModified() && !isMarked());
+        document.setSaved();
+        QVERIFY(!document.isModified() && isMarked());
+        document.setUnsaved();
+        QVERIFY(document.isModified() && !isMarked());
+        document.replace(emptyProject());
+        QVERIFY(!document.isModified() && isMarked());
     }
 };
 
