@@ -34,6 +34,9 @@ struct CanvasContents {
     /// The effective colouring: none while changes are shown, so that these stand out.
     CellColouring colouring() const { return compared ? CellColouring::None : overlays.colouring; }
 
+    /// Whether cells are coloured by a scale, which has dark colours.
+    bool isOnScale() const { return overlays.hasCells && !compared && range.most > range.least; }
+
     QColor colour(const DrawablePattern& from, std::uint32_t piece) const;
     /// The area of a baked piece less the gap, m^2.
     double area(std::uint32_t piece) const;

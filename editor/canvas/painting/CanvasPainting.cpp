@@ -71,7 +71,7 @@ public:
 
     void drawCellEdges() {
         m_painter.setBrush(Qt::NoBrush);
-        drawLines(cellEdges(), isOnScale() ? m_colours.edgeOnScale : m_colours.cellEdge);
+        drawLines(cellEdges(), m_contents.isOnScale() ? m_colours.edgeOnScale : m_colours.cellEdge);
     }
 
     void paintTriangles() {
@@ -86,7 +86,7 @@ public:
                 addLine(m_pattern.site(from), m_pattern.site(to), lines);
             }
         }
-        drawLines(lines, isOnScale() ? m_colours.triangleOnScale : m_colours.triangle);
+        drawLines(lines, m_contents.isOnScale() ? m_colours.triangleOnScale : m_colours.triangle);
     }
 
     void paintWholeVoronoi() {
@@ -223,11 +223,6 @@ private:
         m_painter.setRenderHint(QPainter::Antialiasing, isFine);
         m_painter.setPen(QPen(colour, isFine ? 1.0 : 0.0));
         m_painter.drawLines(lines);
-    }
-
-    /// Whether cells are coloured by a scale, which has dark colours.
-    bool isOnScale() const {
-        return m_contents.overlays.hasCells && !m_contents.compared && m_contents.range.most > m_contents.range.least;
     }
 
     void paintSeed(std::uint32_t seed, QPointF at, double radius) {

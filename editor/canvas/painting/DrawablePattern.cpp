@@ -140,17 +140,28 @@ void DrawablePattern::countOrigins() {
     for (const LayerSeeds& seedsOfLayer : m_layers) {
         const PatternLayer* layer = findLayer(m_baked->asset->pattern, seedsOfLayer.layer);
         const std::size_t all = seedsOfLayer.end - seedsOfLayer.begin;
+        const std::size_t index = layerIndex(seedsOfLayer.begin);
         if (std::holds_alternative<PlacedSeeds>(layer->parameters)) {
-            m_counts.placed += all;
+            count(SeedOrigin::Placed, all, index);
             continue;
         }
         const auto moved =
             static_cast<std::size_t>(std::ranges::count_if(layer->overrides, [&](const SeedOverride& change) {
                 return find({seedsOfLayer.layer, change.index}) != kNone;
             }));
-        m_counts.moved += moved;
-        m_counts.scattered += all - moved;
+        count(SeedOrigin::Moved, moved, index);
+        count(SeedOrigin::Scattered, all - moved, index);
     }
+}
+
+void DrawablePattern::count(SeedOrigin origin, std::size_t seeds, std::size_t layer) {
+    if (seeds == 0) return;
+    std::size_t& total = origin == SeedOrigin::Scattered ? m_counts.scattered
+                         : origin == SeedOrigin::Moved   ? m_counts.moved
+                                                         : m_counts.placed;
+    std::optional<std::size_t>& layerOfAll = m_counts.layers[static_cast<std::size_t>(origin)];
+    layerOfAll = total == 0 ? std::optional(layer) : std::nullopt;
+    total += seeds;
 }
 
 void DrawablePattern::measure(std::uint32_t piece) {

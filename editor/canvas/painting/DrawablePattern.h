@@ -6,7 +6,9 @@
 
 #include <QColor>
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace rubble {
@@ -69,6 +71,8 @@ public:
     struct Counts {
         std::size_t scattered = 0, moved = 0, placed = 0;
         std::size_t duplicates = 0, withoutCell = 0;
+        /// The index of the layer of all seeds of a SeedOrigin; none if there are none, or of several layers.
+        std::array<std::optional<std::size_t>, 3> layers;
     };
     const Counts& counts() const { return m_counts; }
 
@@ -94,6 +98,7 @@ private:
     void measure(std::uint32_t piece);
     void readDiagnostics();
     void countOrigins();
+    void count(SeedOrigin origin, std::size_t seeds, std::size_t layer);
     /// The value, without the factors that the pattern does not know: the density (Mass) and the asset's threshold
     /// (Threshold).
     double value(std::uint32_t piece, CellColouring colouring) const;

@@ -78,12 +78,13 @@ public:
     Legend(const CanvasContents& contents, const CanvasColours& colours) : m_contents(contents), m_colours(colours) {
         if (contents.compared) addChanges(*contents.compared);
         if (contents.overlays.hasSeeds) addSeeds();
-        if (contents.overlays.hasTriangles)
-            addLine(hasScale() ? colours.triangleOnScale : colours.triangle,
+        const bool hasDiagrams = !contents.pattern->baked().triangulation.triangles.empty();
+        if (contents.overlays.hasTriangles && hasDiagrams)
+            addLine(contents.isOnScale() ? colours.triangleOnScale : colours.triangle,
                     CanvasLegendTexts::tr("Delaunay triangulation"));
-        if (contents.overlays.hasWholeVoronoi)
+        if (contents.overlays.hasWholeVoronoi && hasDiagrams)
             addLine(colours.wholeVoronoi, CanvasLegendTexts::tr("Voronoi diagram, unclipped"));
-        if (contents.overlays.hasBonds)
+        if (contents.overlays.hasBonds && contents.pattern->partition().pieceCount() > 1)
             addLine(colours.bond, CanvasLegendTexts::tr("bonds (width: length of the shared edge)"));
         if (contents.overlays.hasCells && contents.bondMarks) addBondMarks(*contents.bondMarks);
         if (contents.overlays.hasCells && !contents.hidden.isEmpty()) addHatch();
@@ -171,11 +172,17 @@ private:
         if (counts.withoutCell > 0) addWithoutCell(counts.withoutCell);
     }
 
+    /// The colour of the layer that seeds are in; neutral if they are in several, which have rows of their own.
+    QColor seedColour(SeedOrigin origin) const {
+        const auto layer = m_contents.pattern->counts().layers[static_cast<std::size_t>(origin)];
+        return layer ? layerColour(*layer) : m_colours.text;
+    }
+
     void addSeedMarker(SeedOrigin origin, std::size_t count, const QString& text) {
         if (count == 0) return;
         m_rows.push_back({[this, origin](QPainter& painter, QPointF at) {
-                              painter.setPen(Qt::NoPen);
-                              painter.setBrush(m_colours.text);
+                              painter.setPen(QPen(m_colours.halo, 1.0));
+                              painter.setBrush(seedColour(origin));
                               paintSeedMarker(painter, at, kSampleMarkerRadius, origin);
                           },
                           text});

@@ -12,9 +12,9 @@ namespace {
 
 const CanvasView kLegendCanvas{.size = {640.0, 480.0}, .scale = 300.0};
 
-CanvasContents legendContents(CellColouring colouring) {
+CanvasContents legendContents(CellColouring colouring, std::uint32_t seeds = 6) {
     auto baked = std::make_shared<BakedPattern>();
-    baked->asset = std::make_shared<const Asset>(boxAsset(2, 3, UniformScatter{.count = 6}));
+    baked->asset = std::make_shared<const Asset>(boxAsset(2, 3, UniformScatter{.count = seeds}));
     baked->seeds = *seedsOf(baked->asset->pattern, baked->asset->prism.outline);
     baked->triangulation = *triangulate(baked->seeds.positions);
     baked->partition = *voronoiPartition(baked->asset->prism.outline, baked->triangulation);
@@ -68,6 +68,25 @@ private slots:
             QVERIFY(legendHeight(contents) > before);
             before = legendHeight(contents);
         }
+    }
+    void overlaysThatDrawNothingHaveNoRow() {
+        CanvasContents contents = legendContents(CellColouring::Fragment, 1);
+        const double before = legendHeight(contents);
+        contents.overlays.hasTriangles = contents.overlays.hasWholeVoronoi = true;
+        QCOMPARE(legendHeight(contents), before);
+    }
+    /// As the seeds of the canvas.
+    void seedsHaveTheColourOfTheirLayer() {
+        const CanvasContents contents = legendContents(CellColouring::Fragment);
+        QImage image(640, 480, QImage::Format_RGB32);
+        QPainter painter(&image);
+        const QRect area = paintLegend(painter, kLegendCanvas, contents, canvasColours(QPalette())).toRect();
+        painter.end();
+        int count = 0;
+        for (int y = area.top(); y < area.bottom(); ++y) {
+            for (int x = area.left(); x < area.right(); ++x) count += image.pixelColor(x, y) == layerColour(0) ? 1 : 0;
+        }
+        QVERIFY2(count > 20, qPrintable(QString::number(count)));
     }
     void paintsItsAreaOnly() {
         const CanvasContents contents = legendContents(CellColouring::Area);
