@@ -14,6 +14,31 @@ struct MessageBoxTexts {
     Q_DECLARE_TR_FUNCTIONS(MessageBoxes)
 };
 
+/// The index of the first letter for which `isFree` holds, at the start of a word if there is one; -1 if there is none.
+qsizetype freeLetter(const QString& text, const std::function<bool(QChar)>& isFree) {
+    qsizetype inside = -1;
+    for (qsizetype k = 0; k < text.size(); ++k) {
+        if (!text[k].isLetter() || !isFree(text[k].toLower())) continue;
+        if (k == 0 || !text[k - 1].isLetter()) return k;
+        if (inside < 0) inside = k;
+    }
+    return inside;
+}
+
+/// Gives each text a mnemonic of its own.
+QStringList withMnemonics(const std::vector<Question::Answer>& answers) {
+    QStringList texts;
+    QString taken;
+    for (const Question::Answer& answer : answers) {
+        texts << answer.text;
+        const qsizetype at = freeLetter(answer.text, [&](QChar letter) { return !taken.contains(letter); });
+        if (at < 0) continue;
+        taken += answer.text[at].toLower();
+        texts.back().insert(at, '&');
+    }
+    return texts;
+}
+
 }  // namespace
 
 void showError(QWidget* parent, const QString& text, const QStringList& details) {
@@ -34,11 +59,12 @@ std::size_t ask(QWidget* parent, const Question& question) {
                     parent);
     box.setTextFormat(Qt::PlainText);
     box.setInformativeText(question.informativeText);
+    const QStringList texts = withMnemonics(question.answers);
     std::vector<QAbstractButton*> buttons;
     std::size_t rejected = question.defaultAnswer;
     for (std::size_t k = 0; k < question.answers.size(); ++k) {
-        const auto& [text, role] = question.answers[k];
-        QPushButton* button = box.addButton(text, role);
+        const QMessageBox::ButtonRole role = question.answers[k].role;
+        QPushButton* button = box.addButton(texts[static_cast<qsizetype>(k)], role);
         buttons.push_back(button);
         if (role == QMessageBox::RejectRole) {
             rejected = k;

@@ -20,7 +20,7 @@ void showIfError(QWidget* parent, const Status& status);
 /// A question with one button per answer.
 struct Question {
     struct Answer {
-        QString text;
+        QString text;                  // without a mnemonic
         QMessageBox::ButtonRole role;  // RejectRole: the answer of Escape and of closing the box
     };
     QString text;
@@ -29,7 +29,8 @@ struct Question {
     std::size_t defaultAnswer = 0;  // index of the button that Enter presses
 };
 
-/// Returns the index of the answer; closing the box gives the one with the RejectRole.
+/// Returns the index of the answer; closing the box gives the one with the RejectRole. Each button has a mnemonic of
+/// its own.
 std::size_t ask(QWidget* parent, const Question& question);
 
 /// Asks before data is lost; returns whether the user pressed the button named `action`. Enter presses `reject`.

@@ -395,8 +395,8 @@ ContactSheetWindow::FragmentSettings ContactSheetWindow::askForSettings(const As
     if (isSame || hasNone) return FragmentSettings::OfVariant;
     Question question{.text = tr("Keep what was changed in single fragments of \"%1\"?").arg(nameText(own.name)),
                       .informativeText = fragmentChanges(own),
-                      .answers = {{tr("&Keep"), QMessageBox::AcceptRole},
-                                  {tr("&Remove"), QMessageBox::DestructiveRole},
+                      .answers = {{tr("Keep"), QMessageBox::AcceptRole},
+                                  {tr("Remove"), QMessageBox::DestructiveRole},
                                   {tr("Cancel"), QMessageBox::RejectRole}}};
     constexpr FragmentSettings kAnswers[] = {FragmentSettings::OfAsset, FragmentSettings::OfVariant,
                                              FragmentSettings::Cancelled};

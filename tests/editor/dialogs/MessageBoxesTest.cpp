@@ -34,6 +34,24 @@ private slots:
         answer(shown, Qt::Key_Return);
         QVERIFY(!confirmLoss(nullptr, "Discard all changes?", "Discard", "Cancel"));
     }
+    void eachAnswerHasAMnemonicOfItsOwn() {
+        QStringList keys;
+        test::onNextDialog<QMessageBox>([&keys](QMessageBox& box) {
+            for (const QAbstractButton* button : box.buttons())
+                keys << QKeySequence::mnemonic(button->text()).toString();
+            QTest::keyClick(&box, Qt::Key_A, Qt::AltModifier);  // the second answer
+        });
+        const std::size_t answer = ask(nullptr, {.text = "Save?",
+                                                 .answers = {{"Save All", QMessageBox::AcceptRole},
+                                                             {"Ask for Each", QMessageBox::AcceptRole},
+                                                             {"Discard All", QMessageBox::DestructiveRole},
+                                                             {"Cancel", QMessageBox::RejectRole},
+                                                             {"All", QMessageBox::AcceptRole},
+                                                             {"?", QMessageBox::AcceptRole}}});
+        QCOMPARE(answer, std::size_t{1});
+        keys.sort();
+        QCOMPARE(keys, (QStringList{"", "Alt+A", "Alt+C", "Alt+D", "Alt+L", "Alt+S"}));
+    }
     void enterClosesAnOffer() {
         QWidget window;
         int opened = 0;
