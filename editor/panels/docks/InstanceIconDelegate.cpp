@@ -5,10 +5,14 @@
 
 #include <QAbstractItemView>
 #include <QHelpEvent>
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QStyle>
 #include <QToolTip>
+
+#include <algorithm>
+#include <array>
 
 namespace rubble {
 
@@ -84,7 +88,21 @@ bool InstanceIconDelegate::helpEvent(QHelpEvent* event, QAbstractItemView* view,
     return true;
 }
 
+/// Whether an event would end the editing of a name that the model refuses. The row that is edited is the current one.
+bool InstanceIconDelegate::isRefused(QObject* editor, const QEvent& event) const {
+    auto* line = qobject_cast<QLineEdit*>(editor);
+    if (!line || !m_view.model()) return false;
+    const bool isFocusOut = event.type() == QEvent::FocusOut;
+    if (!isFocusOut && event.type() != QEvent::KeyPress) return false;
+    constexpr std::array kEndKeys{Qt::Key_Return, Qt::Key_Enter, Qt::Key_Tab, Qt::Key_Backtab};
+    if (!isFocusOut && std::ranges::find(kEndKeys, static_cast<const QKeyEvent&>(event).key()) == kEndKeys.end())
+        return false;
+    const QModelIndex index = m_view.currentIndex();
+    return index.isValid() && !static_cast<ProjectModel*>(m_view.model())->acceptsName(index, line->text());
+}
+
 bool InstanceIconDelegate::eventFilter(QObject* watched, QEvent* event) {
+    if (isRefused(watched, *event)) return event->type() == QEvent::KeyPress;
     const bool isPress = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
     // A view that is being destroyed has no viewport any more.
     if (!isPress || watched != m_view.viewport()) return QStyledItemDelegate::eventFilter(watched, event);

@@ -9,7 +9,8 @@ class QAbstractItemView;
 namespace rubble {
 
 /// Draws two toggle icons, hidden and locked, at the end of an instance's row. A click toggles the flag without
-/// selecting the row. Icons that are off appear in a faded colour under the pointer.
+/// selecting the row. Icons that are off appear in a faded colour under the pointer. The editor of a name stays open
+/// with the typed text while the model refuses it.
 class InstanceIconDelegate : public QStyledItemDelegate {
     Q_OBJECT
 public:
@@ -26,6 +27,7 @@ protected:
 
 private:
     std::optional<int> roleAt(QPoint point) const;
+    bool isRefused(QObject* editor, const QEvent& event) const;
 
     QAbstractItemView& m_view;
 };

@@ -275,6 +275,7 @@ QString ProjectModel::text(Node node) const {
     return text;
 }
 
+/// Begins with the text of the row, which may be elided there.
 QString ProjectModel::hint(Node node) const {
     const Project& project = m_document.project();
     const auto assetName = [&](Id id) { return nameText(nameOf(project, Part::Asset, id).toStdString()); };
@@ -282,10 +283,10 @@ QString ProjectModel::hint(Node node) const {
         case Kind::Materials: return tr("Materials of the project");
         case Kind::Assets: return tr("Solids with their fracture patterns");
         case Kind::Scene: return tr("Ground, gravity and the placed instances");
-        case Kind::Layer: return tr("Pattern layer of asset \"%1\"").arg(assetName(assetOf(node)));
+        case Kind::Layer: return text(node) + '\n' + tr("Pattern layer of asset \"%1\"").arg(assetName(assetOf(node)));
         case Kind::Instance: {
             const Instance* instance = findInstance(project, node.id);
-            return instance ? tr("Instance of asset \"%1\"").arg(assetName(instance->asset)) : "";
+            return instance ? text(node) + '\n' + tr("Instance of asset \"%1\"").arg(assetName(instance->asset)) : "";
         }
         default: return text(node);
     }
@@ -331,17 +332,20 @@ bool ProjectModel::setFlag(Node node, int role, bool isOn) {
     return m_document.push(modify(text, std::move(changed)));
 }
 
+bool ProjectModel::acceptsName(const QModelIndex& index, const QString& name) {
+    const Node node = nodeAt(index);
+    const QString fault = nameFault(m_document.project(), partOf(node.kind), node.id, name);
+    if (!fault.isEmpty()) emit refused(fault);
+    return fault.isEmpty();
+}
+
 bool ProjectModel::setData(const QModelIndex& index, const QVariant& value, int role) {
     if (index.isValid() && (role == kHiddenRole || role == kLockedRole)) {
         return setFlag(nodeAt(index), role, value.toBool());
     }
     if (role != Qt::EditRole || !index.isValid()) return false;
+    if (!acceptsName(index, value.toString())) return false;
     const Node node = nodeAt(index);
-    const QString fault = nameFault(m_document.project(), partOf(node.kind), node.id, value.toString());
-    if (!fault.isEmpty()) {
-        emit refused(fault);
-        return false;
-    }
     return m_document.push(renameElement(m_document.project(), partOf(node.kind), node.id, value.toString()));
 }
 

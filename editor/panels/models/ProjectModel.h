@@ -40,6 +40,8 @@ public:
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
+    /// Whether the element can have this name; emits `refused` if not.
+    bool acceptsName(const QModelIndex& index, const QString& name);
     /// Renames the element, or sets a flag of an instance.
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;

@@ -17,6 +17,8 @@
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
+#include <QToolTip>
 #include <QTreeView>
 
 using namespace rubble;
@@ -209,6 +211,31 @@ private slots:
         QVERIFY(!desk.document.undoStack().canUndo());
         desk.rename("Box");  // its own name, capitalized
         QCOMPARE(desk.text(Kind::Asset, 9), "Box");
+    }
+    void refusedNameStaysInItsEditor() {
+        ProjectTreeDesk desk;
+        desk.click(Kind::Asset, 9);
+        desk.rename("wall");
+        auto* editor = desk.view.viewport()->findChild<QLineEdit*>();
+        QVERIFY(editor && editor->isVisible() && editor->text() == "wall");
+        QVERIFY2(QToolTip::text().contains("already taken"), qPrintable(QToolTip::text()));
+        desk.tree.findChild<QToolButton*>()->setFocus();  // a click elsewhere
+        for (int k = 0; k < 3; ++k) QCoreApplication::processEvents();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        editor = desk.view.viewport()->findChild<QLineEdit*>();
+        QVERIFY(editor && editor->isVisible() && editor->text() == "wall");
+        QTest::keyClick(editor, Qt::Key_Escape);
+        for (int k = 0; k < 3; ++k) QCoreApplication::processEvents();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QVERIFY(!desk.view.viewport()->findChild<QLineEdit*>());
+        QCOMPARE(desk.text(Kind::Asset, 9), "box");
+    }
+    void toolTipsHaveTheWholeName() {
+        ProjectTreeDesk desk;
+        for (const auto& [kind, id] : {std::pair(Kind::Instance, 21u), std::pair(Kind::Layer, 5u)}) {
+            const QString tip = desk.model.data(desk.model.indexOf({kind, id}), Qt::ToolTipRole).toString();
+            QVERIFY2(tip.contains(desk.text(kind, id)), qPrintable(tip));
+        }
     }
     void ctrlDDuplicatesTheSelection() {
         ProjectTreeDesk desk;
