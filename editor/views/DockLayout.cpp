@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kStateKey = "window/state";
 constexpr int kStateVersion = 4;    // to be increased when docks are added, removed or renamed
 constexpr int kProjectWidth = 240;  // pixels in the default layout, as the next two
-constexpr int kInspectorWidth = 320;
+constexpr int kInspectorWidth = 336;
 constexpr int kFragmentsHeight = 240;
 
 struct DockPlace {
@@ -28,8 +28,8 @@ struct DockPlace {
 /// Indexed by DockId. Docks of an area lie in this order before they are tabbed.
 constexpr DockPlace kPlaces[kDockCount] = {
     {"dock-project", Qt::LeftDockWidgetArea, 150},     {"dock-history", Qt::LeftDockWidgetArea, 150},
-    {"dock-inspector", Qt::RightDockWidgetArea, 300},  {"dock-strength", Qt::RightDockWidgetArea, 260},
-    {"dock-play-tools", Qt::RightDockWidgetArea, 300}, {"dock-fragments", Qt::BottomDockWidgetArea, 0},
+    {"dock-inspector", Qt::RightDockWidgetArea, 320},  {"dock-strength", Qt::RightDockWidgetArea, 276},
+    {"dock-play-tools", Qt::RightDockWidgetArea, 320}, {"dock-fragments", Qt::BottomDockWidgetArea, 0},
     {"dock-problems", Qt::BottomDockWidgetArea, 0},    {"dock-messages", Qt::BottomDockWidgetArea, 0},
     {"dock-play", Qt::BottomDockWidgetArea, 0},        {"dock-tests", Qt::BottomDockWidgetArea, 0}};
 

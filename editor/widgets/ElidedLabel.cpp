@@ -23,7 +23,9 @@ void ElidedLabel::paintEvent(QPaintEvent* event) {
 
 bool ElidedLabel::event(QEvent* event) {
     if (event->type() != QEvent::ToolTip || !isElided()) return QLabel::event(event);
-    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), text().toHtmlEscaped(), this);
+    QString shown = text().toHtmlEscaped();
+    if (!toolTip().isEmpty()) shown = "<p>" + shown + "</p><p>" + toolTip().toHtmlEscaped() + "</p>";
+    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), shown, this);
     return true;
 }
 

@@ -4,7 +4,8 @@
 
 namespace rubble {
 
-/// A label with one line of plain text, which is elided where it has no room; then its tooltip is the whole text.
+/// A label with one line of plain text, which is elided where it has no room; then its tooltip is the whole text, above
+/// toolTip().
 class ElidedLabel : public QLabel {
     Q_OBJECT
 public:

@@ -277,7 +277,8 @@ QSize NumberField::sizeFor(const QString& number) const {
 }
 
 QSize NumberField::sizeHint() const { return sizeFor(QStringLiteral("-000.000")); }
-QSize NumberField::minimumSizeHint() const { return sizeFor(QStringLiteral("000.00")); }
+/// As many digits as are shown without focus, of a number below 1.
+QSize NumberField::minimumSizeHint() const { return sizeFor(QStringLiteral("0.00000")); }
 
 }  // namespace rubble
 

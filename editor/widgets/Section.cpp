@@ -1,12 +1,14 @@
 #include "editor/widgets/Section.h"
 
 #include "editor/widgets/ColourButton.h"
+#include "editor/widgets/ElidedLabel.h"
 #include "editor/widgets/SliderField.h"
 
 #include <QComboBox>
 #include <QEvent>
 #include <QLabel>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 namespace rubble {
@@ -23,6 +25,17 @@ public:
         if (event->type() != QEvent::Wheel || static_cast<QWidget*>(watched)->hasFocus()) return false;
         event->ignore();
         return true;
+    }
+};
+
+/// A scroll bar that keeps its place, but is not painted where there is nothing to scroll.
+class QuietScrollBar : public QScrollBar {
+public:
+    using QScrollBar::QScrollBar;
+
+protected:
+    void paintEvent(QPaintEvent* event) override {
+        if (minimum() < maximum()) QScrollBar::paintEvent(event);
     }
 };
 
@@ -92,7 +105,7 @@ void Section::setRowLabel(QWidget* control, const QString& label) {
 
 /// The label of a tall control is beside its top.
 void Section::addLabelled(const QString& label, QWidget* control) {
-    auto* text = new QLabel(label);
+    auto* text = new ElidedLabel(label);
     text->setBuddy(control);
     const bool isTall = control->sizeHint().height() > 2 * text->sizeHint().height();
     m_rows->addWidget(text, m_rowCount, 0, Qt::AlignLeft | (isTall ? Qt::AlignTop : Qt::AlignVCenter));
@@ -128,6 +141,8 @@ QScrollArea* verticalScrollArea(QWidget* page) {
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setVerticalScrollBar(new QuietScrollBar(Qt::Vertical));
+    area->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     area->setFocusPolicy(Qt::NoFocus);
     return area;
 }

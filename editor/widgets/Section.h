@@ -47,7 +47,8 @@ private:
     QHash<QWidget*, QLabel*> m_labels;  // by control
 };
 
-/// A frameless scroll area that scrolls `page` vertically and fits it to its width.
+/// A frameless scroll area that scrolls `page` vertically and fits it to its width. The place of its scroll bar is
+/// always kept, so that nothing in the page moves sideways when its height changes.
 QScrollArea* verticalScrollArea(QWidget* page);
 
 }  // namespace rubble

@@ -20,12 +20,13 @@ namespace rubble {
 
 namespace {
 
+constexpr int kLeastVisibleRows = 3;  // a shorter list looks like a field
 constexpr int kMostVisibleMortars = 4;
 constexpr int kMostVisibleInstances = 6;
 
-/// Makes a list as high as its rows, up to a number of them.
+/// Makes a list as high as its rows, within limits.
 void fitRows(QListWidget& list, int most) {
-    const int rows = std::clamp(list.count(), 1, most);
+    const int rows = std::clamp(list.count(), kLeastVisibleRows, most);
     const int row = std::max(list.sizeHintForRow(0), list.fontMetrics().height());
     list.setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);  // otherwise the section grows
     list.setFixedHeight(rows * row + 2 * list.frameWidth());
@@ -150,8 +151,18 @@ void MortarSection::add() {
     if (m_document.push(std::move(addition.edit))) m_selection.setMortar(addition.id);
 }
 
+/// Selects the next mortar, or the previous one if the last was deleted.
 void MortarSection::remove() {
-    if (m_selection.mortar() != 0) m_document.push(removeMortar(m_selection.mortar()));
+    const std::vector<Mortar>& mortars = m_document.project().mortars;
+    const auto removed = std::ranges::find(mortars, m_selection.mortar(), &Mortar::id);
+    if (removed == mortars.end()) return;
+    Id neighbour = 0;
+    if (removed + 1 != mortars.end()) {
+        neighbour = (removed + 1)->id;
+    } else if (removed != mortars.begin()) {
+        neighbour = (removed - 1)->id;
+    }
+    if (m_document.push(removeMortar(removed->id))) m_selection.setMortar(neighbour);
 }
 
 void MortarSection::setInstances(const QString& text, std::vector<Id> instances) {

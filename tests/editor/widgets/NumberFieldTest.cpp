@@ -137,6 +137,17 @@ private slots:
         QCOMPARE(window.field.value(), 3.0);
         QCOMPARE(window.edits.count(), 1);
     }
+    void narrowestFieldShowsAllDigitsAndTheUnit() {
+        Window window;
+        window.field.setFormat(Units::impulses());
+        window.field.setValue(0.11072);
+        window.field.resize(window.field.minimumSizeHint());
+        constexpr int kMargin = 4;  // of Qt's line control, left and right of the text
+        QCOMPARE(window.line().text(), "0.11072" + kNbsp + "N·s");
+        const int room = window.line().contentsRect().width() - kMargin;
+        const int need = window.line().fontMetrics().horizontalAdvance(window.line().text());
+        QVERIFY2(need <= room, qPrintable(QString("%1 of %2").arg(room).arg(need)));
+    }
     void showingANumberKeepsAllItsDigits() {
         Window window;
         window.field.setFormat(kMetres);

@@ -1,12 +1,17 @@
 #include "editor/widgets/Section.h"
 
+#include "editor/widgets/ElidedLabel.h"
 #include "tests/support/TestProgram.h"
 
 #include <QApplication>
 #include <QComboBox>
 #include <QFormLayout>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QToolTip>
 #include <QWheelEvent>
 
 using namespace rubble;
@@ -73,6 +78,34 @@ private slots:
         const std::unique_ptr<QScrollArea> area(verticalScrollArea(new QWidget));
         QVERIFY(area->widgetResizable());
         QCOMPARE(area->horizontalScrollBarPolicy(), Qt::ScrollBarAlwaysOff);
+    }
+    void pageKeepsItsWidthWhenItMustScroll() {
+        auto* page = new QWidget;
+        const std::unique_ptr<QScrollArea> area(verticalScrollArea(page));
+        area->resize(200, 100);
+        area->show();
+        const auto bar = [&] { return area->verticalScrollBar()->grab().toImage(); };
+        const int width = page->width();
+        const QImage empty = bar();
+        page->setMinimumHeight(400);
+        for (int k = 0; k < 3; ++k) QCoreApplication::processEvents();
+        QVERIFY(area->verticalScrollBar()->maximum() > 0);
+        QCOMPARE(page->width(), width);
+        QVERIFY(bar() != empty);  // which is not painted
+    }
+    void longLabelsAreElidedInANarrowSection() {
+        Section section("mortar", "Mortar");
+        section.addRow("Impulse per square metre of area", new QLineEdit, "Set the impulse");
+        auto* label = section.findChild<ElidedLabel*>();
+        section.resize(600, 80);
+        section.show();
+        QVERIFY(label && !label->isElided());
+        section.resize(220, 80);
+        QCoreApplication::sendPostedEvents();
+        QVERIFY(label->isElided());
+        QHelpEvent help(QEvent::ToolTip, {5, 5}, label->mapToGlobal(QPoint(5, 5)));
+        QApplication::sendEvent(label, &help);
+        QVERIFY(QToolTip::text().contains(label->text()) && QToolTip::text().contains("Set the impulse"));
     }
 };
 

@@ -85,11 +85,41 @@ private slots:
         QCOMPARE(desk.list().item(1)->text(), QString("wide joints"));
         desk.button("Delete Mortar").click();
         QCOMPARE(desk.mortars().size(), std::size_t{1});
-        desk.selection.prune(desk.document.project());
+        QCOMPARE(desk.selection.mortar(), desk.mortars()[0].id);  // the neighbour
+        desk.button("Delete Mortar").click();
+        QVERIFY(desk.mortars().empty());
         QCOMPARE(desk.selection.mortar(), Id{0});
         QVERIFY(!desk.button("Delete Mortar").isEnabled());
         desk.undoAll();
         QCOMPARE(desk.mortars(), test::mortarPortal().mortars);
+    }
+    void nextMortarIsSelectedAfterADeletedOne() {
+        MortarDesk desk;
+        for (int k = 0; k < 2; ++k) desk.button("Add Mortar").click();
+        const std::vector<Mortar> before = desk.mortars();
+        desk.clickRow(1);
+        desk.button("Delete Mortar").click();
+        QCOMPARE(desk.selection.mortar(), before[2].id);
+        QVERIFY(desk.list().item(1)->isSelected());
+    }
+    /// In a low inspector, the rows of a selected mortar are scrolled.
+    void buttonsStayInPlaceWhenAMortarIsSelected() {
+        MortarDesk desk;
+        const auto place = [&] { return desk.button("Add Mortar").mapTo(&desk.inspector, QPoint()); };
+        for (int height = 300; height <= 1200; height += 100) {
+            desk.selection.setMortar(0);
+            desk.inspector.resize(360, height);
+            QCoreApplication::sendPostedEvents();
+            const int before = place().x();
+            desk.selection.setMortar(desk.mortars()[0].id);
+            for (int k = 0; k < 3; ++k) QCoreApplication::processEvents();
+            QCOMPARE(place().x(), before);
+        }
+    }
+    void shortListHasRoomForThreeRows() {
+        MortarDesk desk;
+        QCOMPARE(desk.list().count(), 1);
+        QVERIFY(desk.list().height() >= 3 * desk.list().sizeHintForRow(0));
     }
     void instancesAreChecked() {
         MortarDesk desk;
