@@ -248,7 +248,14 @@ bool MainWindow::isUntouched() {
     return isPristine() || document.project().assets.empty();
 }
 
-bool MainWindow::confirmStop() { return m_videoActions->confirmClose(); }
+/// A window stays open under a dialog or a task, which belongs to it and runs an event loop in a function of it. Both
+/// would be destroyed meanwhile when the program quits from another window or the session ends.
+bool MainWindow::confirmStop() {
+    if (m_isBlocked) activateWindow();
+    return !m_isBlocked && m_videoActions->confirmClose();
+}
+
+bool MainWindow::confirmClose() { return confirmStop() && m_fileActions->confirmClose(); }
 
 void MainWindow::playDemo() {
     PlayController& play = m_workspace.play();
@@ -292,14 +299,9 @@ bool MainWindow::event(QEvent* event) {
     return QMainWindow::event(event);
 }
 
-/// Stays open under a dialog or a task, which belongs to the window and runs an event loop in a function of it. Both
-/// would be destroyed meanwhile when the program quits from another window or the session ends.
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (m_isBlocked) {
-        activateWindow();
-        return event->ignore();
-    }
-    if (!m_isDiscarding && (!confirmStop() || !m_fileActions->confirmClose())) return event->ignore();
+    if ((m_isBlocked || !m_isDiscarding) && !confirmClose()) return event->ignore();
+    m_views->scene().viewport().setPresenting(false);  // the layout that is saved is that of editing
     QSettings().setValue(kGeometryKey, saveGeometry());
     if (!isPristine()) m_views->saveLayout();
     event->accept();

@@ -38,8 +38,10 @@ public:
     bool isPristine() const;
     /// Whether another project may be opened in it: it shows the start page, or an empty project that was never saved.
     bool isUntouched();
-    /// Asks whether to stop what is being exported; false if the window has to stay open for it.
+    /// Asks whether to stop what is being exported; false if the window has to stay open for it or for a dialog.
     bool confirmStop();
+    /// Asks, besides, whether to save unsaved changes; false if the window has to stay open.
+    bool confirmClose();
     /// Starts the simulation of the demo: a click in the 3D view throws.
     void playDemo();
     /// Closes the window without questions, and loses its changes; false if a dialog keeps it open.

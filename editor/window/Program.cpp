@@ -10,6 +10,7 @@
 #include "editor/document/FilePath.h"
 #include "editor/document/Translations.h"
 #include "editor/views/Views.h"
+#include "editor/widgets/ScreenFit.h"
 #include "editor/widgets/Theme.h"
 #include "editor/window/Application.h"
 #include "editor/window/MainWindow.h"
@@ -17,6 +18,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QLocale>
+#include <QScreen>
 #include <QTimer>
 
 #include <algorithm>
@@ -98,7 +100,22 @@ MainWindow* Program::createWindow(Project project) {
     connect(window, &MainWindow::desktopThemeChanged, this, [this] {
         if (m_theme == ColourScheme::System) applyTheme(m_theme);
     });
+    cascade(*window);
     return window;
+}
+
+/// Moves a window that is not shown yet, so that it does not lie exactly over another one.
+void Program::cascade(MainWindow& window) const {
+    QList<QRect> shown;
+    const MainWindow* last = nullptr;
+    for (const MainWindow* other : windows()) {
+        if (other == &window || !other->isVisible() || other->isMaximized() || other->isFullScreen()) continue;
+        shown.append(other->geometry());
+        if (last == nullptr || other->isActiveWindow()) last = other;
+    }
+    if (last == nullptr || window.isMaximized() || window.isFullScreen()) return;
+    window.setGeometry(
+        cascaded(window.size(), window.minimumSize(), last->geometry(), shown, last->screen()->availableGeometry()));
 }
 
 MainWindow* Program::showProject(Project project) {
@@ -240,19 +257,17 @@ Program::Unsaved Program::askForUnsaved(const QList<MainWindow*>& modified) {
     return areSaved ? Unsaved::Ask : Unsaved::Cancel;
 }
 
-/// Closes the other windows, such as the manual, after those with projects.
+/// Closes windows once all may be closed; the other ones, such as the manual, after those with projects.
 void Program::quit() {
     QList<MainWindow*> modified = windows();
     modified.removeIf([](MainWindow* window) { return !window->workspace().document().isModified(); });
     const Unsaved unsaved = modified.size() > 1 ? askForUnsaved(modified) : Unsaved::Ask;
     if (unsaved == Unsaved::Cancel) return;
-    if (unsaved == Unsaved::Discard) {  // before any is closed
-        for (MainWindow* window : windows()) {
-            if (!window->confirmStop()) return;
-        }
+    for (MainWindow* window : windows()) {
+        if (!(unsaved == Unsaved::Discard ? window->confirmStop() : window->confirmClose())) return;
     }
     for (MainWindow* window : windows()) {
-        if (!(unsaved == Unsaved::Discard ? window->closeWithoutSaving() : window->close())) return;
+        if (!window->closeWithoutSaving()) return;
     }
     QApplication::closeAllWindows();
 }

@@ -43,6 +43,7 @@ private:
     enum class Unsaved { Ask, Discard, Cancel };
     Unsaved askForUnsaved(const QList<MainWindow*>& modified);
     MainWindow* createWindow(Project project);
+    void cascade(MainWindow& window) const;
     void applyPreferences();
     void tellRanOut(const QString& sentence);
     void offerBackups();

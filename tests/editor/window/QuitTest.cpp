@@ -14,6 +14,7 @@
 #include "tests/support/editor/Windows.h"
 
 #include <QMessageBox>
+#include <QScreen>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
@@ -63,13 +64,40 @@ private slots:
         QString question;
         test::onNextDialog<QMessageBox>([&](QMessageBox& box) {
             question = box.text();
-            for (QAbstractButton* button : box.buttons()) {
-                if (button->text().remove('&') == answer) return button->click();
-            }
+            press(box, answer);
         });
         m_program->quit();
         QCOMPARE(question.count("Untitled"), 3);
         QCOMPARE(shownWindows(), left);
+    }
+    void cancelledQuitClosesNoWindow() {
+        for (int k = 0; k < 2; ++k) QVERIFY(m_program->open(savedProject(), nullptr));
+        edited();
+        test::onNextDialog<QMessageBox>([](QMessageBox& box) { QTest::keyClick(&box, Qt::Key_Escape); });
+        m_program->quit();
+        QCOMPARE(shownWindows(), 3);
+        test::onNextDialog<QMessageBox>([](QMessageBox& box) { press(box, "Discard"); });
+        m_program->quit();
+        QCOMPARE(shownWindows(), 0);
+    }
+    void answersForEachCloseAllTogether() {
+        for (int k = 0; k < 2; ++k) edited();
+        test::onNextDialog<QMessageBox>([](QMessageBox& box) {
+            test::onNextDialog<QMessageBox>([](QMessageBox& first) {
+                test::onNextDialog<QMessageBox>([](QMessageBox& second) { press(second, "Cancel"); });
+                press(first, "Discard");
+            });
+            press(box, "Ask for Each");
+        });
+        m_program->quit();
+        QCOMPARE(shownWindows(), 2);
+    }
+    void windowsAreCascaded() {
+        const MainWindow* first = m_program->open(savedProject(), nullptr);
+        const MainWindow* second = m_program->open(savedProject(), nullptr);
+        const QPoint offset = second->pos() - first->pos();
+        QVERIFY2(offset.y() >= 15, qPrintable(QString::number(offset.y())));  // the screen may be as narrow as a window
+        QVERIFY(second->screen()->availableGeometry().contains(second->geometry()));
     }
     void saveAllSavesFilesInPlace() {
         const QString first = savedProject(), second = savedProject();
@@ -90,6 +118,11 @@ private:
         const QString path = m_folder.filePath(QString("project-%1.rubble").arg(m_saved++));
         if (!saveProject(toPath(path), starterProject())) qFatal("not saved");
         return path;
+    }
+    static void press(QMessageBox& box, const QString& answer) {
+        for (QAbstractButton* button : box.buttons()) {
+            if (button->text().remove('&') == answer) return button->click();
+        }
     }
     static void edit(MainWindow& window) {
         Document& document = window.workspace().document();
