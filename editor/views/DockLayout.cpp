@@ -37,6 +37,9 @@ constexpr DockPlace kPlaces[kDockCount] = {
 constexpr DockId kRightTabs[] = {DockId::Inspector, DockId::Strength, DockId::PlayTools};
 constexpr DockId kBottomTabs[] = {DockId::Fragments, DockId::Problems, DockId::Messages, DockId::Play, DockId::Tests};
 
+/// A dock behind another one is visible for Qt, but lies outside of the window.
+bool isInFront(const QDockWidget& dock) { return dock.isVisible() && !dock.visibleRegion().isEmpty(); }
+
 }  // namespace
 
 DockLayout::DockLayout(QMainWindow& window) : m_window(window) {}
@@ -60,10 +63,10 @@ void DockLayout::addAction(QDockWidget& dock) {
     action->setCheckable(true);
     connect(&dock, &QDockWidget::visibilityChanged, action, [action, &dock] { action->setChecked(!dock.isHidden()); });
     connect(action, &QAction::triggered, this, [action, &dock] {
-        const bool isInFront = dock.isVisible() && !dock.visibleRegion().isEmpty();
-        dock.setVisible(!isInFront);
-        if (!isInFront) dock.raise();
-        action->setChecked(!isInFront);
+        const bool isShown = isInFront(dock);
+        dock.setVisible(!isShown);
+        if (!isShown) dock.raise();
+        action->setChecked(!isShown);
     });
     m_actions.append(action);
 }
@@ -93,12 +96,29 @@ void DockLayout::hideAll() {
 }
 
 void DockLayout::toggle() {
-    QList<QDockWidget*> visible;
-    for (QDockWidget* dock : m_window.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) {
-        if (!dock->isHidden()) visible.append(dock);
-    }
+    const QList<QDockWidget*> visible = shown(), front = inFront();
     for (QDockWidget* dock : visible.isEmpty() ? m_toggled : visible) dock->setHidden(!visible.isEmpty());
+    if (visible.isEmpty()) raise(m_toggledInFront);
     m_toggled = visible;
+    m_toggledInFront = front;
+}
+
+QList<QDockWidget*> DockLayout::shown() const {
+    QList<QDockWidget*> docks = m_window.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly);
+    docks.removeIf([](const QDockWidget* dock) { return dock->isHidden(); });
+    return docks;
+}
+
+QList<QDockWidget*> DockLayout::inFront() const {
+    QList<QDockWidget*> docks = shown();
+    docks.removeIf([](const QDockWidget* dock) { return !isInFront(*dock); });
+    return docks;
+}
+
+void DockLayout::raise(const QList<QDockWidget*>& docks) {
+    for (QDockWidget* dock : docks) {
+        if (!dock->isHidden()) dock->raise();
+    }
 }
 
 void DockLayout::save() const { QSettings().setValue(kStateKey, m_window.saveState(kStateVersion)); }

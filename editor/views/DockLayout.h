@@ -30,8 +30,15 @@ public:
     /// Arranges all docks in the default layout and shows them.
     void reset();
     void hideAll();
-    /// Hides all docks, or shows those again that were hidden by the last call.
+    /// Hides all docks, or shows those again that were hidden by the last call, with the same tabs in front.
     void toggle();
+
+    /// Returns the docks that are shown, also behind others.
+    QList<QDockWidget*> shown() const;
+    /// Returns the docks that can be seen: of docks that share tabs, the one in front.
+    QList<QDockWidget*> inFront() const;
+    /// Raises those of `docks` that are shown in front of the docks that they share tabs with.
+    static void raise(const QList<QDockWidget*>& docks);
 
     void save() const;
     /// Restores the saved layout; false if there is none.
@@ -43,7 +50,8 @@ private:
     QMainWindow& m_window;
     std::array<QDockWidget*, kDockCount> m_docks{};
     QList<QAction*> m_actions;
-    QList<QDockWidget*> m_toggled;  // hidden by toggle()
+    QList<QDockWidget*> m_toggled;         // hidden by toggle()
+    QList<QDockWidget*> m_toggledInFront;  // of m_toggled
 };
 
 }  // namespace rubble

@@ -125,6 +125,7 @@ void Views::connectViews() {
     connect(&m_workspace.play(), &PlayController::stateChanged, this, &Views::updatePlayState);
     connect(&m_workspace.file(), &DocumentFile::noted, this, &Views::addNotes);
     connect(m_scene, &SceneView::failed, this, &Views::showRefusal);
+    connect(&m_scene->viewport(), &ViewportWidget::presentingChanged, this, &Views::present);
     connectBondBrushes();
 }
 
@@ -254,22 +255,56 @@ void Views::resetLayout() {
     m_panes->setSizes({1, 1});
 }
 
-/// While the simulation runs, the 3D view has the middle for itself and the Play dock is in front.
+/// While the simulation runs, the 3D view has the middle for itself and the Play dock is in front. Then canvas and
+/// docks are shown as before.
 void Views::updatePlayState() {
     const bool isPlaying = m_workspace.play().isInPlay();
     if (isPlaying == m_isPlaying) return;
     m_isPlaying = isPlaying;
-    QDockWidget &fragments = m_docks.dock(DockId::Fragments), &play = m_docks.dock(DockId::Play);
+    Arrangement shown = arrangement();
     if (isPlaying) {
-        m_wasCanvasVisible = !m_canvas->isHidden();
-        m_canvas->hide();
-        if (!play.isHidden()) play.raise();
-        emit hintChanged({});  // the 3D view shows the keys itself
+        m_beforePlay = shown;
+        shown.hasCanvas = false;
+        shown.inFront.append(&m_docks.dock(DockId::Play));
     } else {
-        m_canvas->setHidden(!m_wasCanvasVisible);
-        emit hintChanged(m_canvas->hint());
-        if (!fragments.isHidden()) fragments.raise();
+        shown.hasCanvas = m_beforePlay.hasCanvas;
+        shown.inFront = m_beforePlay.inFront;
     }
+    arrange(shown);
+    emit hintChanged(isPlaying ? QString() : m_canvas->hint());  // in play, the 3D view shows the keys itself
+}
+
+/// What is shown; while presenting, what will be shown after it.
+Views::Arrangement Views::arrangement() const {
+    if (m_isPresenting) return m_beforePresenting;
+    return {!m_canvas->isHidden(), !m_scene->isHidden(), m_docks.shown(), m_docks.inFront()};
+}
+
+void Views::arrange(const Arrangement& wanted) {
+    if (m_isPresenting) {
+        m_beforePresenting = wanted;
+        return;
+    }
+    m_canvas->setVisible(wanted.hasCanvas);
+    m_scene->setVisible(wanted.hasScene);
+    for (QDockWidget* dock : wanted.docks) dock->show();
+    DockLayout::raise(wanted.inFront);
+}
+
+/// Shows the scene without canvas and docks, or all that was shown before.
+void Views::present(bool isOn) {
+    if (isOn) {
+        m_beforePresenting = arrangement();
+        m_isPresenting = true;
+        for (QDockWidget* dock : m_beforePresenting.docks) dock->hide();
+        m_scene->show();
+        m_scene->viewport().setFocus();
+        m_canvas->hide();
+    } else {
+        m_isPresenting = false;
+        arrange(m_beforePresenting);
+    }
+    emit presentingChanged(isOn);
 }
 
 void Views::setCanvasVisible(bool isVisible) { m_canvas->setVisible(isVisible); }

@@ -92,6 +92,8 @@ public:
 signals:
     /// The start page gave way to the views.
     void projectShown();
+    /// The scene is shown alone, or no longer.
+    void presentingChanged(bool isOn);
     /// The docks are as they were when the program ended last, or in the default layout.
     void layoutRestored();
     /// What the active tool can do, for the status bar.
@@ -104,6 +106,16 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    /// What is shown of the window.
+    struct Arrangement {
+        bool hasCanvas = true;
+        bool hasScene = true;
+        QList<QDockWidget*> docks;
+        QList<QDockWidget*> inFront;  // of those with tabs
+    };
+    Arrangement arrangement() const;
+    void arrange(const Arrangement& wanted);
+    void present(bool isOn);
     void addDocks();
     void addProblemDock();
     void connectViews();
@@ -136,7 +148,9 @@ private:
     Units m_units;
     bool m_isProjectShown = false;
     bool m_isPlaying = false;
-    bool m_wasCanvasVisible = true;  // before the simulation started
+    bool m_isPresenting = false;
+    Arrangement m_beforePlay;
+    Arrangement m_beforePresenting;  // what is shown when presenting ends
 };
 
 }  // namespace rubble

@@ -84,6 +84,7 @@ MainWindow::MainWindow(Project project, PreferenceStore& preferences, RecentFile
     restoreWindow();
     connectWorkspace();
     connect(m_views, &Views::projectShown, this, &MainWindow::showProject);
+    connect(m_views, &Views::presentingChanged, this, &MainWindow::present);
     connect(&preferences, &PreferenceStore::changed, this, &MainWindow::applyPreferences);
     applyPreferences();
     updateTitle();
@@ -276,6 +277,16 @@ void MainWindow::showProject() {
     updateBondBar();
 }
 
+/// Hides the toolbars, or shows those that were shown before.
+void MainWindow::present(bool isOn) {
+    if (isOn) {
+        m_barsBeforePresenting = m_toolBars;
+        m_barsBeforePresenting.removeIf([](const QToolBar* bar) { return bar->isHidden(); });
+    }
+    for (QToolBar* bar : m_barsBeforePresenting) bar->setHidden(isOn);
+    if (!isOn) updateBondBar();
+}
+
 void MainWindow::showStatus(const QString& sentence) { statusBar()->showMessage(sentence, kStatusMilliseconds); }
 
 /// Shrinks and moves the window so that it lies on the screen with its frame, which is known once it is active.
@@ -334,7 +345,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
 
 /// The bar takes the room of texts, so it is shown only where there is something to paint.
 void MainWindow::updateBondBar() {
-    m_bondBar->setVisible(!isPristine() && m_viewActions->bondActions().front()->isEnabled());
+    m_bondBar->setVisible(!isPristine() && !m_views->scene().viewport().isPresenting() &&
+                          m_viewActions->bondActions().front()->isEnabled());
     m_labelledWidth = 0;
     if (!isPristine()) updateToolButtonStyle();
 }

@@ -75,6 +75,7 @@ private:
     void fitToScreen();
     void connectWorkspace();
     void showProject();
+    void present(bool isOn);
     void updateBondBar();
     int toolBarWidth() const;
     void measureToolBars();
@@ -97,8 +98,9 @@ private:
     VideoActions* m_videoActions = nullptr;
     PlayActions* m_playActions = nullptr;
     QList<QToolBar*> m_toolBars;
-    QToolBar* m_bondBar = nullptr;        // one of m_toolBars
-    QList<QToolBar*> m_labelledToolBars;  // those of play and tools, which show texts if there is room
+    QList<QToolBar*> m_barsBeforePresenting;  // those that presenting hides
+    QToolBar* m_bondBar = nullptr;            // one of m_toolBars
+    QList<QToolBar*> m_labelledToolBars;      // those of play and tools, which show texts if there is room
     /// A button of theirs.
     struct LabelledButton {
         QToolButton* button = nullptr;

@@ -68,6 +68,21 @@ private slots:
         QVERIFY(!bench.isHidden(DockId::Project));
         QVERIFY(bench.isHidden(DockId::History));  // it was hidden before
     }
+    void toggleShowsTheSameTabsInFront() {
+        DockBench bench;
+        QVERIFY(QTest::qWaitForWindowExposed(&bench.window, kPatience));
+        const QList<QDockWidget*> raised{&bench.docks.dock(DockId::PlayTools), &bench.docks.dock(DockId::Tests)};
+        DockLayout::raise(raised);
+        const auto areInFront = [&] {
+            const QList<QDockWidget*> front = bench.docks.inFront();
+            return front.size() == 4 && front.contains(raised[0]) && front.contains(raised[1]);
+        };
+        QTRY_VERIFY(areInFront());
+        bench.docks.toggle();
+        QVERIFY(bench.docks.inFront().isEmpty());
+        bench.docks.toggle();
+        QTRY_VERIFY(areInFront());
+    }
     void actionRaisesADockBehindAnotherAndHidesItInFront() {
         DockBench bench;
         QVERIFY(QTest::qWaitForWindowExposed(&bench.window, kPatience));
