@@ -1,6 +1,5 @@
 #include "editor/actions/VideoActions.h"
 
-#include "core/io/media/VideoFile.h"
 #include "editor/dialogs/MessageBoxes.h"
 #include "editor/dialogs/VideoDialog.h"
 #include "editor/document/FilePath.h"
@@ -13,7 +12,6 @@
 #include "editor/workspace/Workspace.h"
 #include "viewport/widget/ViewportWidget.h"
 
-#include <QFileInfo>
 #include <QMainWindow>
 #include <QProgressBar>
 #include <QStatusBar>
@@ -204,13 +202,16 @@ bool VideoActions::confirmClose() {
 
 void VideoActions::showFinished(const VideoRequest& request) {
     const QString place = pathText(fromPath(request.path));
-    const QString sentence = tr("Exported %n frame(s) to %1.", nullptr, request.plan.frames).arg(place);
-    m_views.showStatus(sentence);
-    const QString path = fromPath(request.path);
-    offerFolder(&m_views.window(), sentence, isVideoPath(request.path) ? QFileInfo(path).absolutePath() : path);
+    report(Severity::Note, tr("Exported %n frame(s) to %1.", nullptr, request.plan.frames).arg(place));
 }
 
-void VideoActions::showFailed(const QString& sentence) { showError(&m_views.window(), sentence); }
+void VideoActions::showFailed(const QString& sentence) { report(Severity::Error, sentence); }
+
+/// Shows the outcome without a box, which would take the keys in the middle of something else.
+void VideoActions::report(Severity severity, const QString& sentence) {
+    m_views.messages().add({.severity = severity, .text = sentence});
+    m_views.showStatus(sentence);
+}
 
 }  // namespace rubble
 

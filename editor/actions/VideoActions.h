@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/Diagnostic.h"
+
 #include <QElapsedTimer>
 #include <QObject>
 
@@ -37,6 +39,7 @@ private:
     void updateProgress();
     void showFinished(const VideoRequest& request);
     void showFailed(const QString& sentence);
+    void report(Severity severity, const QString& sentence);
 
     Views& m_views;
     Workspace& m_workspace;

@@ -120,7 +120,12 @@ QPushButton* addOutputButtons(QDialog& dialog, QFormLayout& form, const QString&
     return button;
 }
 
-void fitPath(QDialog& dialog) { dialog.resize(dialog.sizeHint().expandedTo({kMinDialogWidth, 0})); }
+/// The height is that of texts that wrap at this width; at the hint's, which may be smaller, they have more lines.
+void fitPath(QDialog& dialog) {
+    const QSize hint = dialog.sizeHint().expandedTo({kMinDialogWidth, 0});
+    const int height = dialog.layout()->totalHeightForWidth(hint.width());
+    dialog.resize(hint.width(), height > 0 ? height : hint.height());
+}
 
 QHBoxLayout* createPathRow(QLineEdit& path, std::function<void()> browse) {
     auto* button = new QPushButton(OutputPathTexts::tr("Browse…"));

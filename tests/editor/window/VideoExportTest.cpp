@@ -52,6 +52,17 @@ private slots:
         });
         QVERIFY(!videos().isBusy());
     }
+    void dialogEndsBelowItsButtons() {
+        for (const bool hasFfmpeg : {true, false}) {
+            const test::Ffmpeg ffmpeg(hasFfmpeg ? test::Ffmpeg::kTellsArguments : nullptr);
+            ask([](VideoDialog& dialog) {
+                const int bottom = dialog.findChild<QDialogButtonBox*>()->geometry().bottom();
+                const int below = dialog.height() - 1 - bottom - dialog.layout()->contentsMargins().bottom();
+                QVERIFY2(below >= 0 && below <= 2, qPrintable(QString::number(below)));
+                dialog.reject();
+            });
+        }
+    }
     void dialogShowsNumberOfFrames() {
         const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
         ask([this](VideoDialog& dialog) {
@@ -96,7 +107,9 @@ private slots:
         QVERIFY(test::meanDifference(picture(0).copy(left), picture(0).copy(right)) == 0.0);
         QVERIFY(test::meanDifference(picture(3).copy(left), picture(3).copy(right)) > 0.2);
         QVERIFY(window().statusBar()->currentMessage().startsWith("Exported 4 frames to "));
-        QVERIFY(takeOffer().startsWith("Exported 4 frames to "));
+        QVERIFY(lastMessage().text.startsWith("Exported 4 frames to "));
+        QVERIFY(lastMessage().severity == Severity::Note);
+        QVERIFY(!window().findChild<QMessageBox*>());  // it would take the keys
     }
     void ffmpegEncodesAVideo() {
         const test::Ffmpeg ffmpeg(test::Ffmpeg::kTellsArguments);
@@ -131,7 +144,6 @@ private slots:
             dialog.reject();
         });
         QSettings().remove("video/sound");
-        (void)takeOffer();
     }
     void cancelledVideoLeavesNoFiles() {
         const test::Ffmpeg none;
@@ -146,15 +158,18 @@ private slots:
         const test::Ffmpeg none;
         QVERIFY(QFile(m_folder->filePath("file")).open(QIODevice::WriteOnly));
         exportVideo(m_folder->filePath("file/video"), 0, 90, 2.0);
-        const QString error = exportError();
+        QTRY_VERIFY_WITH_TIMEOUT(!videos().isBusy(), kPatience);
+        const QString error = lastMessage().text;
         QVERIFY2(error.startsWith("Cannot create the folder"), qPrintable(error));
-        QVERIFY(!videos().isBusy());
+        QVERIFY(lastMessage().severity == Severity::Error && !QApplication::activeModalWidget());
+        QCOMPARE(window().statusBar()->currentMessage(), error);
     }
     void fullDiskIsReportedAndLeavesNoFiles() {
         const test::Ffmpeg none;
         const FileSizeLimit full(2000);
         exportVideo(m_folder->filePath("video"), 0, 90, 2.0);
-        const QString error = exportError();
+        QTRY_VERIFY_WITH_TIMEOUT(!videos().isBusy(), kPatience);
+        const QString error = lastMessage().text;
         QVERIFY2(error.contains("File too large"), qPrintable(error));
         QVERIFY(QDir(m_folder->path()).isEmpty());
     }
@@ -220,19 +235,13 @@ private:
         play().setTimeStep(1.0 / 60.0);
         QCOMPARE(stepLength, 1.0 / 120.0);
         QVERIFY(!play().isInPlay());
-        QVERIFY2(takeOffer().startsWith("Exported 2 frames to "), "no offer");
+        QVERIFY2(lastMessage().text.startsWith("Exported 2 frames to "), qPrintable(lastMessage().text));
         const QImage first(m_folder->filePath("throw/frame-0000.png")),
             last(m_folder->filePath("throw/frame-0001.png"));
         QVERIFY(test::meanDifference(first.convertToFormat(QImage::Format_RGB888),
                                      last.convertToFormat(QImage::Format_RGB888)) > 0.1);
     }
-    /// Closes the box that offers the folder, and returns its sentence.
-    QString takeOffer() {
-        auto* box = window().findChild<QMessageBox*>();
-        const QString sentence = box ? box->text() : QString();
-        delete box;
-        return sentence;
-    }
+    Message lastMessage() { return window().views().messages().list().back(); }
     PlayController& play() { return window().workspace().play(); }
     VideoExporter& videos() { return window().workspace().videos(); }
     QAction& video() { return *action("play-video"); }
@@ -252,16 +261,6 @@ private:
             fill(dialog, path, first, last, rate);
             dialog.accept();
         });
-    }
-    /// Accepts the error box that follows and returns its text; empty if there is none.
-    static QString exportError() {
-        QString error;
-        test::onNextDialog<QMessageBox>([&error](QMessageBox& box) {
-            error = box.text();
-            box.accept();
-        });
-        (void)QTest::qWaitFor([&error] { return !error.isEmpty(); }, kPatience);
-        return error;
     }
     static QString summary(VideoDialog& dialog) { return dialog.findChild<QLabel*>("video-summary")->text(); }
     static QPushButton& okButton(VideoDialog& dialog) {
