@@ -9,6 +9,7 @@
 #include "editor/dialogs/ExportOnSave.h"
 #include "editor/dialogs/FileFilters.h"
 #include "editor/dialogs/MessageBoxes.h"
+#include "editor/dialogs/OutputPath.h"
 #include "editor/dialogs/import/ImportDialog.h"
 #include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
@@ -167,12 +168,22 @@ bool FileActions::saveOverChange() {
     return answer == kOverwrite && saveTo(file.path());
 }
 
+/// The name of the file; of a read-only project, which cannot be saved to it, a free name in the same folder.
+QString FileActions::suggestedName() const {
+    const DocumentFile& file = m_workspace.file();
+    if (file.path().isEmpty()) return tr("untitled") + kProjectSuffix;
+    const QFileInfo info(file.path());
+    if (!file.isReadOnly()) return info.fileName();
+    return QFileInfo(unusedPath(info.absolutePath(), tr("%1 copy").arg(info.completeBaseName()), kProjectSuffix))
+        .fileName();
+}
+
 bool FileActions::saveAs() {
     DocumentFile& file = m_workspace.file();
     QFileDialog dialog(&m_views.window(), tr("Save Project"), folder(), projectFilter());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(QString(kProjectSuffix).mid(1));
-    dialog.selectFile(file.path().isEmpty() ? tr("untitled") + kProjectSuffix : QFileInfo(file.path()).fileName());
+    dialog.selectFile(suggestedName());
     if (dialog.exec() != QDialog::Accepted) return false;
     const QString path = dialog.selectedFiles().first();
     if (const QString fault = outputFault(path, {}, {kProjectSuffix}); !fault.isEmpty()) {

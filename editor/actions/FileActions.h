@@ -64,6 +64,7 @@ private:
     void exportWithDialog();
     void exportAgain();
     QString folder() const;
+    QString suggestedName() const;
     ExportSummary exportWith(const ExportOptions& options);
     void closeWindow();
     void fillRecent();

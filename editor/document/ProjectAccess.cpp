@@ -31,7 +31,9 @@ ProjectAccess accessProject(const QString& path, LockTakeover takeover) {
     const QString name = fileNameText(path);
     ProjectAccess access{.lock = std::move(attempt.lock), .holder = std::move(attempt.holder)};
     if (access.holder) {
-        access.readOnlyReason = ProjectAccessTexts::tr("\"%1\" is read-only, because it is open in %2.")
+        access.readOnlyReason = ProjectAccessTexts::tr(
+                                    "\"%1\" is read-only, because it is open in %2. Save it under "
+                                    "another name.")
                                     .arg(name, holderText(*access.holder));
     } else if (!access.lock) {
         const QString folder = pathText(QFileInfo(path).absolutePath());

@@ -131,7 +131,9 @@ private slots:
             const Status refused = second.open(m_path);
             QVERIFY(!refused);
             const QString sentence = QString::fromStdString(refused.error().message);
-            QCOMPARE(sentence, "\"wall.rubble\" is read-only, because it is open in another window.");
+            QCOMPARE(sentence,
+                     "\"wall.rubble\" is read-only, because it is open in another window. Save it under "
+                     "another name.");
             QVERIFY(!second.saveAs(m_path));
         }
         QVERIFY(second.open(m_path));

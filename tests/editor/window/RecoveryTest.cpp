@@ -247,6 +247,20 @@ private slots:
         QCOMPARE(heightIn(copy), kEditedHeight);
         QVERIFY(window->windowTitle().startsWith("copy.rubble[*] – ") && !label->isVisible());
     }
+    void readOnlyProjectIsSavedUnderAFreeName() {
+        writeForeignLock();
+        QVERIFY(QFile::copy(m_path, m_folder->filePath("wall copy.rubble")));
+        answer("Open Read-Only");
+        MainWindow* window = m_program->open(m_path);
+        QVERIFY(window && window->workspace().file().isReadOnly());
+        QString offered;
+        test::onNextDialog<QFileDialog>([&](QFileDialog& dialog) {
+            offered = dialog.findChild<QLineEdit*>("fileNameEdit")->text();
+            dialog.reject();
+        });
+        QVERIFY(!window->fileActions().save());
+        QCOMPARE(offered, QString("wall copy 2.rubble"));
+    }
     void foreignLockIsTakenOverBySaveAs() {
         writeForeignLock();
         answer("Open Read-Only");
