@@ -3,6 +3,7 @@
 #include "editor/document/ShownText.h"
 #include "editor/widgets/Buttons.h"
 #include "editor/widgets/ComboBox.h"
+#include "editor/widgets/ElidedLabel.h"
 #include "editor/widgets/ProjectRange.h"
 #include "editor/widgets/appearance/EventAppearance.h"
 
@@ -17,7 +18,7 @@ namespace rubble {
 
 namespace {
 
-constexpr int kLeastWidth = 560;  // pixels that all fields need side by side
+constexpr int kLeastWidth = 640;  // pixels that all fields need side by side, with their label
 constexpr int kSpacing = 4;
 
 }  // namespace
@@ -26,6 +27,7 @@ EventFilterBar::EventFilterBar(QWidget* parent)
     : QWidget(parent),
       m_kinds(makeKinds()),
       m_text(new QLineEdit),
+      m_energyLabel(new ElidedLabel(tr("Energy ≥"))),
       m_energy(new NumberField),
       m_material(new QComboBox),
       m_reset(panelButton({}, tr("Show All"), tr("Show all events"), this)),
@@ -94,6 +96,8 @@ void EventFilterBar::makeFields() {
         tr("List only events that took at least this energy; above 0, what settled and was removed is not "
            "listed, since it has none"));
     m_energy->setAccessibleName(tr("Least Energy"));
+    m_energyLabel->setBuddy(m_energy);
+    m_energyLabel->setToolTip(tr("List only events that took at least this energy"));
     m_energy->setObjectName("event-energy");
     connect(m_energy, &NumberField::refused, this, &EventFilterBar::refused);
     connect(m_energy, &NumberField::edited, this, [this](double energy) {
@@ -115,7 +119,7 @@ void EventFilterBar::makeFields() {
 
 void EventFilterBar::arrange(bool isNarrow) {
     m_isNarrow = isNarrow;
-    const std::initializer_list<QWidget*> fields{m_energy, m_material, m_reset};
+    const std::initializer_list<QWidget*> fields{m_energyLabel, m_energy, m_material, m_reset};
     for (QWidget* field : fields) (isNarrow ? m_second : m_first)->addWidget(field);
     m_second->setStretchFactor(m_material, 1);
 }

@@ -12,6 +12,7 @@ class QToolButton;
 
 namespace rubble {
 
+class ElidedLabel;
 class NumberField;
 
 /// The fields of a filter of events: a toggle for each kind, text, least energy and material. A narrow bar has two
@@ -44,6 +45,7 @@ private:
     std::array<QToolButton*, kEventKinds> m_toggles{};  // by kind
     QWidget* m_kinds;                                   // with the toggles
     QLineEdit* m_text;
+    ElidedLabel* m_energyLabel;  // where there is room
     NumberField* m_energy;
     QComboBox* m_material;
     QToolButton* m_reset;

@@ -41,7 +41,8 @@ QString costText(double milliseconds) { return fixedQuantity(1e-3 * milliseconds
 StepGraph::StepGraph(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Time per step"));
     setAccessibleRole(*this, QAccessible::Chart);
-    setToolTip(tr("Computing time of the last steps, by stage"));
+    setToolTip(
+        tr("Computing time of the last steps in milliseconds, by stage; the numbers are those of the last step"));
 }
 
 void StepGraph::setCosts(const std::vector<StepCost>& costs, std::size_t capacity) {
@@ -63,7 +64,11 @@ void StepGraph::paintEvent(QPaintEvent*) {
     const int line = fontMetrics().height();
     constexpr int kLegendRows = (static_cast<int>(kStageCount) + kLegendColumns - 1) / kLegendColumns;
     const QRect inside = rect().adjusted(kGraphMargin, kGraphMargin, -kGraphMargin, -kGraphMargin);
-    const QRect graph = inside.adjusted(0, 0, 0, -kLegendRows * line - 4);
+    const QRect graph = inside.adjusted(0, line + 2, 0, -kLegendRows * line - 4);
+    painter.setPen(palette().color(QPalette::WindowText));
+    const QString title = tr("Time per step (%1)").arg(Units::milliseconds().unit);
+    painter.drawText(QRect(inside.left(), inside.top(), inside.width(), line), Qt::AlignVCenter | Qt::AlignLeft,
+                     fontMetrics().elidedText(title, Qt::ElideRight, inside.width()));
     painter.setPen(QPen(palette().color(QPalette::Mid), 1));
     painter.setBrush(palette().color(QPalette::Base));
     painter.drawRect(QRectF(graph).adjusted(0.5, 0.5, -0.5, -0.5));
@@ -97,7 +102,7 @@ void StepGraph::paintStages(QPainter& painter, const QRectF& place, double highe
     }
 }
 
-/// Long names are elided, times never.
+/// Long names are elided, times never: they are in the unit of the title.
 void StepGraph::paintLegend(QPainter& painter, const QRect& place) const {
     const int line = fontMetrics().height(), square = line / 2, width = place.width() / kLegendColumns;
     painter.setPen(palette().color(QPalette::WindowText));

@@ -1,5 +1,6 @@
 #include "editor/panels/docks/EventFilterBar.h"
 
+#include "editor/widgets/ElidedLabel.h"
 #include "editor/widgets/NumberField.h"
 #include "tests/support/TestProgram.h"
 
@@ -71,6 +72,18 @@ private slots:
         bar.setMaterials({{.id = 5, .name = "wood"}});
         QCOMPARE(bar.filter().material, 0u);
         QCOMPARE(changes.size(), 1);
+    }
+    void energyIsLabelled() {
+        EventFilterBar bar;
+        const auto* energy = bar.findChild<NumberField*>("event-energy");
+        for (const int width : {450, 900}) {
+            bar.resize(width, 60);
+            bar.show();
+            QCoreApplication::sendPostedEvents();
+            const auto* label = bar.findChild<ElidedLabel*>();
+            QVERIFY(label && label->isVisible() && label->buddy() == energy && !label->isElided());
+            QCOMPARE(label->text(), QString("Energy ≥"));
+        }
     }
     void everyKindHasAButton() {
         EventFilterBar bar;

@@ -14,6 +14,7 @@ private slots:
         graph.setCosts({{.step = 1, .solve = 9.0}, {.step = 2, .pairs = 0.5, .solve = 0.75}}, 10);
         QCOMPARE(graph.accessibleDescription(), QString("1.25\u00a0ms"));
     }
+    void toolTipNamesTheUnit() { QVERIFY(StepGraph().toolTip().contains("milliseconds")); }
     /// Each stage has a colour; a stage that costs nothing has none in the graph.
     void stagesAreStackedByTheirCost() {
         const QColor solver(0, 158, 115);
