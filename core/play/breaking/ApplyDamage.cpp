@@ -26,9 +26,9 @@ Error ofInstance(const PlayOrigin& origin, const std::string& message) {
 
 /// Damages the bonds of the structure that bodies are of, whose first bond is at `first` in the damage, and splits
 /// them.
-void damageStructure(const SessionParts& parts, std::span<const std::uint32_t> bodies, std::uint32_t first,
+void damageStructure(SessionParts& parts, std::span<const std::uint32_t> bodies, std::uint32_t first,
                      const InstanceDamage& damage) {
-    StructureState& state = structureOf(parts, *findBody(parts.state, bodies.front()));
+    StructureState& state = structureOf(parts, *findBody(parts.state(), bodies.front()));
     bool isChanged = false;
     for (std::uint32_t bond = 0; bond < state.damage.size(); ++bond) {
         const auto partial = damage.partial.find(first + bond);
@@ -68,11 +68,11 @@ bool hasDamage(const InstanceDamage& damage, std::uint32_t begin, std::uint32_t 
 }
 
 /// Damages the bonds of an origin and splits its bodies, level by level.
-void applyToBonds(const SessionParts& parts, std::uint32_t index, const InstanceDamage& damage) {
-    const BondLayout layout = bondLayout(parts.scene, parts.state.origins[index]);
+void applyToBonds(SessionParts& parts, std::uint32_t index, const InstanceDamage& damage) {
+    const BondLayout layout = bondLayout(parts.scene(), parts.state().origins[index]);
     for (std::size_t k = 0; k < layout.structures.size(); ++k) {
         std::vector<std::uint32_t> bodies;
-        for (const PlayBody& body : parts.state.bodies) {
+        for (const PlayBody& body : parts.state().bodies) {
             const bool isOne = body.origin == index && body.fragment == layout.structures[k]->parent;
             if (isOne && body.bondedFracture() != nullptr) bodies.push_back(body.number);
         }
@@ -93,18 +93,19 @@ InstanceDamage damageOfOrigin(const PlayScene& scene, const SessionState& state,
 }
 
 Result<Target> targetOf(const SessionParts& parts, std::uint32_t index, const InstanceDamage& damage) {
-    const PlayOrigin& origin = parts.state.origins[index];
-    const InstanceDamage before = damageOfOrigin(parts.scene, parts.state, index);
+    const PlayOrigin& origin = parts.state().origins[index];
+    const InstanceDamage before = damageOfOrigin(parts.scene(), parts.state(), index);
     Result<InstanceDamage> merged = mergedDamage(before, damage);
     if (!merged) return ofInstance(origin, merged.error().message);
     if (!before.isIntact() && before.cut != merged->cut) {
         return ofInstance(origin, "it was cut at another point already; merge the damages and start anew.");
     }
-    if (!merged->isIntact() && findInstance(parts.scene.project, origin.instance)->isUnbreakable) {
+    if (!merged->isIntact() && findInstance(parts.scene().project, origin.instance)->isUnbreakable) {
         return ofInstance(origin, "it is unbreakable, so no damage can be applied to it.");
     }
     if (merged->kind == DamageKind::Bonds) return Target{std::move(*merged), nullptr};
-    Result<std::shared_ptr<const PlayAsset>> asset = damagedAsset(parts.scene, {origin.asset, origin.variant}, *merged);
+    Result<std::shared_ptr<const PlayAsset>> asset =
+        damagedAsset(parts.scene(), {origin.asset, origin.variant}, *merged);
     if (!asset) return ofInstance(origin, asset.error().message);
     return Target{std::move(*merged), std::move(*asset)};
 }
@@ -112,12 +113,12 @@ Result<Target> targetOf(const SessionParts& parts, std::uint32_t index, const In
 Result<Targets> targetsOf(const SessionParts& parts, const SessionDamage& damage) {
     Targets targets;
     for (const auto& [instance, one] : damage) {
-        const auto origin = std::ranges::find(parts.state.origins, instance, &PlayOrigin::instance);
-        if (instance == 0 || origin == parts.state.origins.end()) {
+        const auto origin = std::ranges::find(parts.state().origins, instance, &PlayOrigin::instance);
+        if (instance == 0 || origin == parts.state().origins.end()) {
             return Error{ErrorCode::BadInput,
                          "There is no instance " + std::to_string(instance) + ", which the damage is of."};
         }
-        const auto index = static_cast<std::uint32_t>(origin - parts.state.origins.begin());
+        const auto index = static_cast<std::uint32_t>(origin - parts.state().origins.begin());
         Result<Target> target = targetOf(parts, index, one);
         if (!target) return target.error();
         if (!target->damage.isIntact()) targets.emplace(index, std::move(*target));
@@ -128,7 +129,7 @@ Result<Targets> targetsOf(const SessionParts& parts, const SessionDamage& damage
 /// The bodies to break, with the cuts of those that are whole.
 std::vector<PendingBreak> nextBreaks(const SessionParts& parts, const Targets& targets) {
     std::vector<PendingBreak> breaks;
-    for (const PlayBody& body : parts.state.bodies) {
+    for (const PlayBody& body : parts.state().bodies) {
         const auto target = targets.find(body.origin);
         if (target == targets.end() || body.fracture() == nullptr) continue;
         const auto& [damage, asset] = target->second;
@@ -169,10 +170,10 @@ Result<std::shared_ptr<const PlayAsset>> damagedAsset(const PlayScene& scene, As
     return ready;
 }
 
-Status applyDamage(const SessionParts& parts, const SessionDamage& damage) {
+Status applyDamage(SessionParts& parts, const SessionDamage& damage) {
     const Result<Targets> targets = targetsOf(parts, damage);
     if (!targets) return targets.error();
-    SessionState& state = parts.state;
+    SessionState& state = parts.state();
     PlayEvents before = std::move(state.events);
     state.events = {};
     for (;;) {

@@ -10,7 +10,7 @@ SessionDamage damageOfInstances(const PlayScene& scene, const SessionState& stat
 /// See Session::apply().
 ///
 /// Errors: BadInput, as there.
-Status applyDamage(const SessionParts& parts, const SessionDamage& damage);
+Status applyDamage(SessionParts& parts, const SessionDamage& damage);
 
 /// What a damage is of: the asset, or what its cut gives.
 ///

@@ -36,17 +36,17 @@ struct StruckFragment {
 /// The free bodies from a number on, nearest first.
 std::vector<StruckFragment> fragmentsByDistance(const SessionParts& parts, Vec3 point, std::uint32_t firstNumber) {
     std::vector<StruckFragment> fragments;
-    const auto first = std::ranges::lower_bound(parts.state.bodies, firstNumber, {}, &PlayBody::number);
-    for (auto body = first; body != parts.state.bodies.end(); ++body) {
-        if (parts.world.kind(body->body) != BodyKind::Dynamic) continue;
-        fragments.push_back({distanceToBody(parts.world, body->body, point), body->number, body->body});
+    const auto first = std::ranges::lower_bound(parts.state().bodies, firstNumber, {}, &PlayBody::number);
+    for (auto body = first; body != parts.state().bodies.end(); ++body) {
+        if (parts.world().kind(body->body) != BodyKind::Dynamic) continue;
+        fragments.push_back({distanceToBody(parts.world(), body->body, point), body->number, body->body});
     }
     std::ranges::sort(fragments, {}, [](const auto& one) { return std::tuple(one.distance, one.number); });
     return fragments;
 }
 
 /// Gives what the head has left to the bodies that came free, from a number on.
-void giveToFragments(const SessionParts& parts, Blow& blow, std::uint32_t firstNumber) {
+void giveToFragments(SessionParts& parts, Blow& blow, std::uint32_t firstNumber) {
     const std::vector<StruckFragment> fragments = fragmentsByDistance(parts, blow.point, firstNumber);
     double mass = 0.0, momentum = 0.0, before = 0.0;  // of those taken; the momentum along the blow
     std::size_t taken = 0;
@@ -54,9 +54,9 @@ void giveToFragments(const SessionParts& parts, Blow& blow, std::uint32_t firstN
     for (; taken < fragments.size(); ++taken) {
         const auto& [distance, number, body] = fragments[taken];
         if (distance > blow.radius && canTake() >= blow.head.impulse) break;
-        mass += parts.world.mass(body);
-        momentum += parts.world.mass(body) * glm::dot(parts.world.state(body).velocity, blow.direction);
-        before += kineticEnergy(parts.world, body);
+        mass += parts.world().mass(body);
+        momentum += parts.world().mass(body) * glm::dot(parts.world().state(body).velocity, blow.direction);
+        before += kineticEnergy(parts.world(), body);
     }
     const double given = canTake();
     if (given <= 0.0) return;
@@ -64,15 +64,15 @@ void giveToFragments(const SessionParts& parts, Blow& blow, std::uint32_t firstN
     entry.given = blow.head.give(given, mass, momentum / mass);
     for (std::size_t k = 0; k < taken; ++k) {
         const BodyId body = fragments[k].body;
-        const double fraction = parts.world.mass(body) / mass;
-        applyImpulse(parts, body, fraction * given * blow.direction, parts.world.state(body).centre, blow.name);
-        entry.after += kineticEnergy(parts.world, body);
+        const double fraction = parts.world().mass(body) / mass;
+        applyImpulse(parts, body, fraction * given * blow.direction, parts.world().state(body).centre, blow.name);
+        entry.after += kineticEnergy(parts.world(), body);
     }
-    parts.state.events.energy.push_back(entry);
+    parts.state().events.energy.push_back(entry);
 }
 
 /// Gives the whole at most `most` N·s at the point that is hit. Returns what it was given.
-double giveTo(const SessionParts& parts, Blow& blow, std::uint32_t number, MovingMass& whole, double most) {
+double giveTo(SessionParts& parts, Blow& blow, std::uint32_t number, MovingMass& whole, double most) {
     const double mass = 1.0 / whole.inverseEffectiveMass(blow.point, blow.direction);
     const double speed = glm::dot(whole.velocityAt(blow.point), blow.direction);
     const double given = std::min(most, blow.head.impulseOn(mass, speed));
@@ -80,60 +80,60 @@ double giveTo(const SessionParts& parts, Blow& blow, std::uint32_t number, Movin
     entry.given = blow.head.give(given, mass, speed);
     whole.applyImpulse(given * blow.direction, blow.point);
     entry.after = whole.kineticEnergy();
-    parts.state.events.energy.push_back(entry);
+    parts.state().events.energy.push_back(entry);
     return given;
 }
 
-void strikeAndBreak(const SessionParts& parts, Blow& blow, const PlayBody& body, double threshold) {
+void strikeAndBreak(SessionParts& parts, Blow& blow, const PlayBody& body, double threshold) {
     PendingBreak broken = pendingBreak(parts, body);
     broken.event.impact = blow.head.impulse;
     broken.event.point = blow.point;
     broken.event.normal = blow.direction;
     giveTo(parts, blow, body.number, broken.mass, threshold);
     applyBreaks(parts, {broken});
-    giveToFragments(parts, blow, parts.state.events.breaks.back().firstFragment);
+    giveToFragments(parts, blow, parts.state().events.breaks.back().firstFragment);
 }
 
 /// Gives a free body at most `most` N·s.
-void strike(const SessionParts& parts, Blow& blow, const PlayBody& body, double most) {
-    MovingMass whole = movingMass(parts.world, body.body);
+void strike(SessionParts& parts, Blow& blow, const PlayBody& body, double most) {
+    MovingMass whole = movingMass(parts.world(), body.body);
     const double given = giveTo(parts, blow, body.number, whole, most);
     applyImpulse(parts, body.body, given * blow.direction, blow.point, blow.name);
 }
 
 /// Strikes a body with bonds: first these take what they hold, then what comes free takes the rest, or all of it a held
 /// body from which nothing comes free.
-void strikeBonds(const SessionParts& parts, Blow& blow, std::uint32_t number) {
-    const std::uint32_t firstFreed = parts.state.nextNumber;
+void strikeBonds(SessionParts& parts, Blow& blow, std::uint32_t number) {
+    const std::uint32_t firstFreed = parts.state().nextNumber;
     BrokenBonds broken;
-    if (parts.state.hasDestruction) {
-        broken = damageBonds(parts, *findBody(parts.state, number), {&blow.point, 1}, blow.head.impulse);
+    if (parts.state().hasDestruction) {
+        broken = damageBonds(parts, *findBody(parts.state(), number), {&blow.point, 1}, blow.head.impulse);
         broken.normal = blow.direction;
     }
     const double taken = broken.impulse;
-    const bool isHeld = parts.world.kind(findBody(parts.state, number)->body) != BodyKind::Dynamic;
+    const bool isHeld = parts.world().kind(findBody(parts.state(), number)->body) != BodyKind::Dynamic;
     if (isHeld) {
         blow.head.give(taken, std::numeric_limits<double>::infinity(), 0.0);
     } else {
-        strike(parts, blow, *findBody(parts.state, number), taken);
+        strike(parts, blow, *findBody(parts.state(), number), taken);
     }
     if (!broken.bonds.empty()) splitBodies(parts, {std::move(broken)});
-    if (parts.state.nextNumber > firstFreed) {
+    if (parts.state().nextNumber > firstFreed) {
         giveToFragments(parts, blow, firstFreed);
     } else if (!isHeld) {
-        strike(parts, blow, *findBody(parts.state, number), blow.head.impulse);
+        strike(parts, blow, *findBody(parts.state(), number), blow.head.impulse);
     } else {
         blow.head.impulse = 0.0;
     }
 }
 
 /// Strikes a body without bonds, which a fixed one that stays whole takes all of.
-void strikeSolid(const SessionParts& parts, Blow& blow, const PlayBody& body) {
-    const double size = blow.head.impulse, threshold = thresholdOf(parts.state, parts.scene, body);
-    if (body.fracture() != nullptr) parts.state.events.impacts.push_back({body.number, size, threshold, blow.point});
-    if (parts.state.hasDestruction && size >= threshold) {
+void strikeSolid(SessionParts& parts, Blow& blow, const PlayBody& body) {
+    const double size = blow.head.impulse, threshold = thresholdOf(parts.state(), parts.scene(), body);
+    if (body.fracture() != nullptr) parts.state().events.impacts.push_back({body.number, size, threshold, blow.point});
+    if (parts.state().hasDestruction && size >= threshold) {
         strikeAndBreak(parts, blow, body, threshold);
-    } else if (parts.world.kind(body.body) == BodyKind::Dynamic) {
+    } else if (parts.world().kind(body.body) == BodyKind::Dynamic) {
         strike(parts, blow, body, size);
     } else {
         blow.head.impulse = 0.0;
@@ -159,16 +159,16 @@ double HammerHead::give(double given, double mass, double speed) {
     return work;
 }
 
-void applyBlow(const SessionParts& parts, const std::string& name, const Hammer& hammer) {
+void applyBlow(SessionParts& parts, const std::string& name, const Hammer& hammer) {
     const double size = glm::length(hammer.impulse);
     if (size == 0.0) return;
     const Vec3 direction = hammer.impulse / size;
     const std::optional<CastHit> hit =
-        parts.world.castRay(hammer.at - kHammerRange * direction, hammer.at + kHammerRange * direction);
+        parts.world().castRay(hammer.at - kHammerRange * direction, hammer.at + kHammerRange * direction);
     const std::string title = "The blow " + quotedName(name);
     if (!hit) return addUnapplied(parts, nullptr, title + " hit nothing.");
     Blow blow{direction, hit->point, patchRadius(hammer), HammerHead::ofImpulse(size), title};
-    const PlayBody body = *findBody(parts.state, static_cast<std::uint32_t>(parts.world.tag(hit->body)));
+    const PlayBody body = *findBody(parts.state(), static_cast<std::uint32_t>(parts.world().tag(hit->body)));
     if (body.bondedFracture() != nullptr) {
         strikeBonds(parts, blow, body.number);
     } else {

@@ -28,6 +28,6 @@ struct HammerHead {
 /// bonds, these take what they hold first; then what comes free takes the rest, or the body if nothing does. What moves
 /// as fast as the hammer takes no more: what is left then is lost, and reported. A fixed body that stays whole takes
 /// all.
-void applyBlow(const SessionParts& parts, const std::string& name, const Hammer& hammer);
+void applyBlow(SessionParts& parts, const std::string& name, const Hammer& hammer);
 
 }  // namespace rubble

@@ -29,10 +29,10 @@ std::vector<BondStrike> strikesOf(const SessionParts& parts, std::span<const Imp
     for (const Impact& impact : impacts) {
         for (const bool isFirst : {true, false}) {
             const BodyId hit = isFirst ? impact.first : impact.second;
-            const auto number = static_cast<std::uint32_t>(parts.world.tag(hit));
-            const PlayBody* const body = findBody(parts.state, number);
+            const auto number = static_cast<std::uint32_t>(parts.world().tag(hit));
+            const PlayBody* const body = findBody(parts.state(), number);
             if (body->bondedFracture() == nullptr) continue;
-            const auto other = static_cast<std::uint32_t>(parts.world.tag(isFirst ? impact.second : impact.first));
+            const auto other = static_cast<std::uint32_t>(parts.world().tag(isFirst ? impact.second : impact.first));
             BondStrike& strike =
                 strikes.try_emplace({number, other}, BondStrike{number, other, impact, {}}).first->second;
             if (impact.impulse() > strike.impact.impulse()) strike.impact = impact;
@@ -45,14 +45,14 @@ std::vector<BondStrike> strikesOf(const SessionParts& parts, std::span<const Imp
 }
 
 /// Tells a hit that changes no bond as if the weakest one got all of it.
-void tellWeakHit(const SessionParts& parts, const PlayStructure& structure, const BondStrike& strike) {
+void tellWeakHit(SessionParts& parts, const PlayStructure& structure, const BondStrike& strike) {
     const double breaking = structure.leastImpulse / structure.rule.damageFrom;
-    parts.state.events.impacts.push_back({strike.body, strike.impact.impulse(), breaking, strike.impact.point});
+    parts.state().events.impacts.push_back({strike.body, strike.impact.impulse(), breaking, strike.impact.point});
 }
 
 /// Points in the world, in the frame of a body's structure.
 std::vector<Vec3> inStructure(const SessionParts& parts, const PlayBody& body, std::span<const Vec3> points) {
-    const Pose pose = parts.world.state(body.body).pose;
+    const Pose pose = parts.world().state(body.body).pose;
     const Vec3 frame = frameOf(body);
     std::vector<Vec3> local;
     for (const Vec3& point : points)
@@ -61,23 +61,22 @@ std::vector<Vec3> inStructure(const SessionParts& parts, const PlayBody& body, s
 }
 
 /// The impulse that the bonds of a body took, between it and its impactor: at most the one that stops them.
-void applyBondImpulse(const SessionParts& parts, const PlayBody& body, const BondStrike& strike, Vec3 normal,
-                      double taken) {
-    const PlayBody& impactor = *findBody(parts.state, strike.impactor);
-    MovingMass hit = movingMass(parts.world, body.body), hitting = movingMass(parts.world, impactor.body);
+void applyBondImpulse(SessionParts& parts, const PlayBody& body, const BondStrike& strike, Vec3 normal, double taken) {
+    const PlayBody& impactor = *findBody(parts.state(), strike.impactor);
+    MovingMass hit = movingMass(parts.world(), body.body), hitting = movingMass(parts.world(), impactor.body);
     EnergyEntry entry{.change = EnergyChange::Bonds, .body = body.number};
     entry.before = hit.kineticEnergy() + hitting.kineticEnergy();
     const Vec3 point = strike.impact.point;
     const double stopping = stoppingImpulse(hitting, hit, point, normal, strike.impact.restitution);
     const Vec3 impulse = std::min(taken, stopping) * normal;
-    const std::string cause = "The hit on " + quotedName(nameOf(body, parts.state.origins[body.origin]));
+    const std::string cause = "The hit on " + quotedName(nameOf(body, parts.state().origins[body.origin]));
     if (!isApplicable(parts, body, impulse, point, cause)) return;
     for (const auto& [id, mass, given] : {std::tuple(impactor.body, &hitting, -impulse), {body.body, &hit, impulse}}) {
         if (mass->inverseMass > 0.0) applyImpulse(parts, id, given, point, cause);
     }
     entry.after =
-        movingMass(parts.world, body.body).kineticEnergy() + movingMass(parts.world, impactor.body).kineticEnergy();
-    parts.state.events.energy.push_back(entry);
+        movingMass(parts.world(), body.body).kineticEnergy() + movingMass(parts.world(), impactor.body).kineticEnergy();
+    parts.state().events.energy.push_back(entry);
 }
 
 /// Adds what another hit in the same step did to a body; the stronger one is told.
@@ -107,8 +106,8 @@ std::vector<std::uint32_t> bondsOf(const StructureState& state, const PlayBody& 
 }
 
 /// Breaks and damages bonds of a body, each by its own load, and splits the body. Clusters that hold are not loaded.
-void breakByLoads(const SessionParts& parts, const PlayBody& body, std::vector<BondLoad> loads, Vec3 point) {
-    StructureState& state = parts.state.structures[body.structure];
+void breakByLoads(SessionParts& parts, const PlayBody& body, std::vector<BondLoad> loads, Vec3 point) {
+    StructureState& state = parts.state().structures[body.structure];
     const HeldClusters held = heldClusters(parts, body);
     std::erase_if(loads, [&](const BondLoad& load) { return held.holds(load.bond); });
     HitOutcome outcome = applyLoads(state.structure->capacities, state.structure->rule, loads, state.damage);
@@ -121,17 +120,17 @@ void breakByLoads(const SessionParts& parts, const PlayBody& body, std::vector<B
 }  // namespace
 
 std::shared_ptr<const PlayStructure> knownStructure(const SessionParts& parts, const PlayBody& body) {
-    if (body.structure != kNone) return parts.state.structures[body.structure].structure;
-    return structureIn(parts.scene, parts.state.origins[body.origin], body.fragment);
+    if (body.structure != kNone) return parts.state().structures[body.structure].structure;
+    return structureIn(parts.scene(), parts.state().origins[body.origin], body.fragment);
 }
 
-bool breakHitBonds(const SessionParts& parts, std::span<const Impact> impacts) {
+bool breakHitBonds(SessionParts& parts, std::span<const Impact> impacts) {
     std::map<std::uint32_t, BrokenBonds> broken;  // by body
     for (const BondStrike& strike : strikesOf(parts, impacts)) {
-        PlayBody& body = *findBody(parts.state, strike.body);
+        PlayBody& body = *findBody(parts.state(), strike.body);
         const double impulse = strike.impact.impulse();
         const std::shared_ptr<const PlayStructure> structure = knownStructure(parts, body);
-        if (!parts.state.hasDestruction || impulse < structure->leastImpulse) {
+        if (!parts.state().hasDestruction || impulse < structure->leastImpulse) {
             tellWeakHit(parts, *structure, strike);
             continue;
         }
@@ -152,7 +151,7 @@ bool breakHitBonds(const SessionParts& parts, std::span<const Impact> impacts) {
     return splitBodies(parts, std::move(bodies));
 }
 
-BrokenBonds damageBonds(const SessionParts& parts, PlayBody& body, std::span<const Vec3> points, double impulse,
+BrokenBonds damageBonds(SessionParts& parts, PlayBody& body, std::span<const Vec3> points, double impulse,
                         std::optional<ClusterLevel> level) {
     StructureState& state = structureOf(parts, body);
     const PlayStructure& structure = *state.structure;
@@ -162,7 +161,7 @@ BrokenBonds damageBonds(const SessionParts& parts, PlayBody& body, std::span<con
     HitOutcome outcome = applyHit(structure.graph, structure.capacities, structure.rule, {local, impulse, held},
                                   state.bodyOfNode, body.number, state.damage);
     if (outcome.utilization > 0.0)
-        parts.state.events.impacts.push_back({body.number, impulse, impulse / outcome.utilization, points.front()});
+        parts.state().events.impacts.push_back({body.number, impulse, impulse / outcome.utilization, points.front()});
     shareMortarDamage(parts, body.structure);
     return {.body = body.number,
             .impulse = outcome.taken,
@@ -171,24 +170,24 @@ BrokenBonds damageBonds(const SessionParts& parts, PlayBody& body, std::span<con
             .bonds = std::move(outcome.broken)};
 }
 
-void breakAllBonds(const SessionParts& parts, PlayBody& body) {
+void breakAllBonds(SessionParts& parts, PlayBody& body) {
     const StructureState& state = structureOf(parts, body);
     std::vector<BondLoad> loads;
     for (const std::uint32_t bond : bondsOf(state, body)) {
         loads.push_back({bond, 2.0 * state.structure->capacities[bond]});
     }
-    breakByLoads(parts, body, std::move(loads), parts.world.state(body.body).centre);
+    breakByLoads(parts, body, std::move(loads), parts.world().state(body.body).centre);
 }
 
-void blastBonds(const SessionParts& parts, Vec3 origin, const Explosion& explosion) {
+void blastBonds(SessionParts& parts, Vec3 origin, const Explosion& explosion) {
     std::vector<std::uint32_t> bonded;
-    for (const PlayBody& body : parts.state.bodies) {
-        const Box3 box = parts.world.box(body.body);
+    for (const PlayBody& body : parts.state().bodies) {
+        const Box3 box = parts.world().box(body.body);
         const double distance = glm::distance(origin, glm::clamp(origin, box.min, box.max));
         if (body.bondedFracture() != nullptr && distance < explosion.radius) bonded.push_back(body.number);
     }
     for (const std::uint32_t number : bonded) {
-        PlayBody& body = *findBody(parts.state, number);
+        PlayBody& body = *findBody(parts.state(), number);
         if (body.bondedFracture() == nullptr) continue;  // mortar that broke before left a single fragment of it
         const StructureState& state = structureOf(parts, body);
         const Vec3 local = inStructure(parts, body, {&origin, 1}).front();

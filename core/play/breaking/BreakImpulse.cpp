@@ -17,16 +17,16 @@ PendingBreak* breakOf(BodyId body, std::span<PendingBreak> breaks) {
 
 }  // namespace
 
-void applyBreakImpulses(const SessionParts& parts, std::span<PendingBreak> breaks) {
+void applyBreakImpulses(SessionParts& parts, std::span<PendingBreak> breaks) {
     for (PendingBreak& broken : breaks) {
         const PlayBreak& event = broken.event;
         if (event.impactor.index == 0) continue;
         PendingBreak* other = breakOf(event.impactor, breaks);
-        const MovingMass impactor = other != nullptr ? other->mass : movingMass(parts.world, event.impactor);
+        const MovingMass impactor = other != nullptr ? other->mass : movingMass(parts.world(), event.impactor);
         const double stopping = stoppingImpulse(impactor, broken.mass, event.point, event.normal, broken.restitution);
         const Vec3 impulse = std::min(event.threshold, stopping) * event.normal;
         const std::string cause =
-            "The hit that broke " + quotedName(nameOf(event.body, parts.state.origins[event.body.origin]));
+            "The hit that broke " + quotedName(nameOf(event.body, parts.state().origins[event.body.origin]));
         if (!isApplicable(parts, event.body, impulse, event.point, cause)) continue;
         EnergyEntry entry{.change = EnergyChange::BreakImpulse, .body = event.body.number};
         entry.before = impactor.kineticEnergy() + broken.mass.kineticEnergy();
@@ -36,9 +36,9 @@ void applyBreakImpulses(const SessionParts& parts, std::span<PendingBreak> break
             applyImpulse(parts, event.impactor, -impulse, event.point, cause);
         }
         broken.mass.applyImpulse(impulse, event.point);
-        const MovingMass slowed = other != nullptr ? other->mass : movingMass(parts.world, event.impactor);
+        const MovingMass slowed = other != nullptr ? other->mass : movingMass(parts.world(), event.impactor);
         entry.after = slowed.kineticEnergy() + broken.mass.kineticEnergy();
-        parts.state.events.energy.push_back(entry);
+        parts.state().events.energy.push_back(entry);
     }
 }
 

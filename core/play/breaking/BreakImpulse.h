@@ -22,6 +22,6 @@ struct PendingBreak {
 /// impulse that stops their approach, whichever is less. If two bodies break each other, each is the other's impactor.
 /// A break without an impactor gets no impulse. One that the world does not take is applied to neither, and reported;
 /// each other one adds an entry to the energy audit of the session.
-void applyBreakImpulses(const SessionParts& parts, std::span<PendingBreak> breaks);
+void applyBreakImpulses(SessionParts& parts, std::span<PendingBreak> breaks);
 
 }  // namespace rubble

@@ -15,7 +15,7 @@ constexpr double kCertain = 0.75;  // of what breaks: a weaker impact breaks not
 /// The smallest damage that breaks a body or damages one of its bonds, N·s.
 double leastDamage(const SessionParts& parts, const PlayBody& body) {
     return body.bondedFracture() != nullptr ? knownStructure(parts, body)->leastImpulse
-                                            : thresholdOf(parts.state, parts.scene, body);
+                                            : thresholdOf(parts.state(), parts.scene(), body);
 }
 
 }  // namespace
@@ -26,13 +26,14 @@ int hitIntervals(double dt) {
 }
 
 bool mayBreak(const SessionParts& parts, std::span<const Impact> impacts) {
-    if (!parts.state.hasDestruction) return false;
+    if (!parts.state().hasDestruction) return false;
     const auto breaks = [&](const DamageDone& damage) {
-        const PlayBody* const body = findBody(parts.state, static_cast<std::uint32_t>(parts.world.tag(damage.body)));
+        const PlayBody* const body =
+            findBody(parts.state(), static_cast<std::uint32_t>(parts.world().tag(damage.body)));
         if (body->fracture() == nullptr && body->bondedFracture() == nullptr) return false;
         return damage.amount >= kCertain * leastDamage(parts, *body);
     };
-    return std::ranges::any_of(damageOf(impacts, parts.world, parts.scene.project.damage.rule), breaks);
+    return std::ranges::any_of(damageOf(impacts, parts.world(), parts.scene().project.damage.rule), breaks);
 }
 
 }  // namespace rubble

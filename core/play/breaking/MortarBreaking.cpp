@@ -21,8 +21,8 @@ std::uint32_t structureOfInstance(const SessionState& state, Id instance) {
 }
 
 /// The same, begun if need be.
-std::uint32_t begunStructure(const SessionParts& parts, Id instance) {
-    SessionState& state = parts.state;
+std::uint32_t begunStructure(SessionParts& parts, Id instance) {
+    SessionState& state = parts.state();
     if (const std::uint32_t known = structureOfInstance(state, instance); known != kNone) return known;
     for (PlayBody& body : state.bodies) {
         if (body.role != PlayRole::Instance || state.origins[body.origin].instance != instance) continue;
@@ -91,13 +91,13 @@ void addIslands(const SessionState& session, MortarUnits& units, MortarUnits::Me
 MortarUnits mortarUnits(const SessionParts& parts, const std::set<Id>& instances) {
     MortarUnits units;
     for (const Id instance : instances) {
-        const std::shared_ptr<const PlayStructure>& structure = parts.scene.structures.at(instance);
+        const std::shared_ptr<const PlayStructure>& structure = parts.scene().structures.at(instance);
         MortarUnits::Member& member = units.members[instance];
         member.first = units.count;
-        const std::uint32_t begun = structureOfInstance(parts.state, instance);
-        member.state = begun == kNone ? nullptr : &parts.state.structures[begun];
+        const std::uint32_t begun = structureOfInstance(parts.state(), instance);
+        member.state = begun == kNone ? nullptr : &parts.state().structures[begun];
         member.structure = member.state != nullptr ? member.state->structure.get() : structure.get();
-        member.state == nullptr ? addIntact(units, member) : addIslands(parts.state, units, member);
+        member.state == nullptr ? addIntact(units, member) : addIslands(parts.state(), units, member);
     }
     return units;
 }
@@ -146,33 +146,33 @@ std::vector<MortarHalf> looseHalves(const MortarUnits& units) {
 
 }  // namespace
 
-void shareMortarDamage(const SessionParts& parts, std::uint32_t structure) {
-    const std::shared_ptr<const PlayStructure> own = parts.state.structures[structure].structure;
+void shareMortarDamage(SessionParts& parts, std::uint32_t structure) {
+    const std::shared_ptr<const PlayStructure> own = parts.state().structures[structure].structure;
     for (std::uint32_t bond = own->firstMortar(); bond < own->graph.bondCount(); ++bond) {
-        const BondDamage damage = parts.state.structures[structure].damage[bond];
+        const BondDamage damage = parts.state().structures[structure].damage[bond];
         const MortarLink* link = own->mortarOf(bond);
         if (link == nullptr || damage == kIntact || damage == kBroken) continue;
         const std::uint32_t other = begunStructure(parts, link->instance);
         if (other == kNone) continue;
-        BondDamage& there = parts.state.structures[other].damage[link->bond];
+        BondDamage& there = parts.state().structures[other].damage[link->bond];
         there = std::max(there, damage);
     }
 }
 
-std::vector<BrokenBonds> brokenMortar(const SessionParts& parts, const std::set<Id>& changed) {
-    const std::set<Id> instances = joinedInstances(parts.scene.structures, changed);
+std::vector<BrokenBonds> brokenMortar(SessionParts& parts, const std::set<Id>& changed) {
+    const std::set<Id> instances = joinedInstances(parts.scene().structures, changed);
     std::map<std::uint32_t, BrokenBonds> broken;  // by body
     for (const MortarHalf& half : looseHalves(mortarUnits(parts, instances))) {
         const std::uint32_t index = begunStructure(parts, half.instance);
         if (index == kNone) continue;
-        StructureState& state = parts.state.structures[index];
+        StructureState& state = parts.state().structures[index];
         state.damage[half.bond] = kBroken;
         const std::uint32_t number = state.bodyOfNode[state.structure->graph.bonds[half.bond].first];
-        const PlayBody* const body = findBody(parts.state, number);
+        const PlayBody* const body = findBody(parts.state(), number);
         if (body == nullptr) continue;
         BrokenBonds& one = broken[number];
         one.body = number;
-        one.point = parts.world.state(body->body).centre;
+        one.point = parts.world().state(body->body).centre;
         one.bonds.push_back(half.bond);
     }
     std::vector<BrokenBonds> bodies;

@@ -9,12 +9,12 @@ namespace rubble {
 
 /// Damages the other halves of the mortar of a structure, by its index in SessionState::structures, as much as its own.
 /// What is broken is left to brokenMortar().
-void shareMortarDamage(const SessionParts& parts, std::uint32_t structure);
+void shareMortarDamage(SessionParts& parts, std::uint32_t structure);
 
 /// Breaks the mortar that holds no longer: whose other half is broken, and that between instances of which none is
 /// connected to an anchor any more, directly or through mortar. Returns the bodies of which it was, to be split.
 /// `changed`: the instances at which something broke or was removed. O(bonds of what mortar joins with them); nothing
 /// where it joins nothing.
-std::vector<BrokenBonds> brokenMortar(const SessionParts& parts, const std::set<Id>& changed);
+std::vector<BrokenBonds> brokenMortar(SessionParts& parts, const std::set<Id>& changed);
 
 }  // namespace rubble

@@ -11,9 +11,9 @@ namespace {
 std::map<Id, JoinedStructure> structuresAtStart(const SessionParts& parts, const std::set<Id>& instances) {
     std::map<Id, JoinedStructure> joined;
     for (const Id instance : instances) {
-        const std::shared_ptr<const PlayStructure>& structure = parts.scene.structures.at(instance);
-        const Pose pose = poseOf(*findInstance(parts.scene.project, instance));
-        joined[instance] = joinedAtStart(*structure, upIn(pose, parts.world.gravity()));
+        const std::shared_ptr<const PlayStructure>& structure = parts.scene().structures.at(instance);
+        const Pose pose = poseOf(*findInstance(parts.scene().project, instance));
+        joined[instance] = joinedAtStart(*structure, upIn(pose, parts.world().gravity()));
     }
     return joined;
 }
@@ -22,8 +22,8 @@ std::map<Id, JoinedStructure> structuresAtStart(const SessionParts& parts, const
 std::map<Id, std::vector<const PlayBody*>> heldBodies(const SessionParts& parts,
                                                       const std::map<Id, JoinedStructure>& joined) {
     std::map<Id, std::vector<const PlayBody*>> held;
-    for (const PlayBody& body : parts.state.bodies) {
-        const Id instance = parts.state.origins[body.origin].instance;
+    for (const PlayBody& body : parts.state().bodies) {
+        const Id instance = parts.state().origins[body.origin].instance;
         if (body.isHeld && joined.contains(instance)) held[instance].push_back(&body);
     }
     return held;
@@ -54,7 +54,7 @@ void setMoment(const SessionParts& parts, const std::map<Id, std::vector<const P
         const std::vector<std::uint32_t> all = std::exchange(one.held, {});
         if (bodies == held.end()) continue;
         for (const PlayBody* body : bodies->second) {
-            if (body->structure != kNone) one.damage = parts.state.structures[body->structure].damage;
+            if (body->structure != kNone) one.damage = parts.state().structures[body->structure].damage;
             const std::vector<std::uint32_t>& nodes = body->structure != kNone ? body->nodes : all;
             one.held.insert(one.held.end(), nodes.begin(), nodes.end());
         }
@@ -65,9 +65,9 @@ void setMoment(const SessionParts& parts, const std::map<Id, std::vector<const P
 }  // namespace
 
 UnsupportedNodes unsupportedByMortar(const SessionParts& parts, const std::set<Id>& instances) {
-    const std::set<Id> connected = joinedInstances(parts.scene.structures, instances);
-    const auto hasSpan = [&](Id instance) { return parts.scene.structures.at(instance)->span > 0.0; };
-    if (parts.world.gravity() == Vec3(0.0) || std::ranges::none_of(connected, hasSpan)) return {};
+    const std::set<Id> connected = joinedInstances(parts.scene().structures, instances);
+    const auto hasSpan = [&](Id instance) { return parts.scene().structures.at(instance)->span > 0.0; };
+    if (parts.world().gravity() == Vec3(0.0) || std::ranges::none_of(connected, hasSpan)) return {};
     std::map<Id, JoinedStructure> joined = structuresAtStart(parts, connected);
     const NodeFractions limits = limitsOf(joined);
     const std::map<Id, std::vector<const PlayBody*>> held = heldBodies(parts, joined);

@@ -59,9 +59,9 @@ Unsupported losingNodes(const StructureState& state, std::span<const std::uint32
 Unsupported unsupportedOf(const SessionParts& parts, const PlayBody& body, const StructureState& state,
                           std::span<const std::uint32_t> nodes, const HeldClusters& held) {
     const PlayStructure& structure = *state.structure;
-    const Vec3 gravity = parts.world.gravity();
+    const Vec3 gravity = parts.world().gravity();
     if (!body.isHeld || !structure.hasSpan() || !structure.mortar.empty() || gravity == Vec3(0.0)) return {};
-    const Instance& instance = *findInstance(parts.scene.project, parts.state.origins[body.origin].instance);
+    const Instance& instance = *findInstance(parts.scene().project, parts.state().origins[body.origin].instance);
     const Vec3 up = upIn(poseOf(instance), gravity);  // what is held stays where it was placed
     const std::vector<double> limits = supportLimitsOf(structure, up);
     return losingNodes(state, nodes, held, unsupportedNodes(structure.graph, state.damage, nodes, limits, up));
@@ -143,7 +143,7 @@ std::vector<PartOfBody> crumbledParts(StructureState& state, std::span<const std
 /// The body that a part of another one is, given that one without its nodes, which may be many. A fragment alone is no
 /// longer one of a structure.
 PlayBody bodyOfPart(const SessionParts& parts, const PlayBody& withoutNodes, const PartOfBody& part) {
-    const StructureState& state = parts.state.structures[withoutNodes.structure];
+    const StructureState& state = parts.state().structures[withoutNodes.structure];
     PlayBody made = withoutNodes;
     made.isHeld = part.isHeld;
     made.collapseStep = PlayBody::kNever;
@@ -193,7 +193,7 @@ Vec3 limited(Vec3 velocity) {
 /// A part of a body as the world splits it.
 SplitPart splitPart(const SessionParts& parts, const PlayBody& before, const PlayBody& after, const PartOfBody& part,
                     std::span<const std::uint32_t> firstHulls) {
-    const PlayStructure& structure = *parts.state.structures[before.structure].structure;
+    const PlayStructure& structure = *parts.state().structures[before.structure].structure;
     SplitPart made{.shape = shapeOf(after),
                    .offset = frameOf(after) - frameOf(before),
                    .kind = part.isHeld ? BodyKind::Static : BodyKind::Dynamic,
@@ -201,7 +201,7 @@ SplitPart splitPart(const SessionParts& parts, const PlayBody& before, const Pla
                    .tag = after.number};
     made.hulls = hullsBefore(structure, part, made.shape->hulls.size(), firstHulls);
     if (made.kind == BodyKind::Static) return made;
-    const BodyState state = parts.world.state(before.body);
+    const BodyState state = parts.world().state(before.body);
     const Vec3 centre = state.pose.position + state.pose.orientation * (made.offset + made.shape->mass.centre);
     made.velocity = limited(state.velocity + glm::cross(state.angularVelocity, centre - state.centre));
     made.angularVelocity = limited(spinOfPart(*made.shape, state.pose.orientation, state.angularVelocity));
@@ -209,22 +209,22 @@ SplitPart splitPart(const SessionParts& parts, const PlayBody& before, const Pla
 }
 
 /// Adds the energies of a body and of the parts that replaced it.
-void auditSplit(const SessionParts& parts, std::uint32_t number, double before, std::span<const SplitPart> made,
+void auditSplit(SessionParts& parts, std::uint32_t number, double before, std::span<const SplitPart> made,
                 std::span<const BodyId> bodies) {
     EnergyEntry entry{.change = EnergyChange::Split, .body = number, .before = before};
     for (std::size_t k = 0; k < bodies.size(); ++k) {
-        entry.after += kineticEnergy(parts.world, bodies[k]);
+        entry.after += kineticEnergy(parts.world(), bodies[k]);
         if (made[k].kind != BodyKind::Dynamic) continue;
-        const double weight = parts.world.mass(bodies[k]) * glm::length(parts.world.gravity());
-        const double distance = glm::length(parts.world.state(bodies[k]).centre);
+        const double weight = parts.world().mass(bodies[k]) * glm::length(parts.world().gravity());
+        const double distance = glm::length(parts.world().state(bodies[k]).centre);
         entry.rounding += weight * kPositionRounding * std::max(1.0, distance / kRoundedDistance);
     }
-    parts.state.events.energy.push_back(entry);
+    parts.state().events.energy.push_back(entry);
 }
 
 std::uint64_t collapseStepOf(const SessionParts& parts, const PlayStructure& structure) {
-    const double steps = std::ceil(structure.collapseDelay / parts.settings.dt - 1e-6);
-    return parts.state.step + 1 + static_cast<std::uint64_t>(std::max(1.0, steps));
+    const double steps = std::ceil(structure.collapseDelay / parts.settings().dt - 1e-6);
+    return parts.state().step + 1 + static_cast<std::uint64_t>(std::max(1.0, steps));
 }
 
 /// Plans when a held body loses what has no support; one that has come free does not.
@@ -233,7 +233,7 @@ void planCollapse(const SessionParts& parts, PlayBody& body) {
         body.collapseStep = PlayBody::kNever;
         return;
     }
-    const StructureState& state = parts.state.structures[body.structure];
+    const StructureState& state = parts.state().structures[body.structure];
     if (!state.structure->mortar.empty()) return;  // planMortarCollapse() does
     if (unsupportedOf(parts, body, state, body.nodes, clustersOf(state, body)).nodes.empty()) {
         body.collapseStep = PlayBody::kNever;
@@ -243,9 +243,9 @@ void planCollapse(const SessionParts& parts, PlayBody& body) {
 }
 
 /// Replaces a body by the bodies of its parts. Adds the numbers of those that came off.
-void replaceBody(const SessionParts& parts, const PlayBody& before, std::span<const PartOfBody> islands,
+void replaceBody(SessionParts& parts, const PlayBody& before, std::span<const PartOfBody> islands,
                  std::vector<std::uint32_t>& freed) {
-    SessionState& state = parts.state;
+    SessionState& state = parts.state();
     StructureState& structure = state.structures[before.structure];
     std::vector<PlayBody> after;
     std::vector<SplitPart> made;
@@ -270,8 +270,8 @@ void replaceBody(const SessionParts& parts, const PlayBody& before, std::span<co
             structure.bodyOfNode[node] = body.nodes.empty() ? kNone : body.number;
         }
     }
-    const double energy = kineticEnergy(parts.world, before.body);
-    const Result<std::vector<BodyId>> bodies = parts.world.split(before.body, made);
+    const double energy = kineticEnergy(parts.world(), before.body);
+    const Result<std::vector<BodyId>> bodies = parts.world().split(before.body, made);
     RUBBLE_ASSERT(bodies.hasValue());  // the fragments can be bodies, and their speeds are limited
     auditSplit(parts, before.number, energy, made, *bodies);
     for (std::size_t k = 0; k < after.size(); ++k) {
@@ -299,51 +299,51 @@ Plug plugOf(const SessionParts& parts, const PlaySplit& split, double radius) {
     double mass = 0.0;
     Vec3 momentum(0.0);
     for (const std::uint32_t number : split.freed) {
-        const BodyId body = findBody(parts.state, number)->body;
-        if (parts.world.kind(body) != BodyKind::Dynamic) continue;
-        if (distanceToBody(parts.world, body, split.point) > radius) continue;
+        const BodyId body = findBody(parts.state(), number)->body;
+        if (parts.world().kind(body) != BodyKind::Dynamic) continue;
+        if (distanceToBody(parts.world(), body, split.point) > radius) continue;
         plug.bodies.push_back(body);
-        mass += parts.world.mass(body);
-        momentum += parts.world.mass(body) * parts.world.state(body).velocity;
+        mass += parts.world().mass(body);
+        momentum += parts.world().mass(body) * parts.world().state(body).velocity;
     }
     if (mass > 0.0) plug.mass = {.inverseMass = 1.0 / mass, .centre = split.point, .velocity = momentum / mass};
     return plug;
 }
 
-void pushPlug(const SessionParts& parts, const PlaySplit& split, double restitution) {
-    const PlayBody* const impactor = findBody(parts.state, split.impactorNumber);
-    if (impactor == nullptr || !split.body.isHeld || parts.world.kind(impactor->body) != BodyKind::Dynamic) return;
-    const Plug plug = plugOf(parts, split, static_cast<double>(parts.world.shape(impactor->body).boundingRadius));
+void pushPlug(SessionParts& parts, const PlaySplit& split, double restitution) {
+    const PlayBody* const impactor = findBody(parts.state(), split.impactorNumber);
+    if (impactor == nullptr || !split.body.isHeld || parts.world().kind(impactor->body) != BodyKind::Dynamic) return;
+    const Plug plug = plugOf(parts, split, static_cast<double>(parts.world().shape(impactor->body).boundingRadius));
     if (plug.bodies.empty()) return;
-    const MovingMass pushing = movingMass(parts.world, impactor->body);
+    const MovingMass pushing = movingMass(parts.world(), impactor->body);
     const Vec3 impulse = stoppingImpulse(pushing, plug.mass, split.point, split.normal, restitution) * split.normal;
     EnergyEntry entry{.change = EnergyChange::Bonds, .body = split.body.number, .before = pushing.kineticEnergy()};
-    const std::string cause = "The hit on " + quotedName(nameOf(split.body, parts.state.origins[split.body.origin]));
+    const std::string cause = "The hit on " + quotedName(nameOf(split.body, parts.state().origins[split.body.origin]));
     if (!applyImpulse(parts, impactor->body, -impulse, split.point, cause)) return;
-    entry.after = kineticEnergy(parts.world, impactor->body);
+    entry.after = kineticEnergy(parts.world(), impactor->body);
     for (const BodyId body : plug.bodies) {
-        entry.before += kineticEnergy(parts.world, body);
-        const Vec3 part = parts.world.mass(body) * plug.mass.inverseMass * impulse;
-        applyImpulse(parts, body, part, parts.world.state(body).centre, cause);
-        entry.after += kineticEnergy(parts.world, body);
+        entry.before += kineticEnergy(parts.world(), body);
+        const Vec3 part = parts.world().mass(body) * plug.mass.inverseMass * impulse;
+        applyImpulse(parts, body, part, parts.world().state(body).centre, cause);
+        entry.after += kineticEnergy(parts.world(), body);
     }
-    parts.state.events.energy.push_back(entry);
+    parts.state().events.energy.push_back(entry);
 }
 
 /// Has the clusters of a body, and of all that it falls apart into, hold deeper levels than that at which it broke.
 void holdDeeperLevels(const SessionParts& parts, PlayBody& body, ClusterLevel level) {
     constexpr double kRounding = 1e-9;  // s
-    const bool isHeld = timeOf(parts.state, parts.settings.dt) < body.heldUntil;
+    const bool isHeld = timeOf(parts.state(), parts.settings().dt) < body.heldUntil;
     body.heldLevel = isHeld ? std::min(body.heldLevel, level) : level;
-    body.heldUntil = timeOf(parts.state, parts.settings.dt) + kLevelTime - kRounding;
+    body.heldUntil = timeOf(parts.state(), parts.settings().dt) + kLevelTime - kRounding;
 }
 
 /// Splits a body whose bonds broke, and tells of it. True if any body came free.
-bool splitBody(const SessionParts& parts, BrokenBonds broken) {
-    PlayBody& body = *findBody(parts.state, broken.body);
+bool splitBody(SessionParts& parts, BrokenBonds broken) {
+    PlayBody& body = *findBody(parts.state(), broken.body);
     StructureState& state = structureOf(parts, body);
     holdDeeperLevels(parts, body, broken.level);
-    PlaySplit split{.step = parts.state.step + 1,
+    PlaySplit split{.step = parts.state().step + 1,
                     .body = body,
                     .impactorNumber = broken.impactor,
                     .impulse = broken.impulse,
@@ -368,23 +368,23 @@ bool splitBody(const SessionParts& parts, BrokenBonds broken) {
     }
     split.bonds = static_cast<std::uint32_t>(breakage.bonds.size());
     for (const std::uint32_t bond : breakage.bonds) {
-        const Bond& one = parts.state.structures[split.body.structure].structure->graph.bonds[bond];
+        const Bond& one = parts.state().structures[split.body.structure].structure->graph.bonds[bond];
         split.area += (one.second == kNone ? 1.0 : 2.0) * one.area;
     }
-    parts.state.events.splits.push_back(std::move(split));
+    parts.state().events.splits.push_back(std::move(split));
     return isChanged;
 }
 
 /// The bodies none of whose bonds broke yet, but with islands that no bond with a strength joins: beside a gap,
 /// or where bonds have none.
-std::vector<BrokenBonds> unjoinedBodies(const SessionParts& parts) {
+std::vector<BrokenBonds> unjoinedBodies(SessionParts& parts) {
     std::vector<BrokenBonds> unjoined;
-    if (!parts.scene.hasUnjoined) return unjoined;
-    for (PlayBody& body : parts.state.bodies) {
+    if (!parts.scene().hasUnjoined) return unjoined;
+    for (PlayBody& body : parts.state().bodies) {
         if (body.structure != kNone || body.bondedFracture() == nullptr) continue;
-        if (structureIn(parts.scene, parts.state.origins[body.origin], body.fragment)->isJoined) continue;
+        if (structureIn(parts.scene(), parts.state().origins[body.origin], body.fragment)->isJoined) continue;
         structureOf(parts, body);
-        unjoined.push_back({.body = body.number, .point = parts.world.state(body.body).centre});
+        unjoined.push_back({.body = body.number, .point = parts.world().state(body.body).centre});
     }
     return unjoined;
 }
@@ -392,14 +392,14 @@ std::vector<BrokenBonds> unjoinedBodies(const SessionParts& parts) {
 }  // namespace
 
 HeldClusters heldClusters(const SessionParts& parts, const PlayBody& body) {
-    HeldClusters held = clustersOf(parts.state.structures[body.structure], body);
-    if (timeOf(parts.state, parts.settings.dt) < body.heldUntil)
+    HeldClusters held = clustersOf(parts.state().structures[body.structure], body);
+    if (timeOf(parts.state(), parts.settings().dt) < body.heldUntil)
         held.breaking = std::min(held.breaking, body.heldLevel);
     return held;
 }
 
-void removeNodes(const SessionParts& parts, std::uint32_t number, std::span<const std::uint32_t> nodes) {
-    PlayBody& body = *findBody(parts.state, number);
+void removeNodes(SessionParts& parts, std::uint32_t number, std::span<const std::uint32_t> nodes) {
+    PlayBody& body = *findBody(parts.state(), number);
     StructureState& state = structureOf(parts, body);
     Breakage broken;
     breakBonds(
@@ -409,7 +409,7 @@ void removeNodes(const SessionParts& parts, std::uint32_t number, std::span<cons
     std::ranges::set_difference(body.nodes, nodes, std::back_inserter(kept));
     if (kept.empty()) {
         removeFromWorld(parts, number);
-        eraseRemovedBodies(parts.state);
+        eraseRemovedBodies(parts.state());
         return;
     }
     breakUnsupported(state, unsupportedOf(parts, body, state, kept, heldClusters(parts, body)), broken.bonds);
@@ -417,13 +417,13 @@ void removeNodes(const SessionParts& parts, std::uint32_t number, std::span<cons
     replaceBody(parts, PlayBody(body), crumbledParts(state, kept, body.isHeld, broken), freed);
 }
 
-StructureState& structureOf(const SessionParts& parts, PlayBody& body) {
-    std::vector<StructureState>& structures = parts.state.structures;
+StructureState& structureOf(SessionParts& parts, PlayBody& body) {
+    std::vector<StructureState>& structures = parts.state().structures;
     if (body.structure != kNone) return structures[body.structure];
     RUBBLE_ASSERT(body.bondedFracture() != nullptr);
     StructureState begun{.origin = body.origin,
                          .parent = body.fragment,
-                         .structure = structureIn(parts.scene, parts.state.origins[body.origin], body.fragment)};
+                         .structure = structureIn(parts.scene(), parts.state().origins[body.origin], body.fragment)};
     begun.damage = begun.structure->initialDamage;
     begun.bodyOfNode.assign(begun.structure->nodeCount(), body.number);
     body.structure = static_cast<std::uint32_t>(structures.size());
@@ -432,12 +432,12 @@ StructureState& structureOf(const SessionParts& parts, PlayBody& body) {
     return structures.back();
 }
 
-bool splitBodies(const SessionParts& parts, std::vector<BrokenBonds> broken) {
+bool splitBodies(SessionParts& parts, std::vector<BrokenBonds> broken) {
     bool isAnyFree = false;
     while (!broken.empty()) {
         std::set<Id> instances;
         for (const BrokenBonds& one : broken)
-            instances.insert(parts.state.origins[findBody(parts.state, one.body)->origin].instance);
+            instances.insert(parts.state().origins[findBody(parts.state(), one.body)->origin].instance);
         for (BrokenBonds& one : broken) isAnyFree |= splitBody(parts, std::move(one));
         broken = brokenMortar(parts, instances);
         std::ranges::move(unjoinedBodies(parts), std::back_inserter(broken));
@@ -445,42 +445,42 @@ bool splitBodies(const SessionParts& parts, std::vector<BrokenBonds> broken) {
     return isAnyFree;
 }
 
-void splitUnjoined(const SessionParts& parts) { splitBodies(parts, unjoinedBodies(parts)); }
+void splitUnjoined(SessionParts& parts) { splitBodies(parts, unjoinedBodies(parts)); }
 
-void planMortarCollapse(const SessionParts& parts, const std::set<Id>& changed) {
-    const std::set<Id> instances = joinedInstances(parts.scene.structures, changed);
+void planMortarCollapse(SessionParts& parts, const std::set<Id>& changed) {
+    const std::set<Id> instances = joinedInstances(parts.scene().structures, changed);
     if (instances.empty()) return;
     const UnsupportedNodes unsupported = unsupportedByMortar(parts, instances);
-    for (PlayBody& body : parts.state.bodies) {
-        if (!body.isHeld || !instances.contains(parts.state.origins[body.origin].instance)) continue;
+    for (PlayBody& body : parts.state().bodies) {
+        if (!body.isHeld || !instances.contains(parts.state().origins[body.origin].instance)) continue;
         bool doLose = false;
         if (const auto found = unsupported.find(body.number); found != unsupported.end()) {
             const StructureState& state = structureOf(parts, body);
             doLose = !losingNodes(state, body.nodes, clustersOf(state, body), found->second).nodes.empty();
         }
         if (doLose) {
-            const PlayStructure& structure = *parts.state.structures[body.structure].structure;
+            const PlayStructure& structure = *parts.state().structures[body.structure].structure;
             if (body.collapseStep == PlayBody::kNever) body.collapseStep = collapseStepOf(parts, structure);
-        } else if (body.structure != kNone && !parts.state.structures[body.structure].structure->mortar.empty()) {
+        } else if (body.structure != kNone && !parts.state().structures[body.structure].structure->mortar.empty()) {
             body.collapseStep = PlayBody::kNever;
         }
     }
 }
 
-bool collapseUnsupported(const SessionParts& parts) {
-    const auto isDue = [&](const PlayBody& body) { return body.collapseStep <= parts.state.step + 1; };
+bool collapseUnsupported(SessionParts& parts) {
+    const auto isDue = [&](const PlayBody& body) { return body.collapseStep <= parts.state().step + 1; };
     std::set<Id> instances;
-    for (const PlayBody& body : parts.state.bodies)
-        if (isDue(body)) instances.insert(parts.state.origins[body.origin].instance);
+    for (const PlayBody& body : parts.state().bodies)
+        if (isDue(body)) instances.insert(parts.state().origins[body.origin].instance);
     if (instances.empty()) return false;
     std::vector<BrokenBonds> broken;
     std::optional<UnsupportedNodes> byMortar;
-    for (PlayBody& body : parts.state.bodies) {
+    for (PlayBody& body : parts.state().bodies) {
         if (!isDue(body)) continue;
         body.collapseStep = PlayBody::kNever;
-        StructureState& state = parts.state.structures[body.structure];
+        StructureState& state = parts.state().structures[body.structure];
         const HeldClusters held = heldClusters(parts, body);
-        BrokenBonds one{.body = body.number, .point = parts.world.state(body.body).centre, .level = held.breaking};
+        BrokenBonds one{.body = body.number, .point = parts.world().state(body.body).centre, .level = held.breaking};
         if (state.structure->mortar.empty()) {
             breakUnsupported(state, unsupportedOf(parts, body, state, body.nodes, held), one.bonds);
         } else {

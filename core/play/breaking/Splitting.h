@@ -27,11 +27,11 @@ struct BrokenBonds {
 /// support. What comes off a held body within the impactor's bounding radius of the point that was hit is pushed
 /// together: the hole guides it, where its parts would jam if they were pushed one by one. Then the same for the mortar
 /// that holds no longer, see brokenMortar(), and for what is unjoined, see splitUnjoined(). True if any body came free.
-bool splitBodies(const SessionParts& parts, std::vector<BrokenBonds> broken);
+bool splitBodies(SessionParts& parts, std::vector<BrokenBonds> broken);
 
 /// Splits the bodies some of whose fragments no bond with a strength joins to the others: those placed at the start of
 /// a session, and what has been thrown. splitBodies() does so to what comes off.
-void splitUnjoined(const SessionParts& parts);
+void splitUnjoined(SessionParts& parts);
 
 /// The clusters of a body that hold now: for kLevelTime after a break, also all deeper levels than that which broke, so
 /// that levels break one after the other. Of a body with damaged bonds.
@@ -39,17 +39,17 @@ inline constexpr double kLevelTime = 1.0 / 60.0;  // s
 HeldClusters heldClusters(const SessionParts& parts, const PlayBody& body);
 
 /// Breaks the bonds of what lost its support and has to come off in this step. True if any did.
-bool collapseUnsupported(const SessionParts& parts);
+bool collapseUnsupported(SessionParts& parts);
 
 /// Plans when the held bodies that mortar joins with some instances, at which something broke in a step or was removed,
 /// lose what has no support.
-void planMortarCollapse(const SessionParts& parts, const std::set<Id>& changed);
+void planMortarCollapse(SessionParts& parts, const std::set<Id>& changed);
 
 /// Takes nodes, ascending, out of a body with bonds, and splits what is left of it as splitBodies() does, but lets what
 /// has lost its support come off at once. Without any node left, the body is gone.
-void removeNodes(const SessionParts& parts, std::uint32_t body, std::span<const std::uint32_t> nodes);
+void removeNodes(SessionParts& parts, std::uint32_t body, std::span<const std::uint32_t> nodes);
 
 /// The structure of a body with bonds, begun if none of them was damaged before.
-StructureState& structureOf(const SessionParts& parts, PlayBody& body);
+StructureState& structureOf(SessionParts& parts, PlayBody& body);
 
 }  // namespace rubble

@@ -16,12 +16,12 @@ std::uint32_t numberOf(const World& world, BodyId body) { return static_cast<std
 
 /// The material of a body's asset; 0 for the ground and plain projectiles.
 Id materialIdOf(const SessionParts& parts, const PlayBody& body) {
-    return body.asset ? findAsset(parts.scene.project, body.asset->bake->asset)->material : 0;
+    return body.asset ? findAsset(parts.scene().project, body.asset->bake->asset)->material : 0;
 }
 
 /// The material of the faces inside it.
 Id insideMaterialOf(const SessionParts& parts, const PlayBody& body) {
-    const Asset& asset = *findAsset(parts.scene.project, body.asset->bake->asset);
+    const Asset& asset = *findAsset(parts.scene().project, body.asset->bake->asset);
     return asset.insideMaterial != 0 ? asset.insideMaterial : asset.material;
 }
 
@@ -29,34 +29,34 @@ Id insideMaterialOf(const SessionParts& parts, const PlayBody& body) {
 EventRecord recordOf(const SessionParts& parts, EventKind kind, const PlayBody& body) {
     return {.kind = kind,
             .body = body.number,
-            .instance = parts.state.origins[body.origin].instance,
+            .instance = parts.state().origins[body.origin].instance,
             .materials = {materialIdOf(parts, body), 0}};
 }
 
 /// The impacts that were told, by their bodies.
 class ToldImpacts {
 public:
-    explicit ToldImpacts(const SessionParts& parts)
-        : m_parts(parts), m_apartSteps(static_cast<std::uint64_t>(kApartTime / parts.settings.dt + 0.5)) {}
+    explicit ToldImpacts(SessionParts& parts)
+        : m_parts(parts), m_apartSteps(static_cast<std::uint64_t>(kApartTime / parts.settings().dt + 0.5)) {}
 
     /// Follows which of their bodies touch; forgets those that have been apart long enough, or are gone.
     void update() {
-        std::vector<ToldImpact>& told = m_parts.state.toldImpacts;
+        std::vector<ToldImpact>& told = m_parts.state().toldImpacts;
         if (told.empty()) return;
-        for (const ContactEvent& event : m_parts.world.events().ended) {
+        for (const ContactEvent& event : m_parts.world().events().ended) {
             ToldImpact* const found = find(event);
-            if (found != nullptr && !m_parts.world.areTouching(event.first, event.second)) {
-                found->apartSince = m_parts.state.step;
+            if (found != nullptr && !m_parts.world().areTouching(event.first, event.second)) {
+                found->apartSince = m_parts.state().step;
             }
         }
         std::erase_if(told, [&](const ToldImpact& one) { return isOver(one); });
-        for (const ContactEvent& event : m_parts.world.events().began) {
+        for (const ContactEvent& event : m_parts.world().events().began) {
             if (ToldImpact* const found = find(event)) found->apartSince = ToldImpact::kTouching;
         }
     }
     bool contains(std::uint32_t first, std::uint32_t second) const { return find(first, second) != nullptr; }
     void add(std::uint32_t first, std::uint32_t second) {
-        std::vector<ToldImpact>& told = m_parts.state.toldImpacts;
+        std::vector<ToldImpact>& told = m_parts.state().toldImpacts;
         const ToldImpact added{std::min(first, second), std::max(first, second)};
         told.insert(std::ranges::upper_bound(told, keyOf(added), {}, keyOf), added);
     }
@@ -65,23 +65,23 @@ private:
     static std::pair<std::uint32_t, std::uint32_t> keyOf(const ToldImpact& one) { return {one.first, one.second}; }
 
     ToldImpact* find(std::uint32_t first, std::uint32_t second) const {
-        std::vector<ToldImpact>& told = m_parts.state.toldImpacts;
+        std::vector<ToldImpact>& told = m_parts.state().toldImpacts;
         const std::pair key{std::min(first, second), std::max(first, second)};
         const auto found = std::ranges::lower_bound(told, key, {}, keyOf);
         return found != told.end() && keyOf(*found) == key ? &*found : nullptr;
     }
     /// Null also if one of the bodies is gone.
     ToldImpact* find(const ContactEvent& event) const {
-        const World& world = m_parts.world;
+        const World& world = m_parts.world();
         if (!world.contains(event.first) || !world.contains(event.second)) return nullptr;
         return find(numberOf(world, event.first), numberOf(world, event.second));
     }
     bool isOver(const ToldImpact& one) const {
-        if (one.apartSince != ToldImpact::kTouching) return m_parts.state.step - one.apartSince >= m_apartSteps;
-        return findBody(m_parts.state, one.first) == nullptr || findBody(m_parts.state, one.second) == nullptr;
+        if (one.apartSince != ToldImpact::kTouching) return m_parts.state().step - one.apartSince >= m_apartSteps;
+        return findBody(m_parts.state(), one.first) == nullptr || findBody(m_parts.state(), one.second) == nullptr;
     }
 
-    const SessionParts& m_parts;
+    SessionParts& m_parts;
     std::uint64_t m_apartSteps;
 };
 
@@ -103,8 +103,8 @@ HitEvent joined(std::span<const HitEvent> hits) {
 EventRecord impactRecord(const SessionParts& parts, const HitEvent& hit) {
     // The body meant is the one that the artist placed or that came of it, rather than a plain projectile or the
     // ground; of two, that with the lower number.
-    const PlayBody* body = findBody(parts.state, numberOf(parts.world, hit.first));
-    const PlayBody* other = findBody(parts.state, numberOf(parts.world, hit.second));
+    const PlayBody* body = findBody(parts.state(), numberOf(parts.world(), hit.first));
+    const PlayBody* other = findBody(parts.state(), numberOf(parts.world(), hit.second));
     RUBBLE_ASSERT(body != nullptr && other != nullptr);
     Vec3 normal = -hit.normal;  // into the first
     const auto rank = [](const PlayBody& one) {
@@ -127,30 +127,30 @@ EventRecord impactRecord(const SessionParts& parts, const HitEvent& hit) {
 }
 
 /// Adds the impacts of bodies that did not touch before; the energy of others is that of bodies at rest.
-void addImpacts(const SessionParts& parts, std::vector<EventRecord>& records) {
+void addImpacts(SessionParts& parts, std::vector<EventRecord>& records) {
     ToldImpacts told(parts);
     told.update();
-    const std::vector<HitEvent>& hits = parts.world.events().hits;
-    double& rest = parts.state.events.told.restEnergy;
-    rest = parts.world.events().contactLoss;
+    const std::vector<HitEvent>& hits = parts.world().events().hits;
+    double& rest = parts.state().events.told.restEnergy;
+    rest = parts.world().events().contactLoss;
     for (auto begin = hits.begin(); begin != hits.end();) {
         const auto end = std::find_if(begin, hits.end(), [&](const HitEvent& one) {
             return one.first != begin->first || one.second != begin->second;
         });
         const HitEvent hit = joined({begin, end});
         begin = end;
-        const std::uint32_t first = numberOf(parts.world, hit.first), second = numberOf(parts.world, hit.second);
+        const std::uint32_t first = numberOf(parts.world(), hit.first), second = numberOf(parts.world(), hit.second);
         if (told.contains(first, second)) continue;
         records.push_back(impactRecord(parts, hit));
         rest -= records.back().energy;
-        if (hit.energy >= parts.scene.project.events.leastEnergy) told.add(first, second);
+        if (hit.energy >= parts.scene().project.events.leastEnergy) told.add(first, second);
     }
 }
 
 /// The energy that changes of some kinds took from a body and what hit it, J.
 double energyOf(const SessionParts& parts, std::uint32_t body, std::initializer_list<EnergyChange> changes) {
     double energy = 0.0;
-    for (const EnergyEntry& entry : parts.state.events.energy) {
+    for (const EnergyEntry& entry : parts.state().events.energy) {
         const bool isMeant = std::ranges::find(changes, entry.change) != changes.end();
         if (isMeant && entry.body == body) energy += entry.before + entry.given - entry.after;
     }
@@ -164,7 +164,7 @@ double energyOfBreak(const SessionParts& parts, std::uint32_t body) {
 
 /// What broke of the bonds of a body in a step, in all passes together.
 EventRecord bondsRecord(const SessionParts& parts, std::uint32_t body) {
-    const std::vector<PlaySplit>& splits = parts.state.events.splits;
+    const std::vector<PlaySplit>& splits = parts.state().events.splits;
     const auto first = std::ranges::find(splits, body, [](const PlaySplit& one) { return one.body.number; });
     EventRecord record = recordOf(parts, EventKind::Bonds, first->body);
     record.materials[1] = insideMaterialOf(parts, first->body);
@@ -185,10 +185,10 @@ EventRecord bondsRecord(const SessionParts& parts, std::uint32_t body) {
         record.area += split.area;
         record.count += split.bonds;
         for (const std::uint32_t number : split.freed) {
-            const PlayBody* const freed = findBody(parts.state, number);
+            const PlayBody* const freed = findBody(parts.state(), number);
             if (freed == nullptr) continue;
-            record.mass += parts.world.mass(freed->body);
-            record.box.include(parts.world.box(freed->body));
+            record.mass += parts.world().mass(freed->body);
+            record.box.include(parts.world().box(freed->body));
         }
     }
     if (record.impulse > 0.0) record.point = weighted / record.impulse;
@@ -200,32 +200,32 @@ EventRecord bondsRecord(const SessionParts& parts, std::uint32_t body) {
 EventRecord detachedRecord(const SessionParts& parts, const PlayBody& freed, std::uint32_t from) {
     EventRecord record = recordOf(parts, EventKind::Detached, freed);
     if (from != freed.number) record.other = from;  // else the heaviest island, which was held
-    record.point = parts.world.state(freed.body).centre;
-    record.mass = parts.world.mass(freed.body);
+    record.point = parts.world().state(freed.body).centre;
+    record.mass = parts.world().mass(freed.body);
     record.count = freed.nodes.empty() ? 1 : static_cast<std::uint32_t>(freed.nodes.size());
     record.materials[1] = insideMaterialOf(parts, freed);
-    record.box = parts.world.box(freed.body);
+    record.box = parts.world().box(freed.body);
     return record;
 }
 
 /// The bonds that broke, and what came free: of a body that came off and lost fragments in the same step, both.
-void addSplits(const SessionParts& parts, std::vector<EventRecord>& records) {
+void addSplits(SessionParts& parts, std::vector<EventRecord>& records) {
     std::vector<std::uint32_t> told;
-    for (const PlaySplit& split : parts.state.events.splits) {
+    for (const PlaySplit& split : parts.state().events.splits) {
         if (split.bonds > 0 && std::ranges::find(told, split.body.number) == told.end()) {
             told.push_back(split.body.number);
             records.push_back(bondsRecord(parts, split.body.number));
         }
         for (const std::uint32_t number : split.freed) {
-            const PlayBody* const freed = findBody(parts.state, number);
+            const PlayBody* const freed = findBody(parts.state(), number);
             if (freed != nullptr) records.push_back(detachedRecord(parts, *freed, split.body.number));
         }
     }
     // What bonds took that hold.
-    for (const EnergyEntry& entry : parts.state.events.energy) {
+    for (const EnergyEntry& entry : parts.state().events.energy) {
         if (entry.change != EnergyChange::Bonds && entry.change != EnergyChange::Split) continue;
         if (std::ranges::find(told, entry.body) != told.end()) continue;
-        parts.state.events.told.restEnergy += entry.before - entry.after;
+        parts.state().events.told.restEnergy += entry.before - entry.after;
     }
 }
 
@@ -240,28 +240,28 @@ EventRecord breakRecord(const SessionParts& parts, const PlayBreak& broken) {
     record.area = broken.asset->fractureOf(broken.body.fragment)->area;
     record.materials[1] = insideMaterialOf(parts, broken.body);
     for (std::uint32_t k = 0; k < broken.fragmentCount; ++k) {
-        const PlayBody* const fragment = findBody(parts.state, broken.firstFragment + k);
+        const PlayBody* const fragment = findBody(parts.state(), broken.firstFragment + k);
         if (fragment == nullptr) continue;
-        record.mass += parts.world.mass(fragment->body);
+        record.mass += parts.world().mass(fragment->body);
         ++record.count;
-        record.box.include(parts.world.box(fragment->body));
+        record.box.include(parts.world().box(fragment->body));
     }
     if (record.box.isEmpty()) record.box.include(broken.pose.position);
     return record;
 }
 
-void addSettled(const SessionParts& parts, std::vector<EventRecord>& records) {
-    for (const BodyId id : parts.world.events().fellAsleep) {
-        PlayBody* const body = findBody(parts.state, numberOf(parts.world, id));
+void addSettled(SessionParts& parts, std::vector<EventRecord>& records) {
+    for (const BodyId id : parts.world().events().fellAsleep) {
+        PlayBody* const body = findBody(parts.state(), numberOf(parts.world(), id));
         RUBBLE_ASSERT(body != nullptr);
-        const Vec3 centre = parts.world.state(id).centre;
+        const Vec3 centre = parts.world().state(id).centre;
         const bool hasMoved = !body->restCentre || glm::distance(*body->restCentre, centre) > kSettledDistance;
         body->restCentre = centre;
         if (!hasMoved) continue;
         EventRecord record = recordOf(parts, EventKind::Settled, *body);
         record.point = centre;
-        record.mass = parts.world.mass(id);
-        record.box = parts.world.box(id);
+        record.mass = parts.world().mass(id);
+        record.box = parts.world().box(id);
         records.push_back(record);
     }
 }
@@ -297,9 +297,9 @@ std::array<std::size_t, kEventKinds> sharesOf(const std::array<std::vector<Event
 
 /// The path of a body's fragment in its asset; empty for what is whole.
 std::string fragmentPathOf(const SessionParts& parts, std::uint32_t number) {
-    const PlayBody* body = findBody(parts.state, number);
+    const PlayBody* body = findBody(parts.state(), number);
     const auto isIt = [&](const auto& one) { return one.body.number == number; };
-    const PlayEvents& events = parts.state.events;
+    const PlayEvents& events = parts.state().events;
     if (const auto broken = std::ranges::find_if(events.breaks, isIt); broken != events.breaks.end()) {
         body = &broken->body;
     }
@@ -312,21 +312,21 @@ std::string fragmentPathOf(const SessionParts& parts, std::uint32_t number) {
 
 }  // namespace
 
-std::vector<EventRecord> happenedEvents(const SessionParts& parts) {
+std::vector<EventRecord> happenedEvents(SessionParts& parts) {
     std::vector<EventRecord> records;
     addImpacts(parts, records);
     addSplits(parts, records);
-    for (const PlayBreak& broken : parts.state.events.breaks) records.push_back(breakRecord(parts, broken));
+    for (const PlayBreak& broken : parts.state().events.breaks) records.push_back(breakRecord(parts, broken));
     addSettled(parts, records);
     return records;
 }
 
-void tellEvents(const SessionParts& parts) {
-    EventReport& report = parts.state.events.told;
-    std::vector<EventRecord>& happened = parts.state.events.happened;
-    const EventSettings& settings = parts.scene.project.events;
-    for (const PlayRemoval& removal : parts.state.events.removed) happened.push_back(removalRecord(parts, removal));
-    OmittedEvents& weak = parts.state.events.weakImpacts;
+void tellEvents(SessionParts& parts) {
+    EventReport& report = parts.state().events.told;
+    std::vector<EventRecord>& happened = parts.state().events.happened;
+    const EventSettings& settings = parts.scene().project.events;
+    for (const PlayRemoval& removal : parts.state().events.removed) happened.push_back(removalRecord(parts, removal));
+    OmittedEvents& weak = parts.state().events.weakImpacts;
     std::erase_if(happened, [&](const EventRecord& record) {
         if (record.kind != EventKind::Impact || record.energy >= settings.leastEnergy) return false;
         ++weak.count;
@@ -347,7 +347,7 @@ void tellEvents(const SessionParts& parts) {
         all.resize(shares[kind]);
         std::ranges::sort(all, {}, [](const EventRecord& one) { return std::pair(one.body, one.other); });
         for (EventRecord& record : all) {
-            record.step = parts.state.step;
+            record.step = parts.state().step;
             record.fragment = fragmentPathOf(parts, record.body);
             report.records.push_back(std::move(record));
         }

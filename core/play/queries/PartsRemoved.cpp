@@ -39,19 +39,19 @@ private:
 
 /// Breaks the mortar that holds no longer, and lets come off at once what has lost its support by that. `changed`: the
 /// instances of which parts are removed.
-void settle(const SessionParts& parts, const std::set<Id>& changed, const Session& session, Sources& sources) {
-    parts.state.events = {};
+void settle(SessionParts& parts, const std::set<Id>& changed, const Session& session, Sources& sources) {
+    parts.state().events = {};
     splitBodies(parts, brokenMortar(parts, changed));
     planMortarCollapse(parts, changed);
-    for (PlayBody& body : parts.state.bodies) {
+    for (PlayBody& body : parts.state().bodies) {
         const PlayBody* before = session.body(body.number);
         const bool wasPlanned = before != nullptr && before->collapseStep != PlayBody::kNever;
-        if (body.collapseStep != PlayBody::kNever && !wasPlanned) body.collapseStep = parts.state.step + 1;
+        if (body.collapseStep != PlayBody::kNever && !wasPlanned) body.collapseStep = parts.state().step + 1;
     }
     collapseUnsupported(parts);
-    for (const PlaySplit& split : parts.state.events.splits)
+    for (const PlaySplit& split : parts.state().events.splits)
         for (const std::uint32_t freed : split.freed) sources.add(freed, split.body.number);
-    for (const PlayBody& body : parts.state.bodies) {  // what anchors hold in several pieces
+    for (const PlayBody& body : parts.state().bodies) {  // what anchors hold in several pieces
         if (session.body(body.number) != nullptr || sources.contains(body.number)) continue;
         sources.add(body.number, std::ranges::find(session.bodies(), body.origin, &PlayBody::origin)->number);
     }
@@ -66,7 +66,7 @@ PartsRemoved withoutParts(const Session& session, std::span<const BodyPart> part
     PartsRemoved removed{.world = World({.gravity = session.world().gravity()})};
     removed.world.restore(*start->world);
     const SessionSettings settings{.dt = session.stepLength(), .sleeping = session.isSleeping()};
-    const SessionParts copy{session.scene(), settings, state, removed.world};
+    SessionParts copy{session.scene(), settings, state, removed.world};
     Sources sources(session);
     std::set<Id> changed;
     const auto change = [&](std::uint32_t number) {

@@ -13,12 +13,12 @@ namespace rubble {
 namespace {
 
 /// The break of a body by its impulse, which is reported; nothing if it stays whole.
-std::optional<PendingBreak> breakBy(const SessionParts& parts, const BlastImpulse& push) {
-    const PlayBody& body = *findBody(parts.state, static_cast<std::uint32_t>(parts.world.tag(push.body)));
+std::optional<PendingBreak> breakBy(SessionParts& parts, const BlastImpulse& push) {
+    const PlayBody& body = *findBody(parts.state(), static_cast<std::uint32_t>(parts.world().tag(push.body)));
     if (body.fracture() == nullptr) return std::nullopt;
-    const double size = glm::length(push.impulse), threshold = thresholdOf(parts.state, parts.scene, body);
-    parts.state.events.impacts.push_back({body.number, size, threshold, push.point});
-    if (!parts.state.hasDestruction || size < threshold) return std::nullopt;
+    const double size = glm::length(push.impulse), threshold = thresholdOf(parts.state(), parts.scene(), body);
+    parts.state().events.impacts.push_back({body.number, size, threshold, push.point});
+    if (!parts.state().hasDestruction || size < threshold) return std::nullopt;
     PendingBreak broken = pendingBreak(parts, body);
     broken.event.impact = size;
     broken.event.point = push.point;
@@ -28,10 +28,10 @@ std::optional<PendingBreak> breakBy(const SessionParts& parts, const BlastImpuls
 
 }  // namespace
 
-void applyBlast(const SessionParts& parts, const std::string& name, const Explosion& explosion) {
-    const Vec3 origin = parts.world.blastOrigin(explosion.at);
-    if (parts.state.hasDestruction) blastBonds(parts, origin, explosion);
-    const auto blast = [&] { return parts.world.blast(origin, explosion.radius, explosion.impulse); };
+void applyBlast(SessionParts& parts, const std::string& name, const Explosion& explosion) {
+    const Vec3 origin = parts.world().blastOrigin(explosion.at);
+    if (parts.state().hasDestruction) blastBonds(parts, origin, explosion);
+    const auto blast = [&] { return parts.world().blast(origin, explosion.radius, explosion.impulse); };
     std::vector<BlastImpulse> pushes = blast();
     std::vector<PendingBreak> breaks;
     for (const BlastImpulse& push : pushes) {
@@ -44,16 +44,16 @@ void applyBlast(const SessionParts& parts, const std::string& name, const Explos
     }
     EnergyEntry entry{.change = EnergyChange::Blast};
     for (const BlastImpulse& push : pushes) {
-        if (parts.world.kind(push.body) != BodyKind::Dynamic) continue;
-        MovingMass pushed = movingMass(parts.world, push.body);
+        if (parts.world().kind(push.body) != BodyKind::Dynamic) continue;
+        MovingMass pushed = movingMass(parts.world(), push.body);
         const double before = pushed.kineticEnergy();
         pushed.applyImpulse(push.impulse, push.point);
         if (!applyImpulse(parts, push.body, push.impulse, push.point, "Saved throw " + quotedName(name))) continue;
         entry.before += before;
         entry.given += pushed.kineticEnergy() - before;
-        entry.after += kineticEnergy(parts.world, push.body);
+        entry.after += kineticEnergy(parts.world(), push.body);
     }
-    parts.state.events.energy.push_back(entry);
+    parts.state().events.energy.push_back(entry);
 }
 
 }  // namespace rubble

@@ -87,7 +87,7 @@ std::optional<std::string> addShapes(const PlayScene& scene, const SessionState&
 /// The definition of a resting body.
 Result<BodyDefinition> restingBody(const SessionParts& parts, const PlayBody& body, const RestingPose& at) {
     BodyDefinition definition;
-    const Ground& ground = parts.scene.project.ground;
+    const Ground& ground = parts.scene().project.ground;
     if (body.role == PlayRole::Ground) {
         definition.friction = ground.friction;
         definition.restitution = ground.restitution;
@@ -97,11 +97,11 @@ Result<BodyDefinition> restingBody(const SessionParts& parts, const PlayBody& bo
         definition.friction = material.friction;
         definition.restitution = material.restitution;
     } else {
-        definition = *projectileBody(*parts.state.origins[body.origin].thrown, nullptr, nullptr);
+        definition = *projectileBody(*parts.state().origins[body.origin].thrown, nullptr, nullptr);
         definition.velocity = Vec3(0.0);
     }
-    definition.shape = shapeOf(parts.state, body);
-    definition.kind = kindOf(parts.scene, parts.state, body);
+    definition.shape = shapeOf(parts.state(), body);
+    definition.kind = kindOf(parts.scene(), parts.state(), body);
     const Quat rotation = glm::normalize(toDouble(at.rotation));
     definition.pose = {toDouble(at.centre) - rotation * definition.shape->mass.centre, rotation};
     definition.tag = body.number;

@@ -41,21 +41,22 @@ std::vector<BodyId> breakableBodies(const SessionState& state) {
 
 /// Breaks what is hit hard enough in the coming dt seconds. A body that broke bonds and goes on meets what they held in
 /// the same time; what came of a swap breaks in the next at the earliest.
-void breakBodies(const SessionParts& parts, std::span<const Impact> impacts, double dt) {
+void breakBodies(SessionParts& parts, std::span<const Impact> impacts, double dt) {
     constexpr int kMaxPasses = 8;  // of a hit through bonds
     collapseUnsupported(parts);
     // Bonds first: what breaks whole is gone after its swap, and could not take the impulse of bonds.
-    const std::vector<Impact> shared = sharedImpacts(parts.world, impacts);
+    const std::vector<Impact> shared = sharedImpacts(parts.world(), impacts);
     bool hasFreed = breakHitBonds(parts, shared);
     breakHitBodies(parts, shared);
     for (int pass = 1; hasFreed && pass < kMaxPasses; ++pass) {
-        parts.world.collide(dt);
-        hasFreed = breakHitBonds(parts, sharedImpacts(parts.world, parts.world.impacts(breakableBodies(parts.state))));
+        parts.world().collide(dt);
+        hasFreed =
+            breakHitBonds(parts, sharedImpacts(parts.world(), parts.world().impacts(breakableBodies(parts.state()))));
     }
-    if (parts.world.hasUncollided()) parts.world.collide(dt);
+    if (parts.world().hasUncollided()) parts.world().collide(dt);
     std::set<Id> changed;
-    for (const PlaySplit& split : parts.state.events.splits)
-        if (split.body.isHeld) changed.insert(parts.state.origins[split.body.origin].instance);
+    for (const PlaySplit& split : parts.state().events.splits)
+        if (split.body.isHeld) changed.insert(parts.state().origins[split.body.origin].instance);
     planMortarCollapse(parts, changed);
 }
 
@@ -89,7 +90,7 @@ Result<Session> Session::start(std::shared_ptr<const PlayScene> scene, const Ses
         return Error{ErrorCode::BadInput, "A step must be " + rangeText(range) + " s long."};
     }
     Session session(std::move(scene), settings);
-    const SessionParts parts{*session.m_scene, session.m_settings, *session.m_state, session.m_world};
+    SessionParts parts{*session.m_scene, session.m_settings, *session.m_state, session.m_world};
     if (const Status placed = placeScene(parts); !placed) return placed.error();
     splitUnjoined(parts);
     session.m_state->events = {};
@@ -116,7 +117,7 @@ Status Session::add(const Shot& shot) {
 }
 
 void Session::step() {
-    const SessionParts parts{*m_scene, m_settings, *m_state, m_world};
+    SessionParts parts{*m_scene, m_settings, *m_state, m_world};
     m_state->events = {};
     m_swapMilliseconds = 0.0;
     applyInputs(parts);
@@ -165,7 +166,7 @@ std::vector<Impact> Session::hitsWithin(double dt) {
 }
 
 void Session::playInterval(std::span<const Impact> impacts, double dt) {
-    const SessionParts parts{*m_scene, m_settings, *m_state, m_world};
+    SessionParts parts{*m_scene, m_settings, *m_state, m_world};
     Stopwatch watch;
     breakBodies(parts, impacts, dt);
     m_swapMilliseconds += watch.lap();
@@ -203,7 +204,8 @@ bool Session::hasDestruction() const { return m_state->hasDestruction; }
 SessionDamage Session::damage() const { return damageOfInstances(*m_scene, *m_state); }
 
 Status Session::apply(const SessionDamage& damage) {
-    return applyDamage({*m_scene, m_settings, *m_state, m_world}, damage);
+    SessionParts parts{*m_scene, m_settings, *m_state, m_world};
+    return applyDamage(parts, damage);
 }
 
 const PlayEvents& Session::events() const { return m_state->events; }

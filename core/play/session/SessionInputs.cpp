@@ -121,21 +121,21 @@ bool isPlaceTaken(const World& world, const std::vector<Polytope>& hulls, const 
     });
 }
 
-void applyAction(const SessionParts& parts, const std::string& name, const Throw& thrown) {
-    const Result<BodyDefinition> definition = projectileBodyOf(thrown, parts.scene, parts.state);
+void applyAction(SessionParts& parts, const std::string& name, const Throw& thrown) {
+    const Result<BodyDefinition> definition = projectileBodyOf(thrown, parts.scene(), parts.state());
     if (!definition) {  // its material has changed since the input was added
         return addUnapplied(parts, nullptr, "Saved throw " + quotedName(name) + ": " + definition.error().message);
     }
-    PlayBody body{.role = PlayRole::Projectile, .origin = static_cast<std::uint32_t>(parts.state.origins.size())};
+    PlayBody body{.role = PlayRole::Projectile, .origin = static_cast<std::uint32_t>(parts.state().origins.size())};
     PlayOrigin origin{.name = name};
     if (thrown.kind == ProjectileKind::Asset) {
         origin.asset = thrown.asset;
-        body.asset = parts.scene.assets.at({thrown.asset});
+        body.asset = parts.scene().assets.at({thrown.asset});
     } else {
         body.hull = std::make_shared<const Polytope>(projectileHull(thrown));
         origin.thrown = thrown;
     }
-    if (isPlaceTaken(parts.world, hullsOf(body), definition->pose)) {
+    if (isPlaceTaken(parts.world(), hullsOf(body), definition->pose)) {
         return addUnapplied(parts, nullptr,
                             "Saved throw " + quotedName(name) + ": " + std::to_string(kMaxBodiesInPlace) +
                                 " bodies are in its place already; let it start elsewhere or later.");
@@ -145,48 +145,46 @@ void applyAction(const SessionParts& parts, const std::string& name, const Throw
         addUnapplied(parts, &body, "Saved throw " + quotedName(name) + ": " + added.error().message);
         return;
     }
-    parts.state.origins.push_back(std::move(origin));
-    parts.state.events.born.push_back(parts.state.bodies.back());
-    const double energy = 0.5 * parts.world.mass(parts.state.bodies.back().body) * thrown.speed * thrown.speed;
-    parts.state.events.energy.push_back({.change = EnergyChange::Throw,
-                                         .body = *added,
-                                         .given = energy,
-                                         .after = kineticEnergy(parts.world, parts.state.bodies.back().body)});
+    parts.state().origins.push_back(std::move(origin));
+    parts.state().events.born.push_back(parts.state().bodies.back());
+    const double energy = 0.5 * parts.world().mass(parts.state().bodies.back().body) * thrown.speed * thrown.speed;
+    parts.state().events.energy.push_back({.change = EnergyChange::Throw,
+                                           .body = *added,
+                                           .given = energy,
+                                           .after = kineticEnergy(parts.world(), parts.state().bodies.back().body)});
 }
 
-void applyAction(const SessionParts& parts, const std::string& name, const Hammer& hammer) {
-    applyBlow(parts, name, hammer);
-}
+void applyAction(SessionParts& parts, const std::string& name, const Hammer& hammer) { applyBlow(parts, name, hammer); }
 
-void applyAction(const SessionParts& parts, const std::string& name, const Explosion& explosion) {
+void applyAction(SessionParts& parts, const std::string& name, const Explosion& explosion) {
     applyBlast(parts, name, explosion);
 }
 
-void applyInput(const SessionParts& parts, const ShotInput& shot) {
+void applyInput(SessionParts& parts, const ShotInput& shot) {
     std::visit([&](const auto& action) { applyAction(parts, shot.name, action); }, shot.action);
 }
 
-void applyInput(const SessionParts& parts, const ThresholdInput& input) {
+void applyInput(SessionParts& parts, const ThresholdInput& input) {
     std::map<Id, double>& thresholds =
-        input.instance != 0 ? parts.state.instanceThresholds : parts.state.assetThresholds;
+        input.instance != 0 ? parts.state().instanceThresholds : parts.state().assetThresholds;
     thresholds[input.instance != 0 ? input.instance : input.asset] = input.threshold;
 }
 
-void applyInput(const SessionParts& parts, const MaterialInput& input) {
-    *std::ranges::lower_bound(parts.state.materials, input.material.id, {}, &Material::id) = input.material;
-    for (const PlayBody& body : parts.state.bodies) {
+void applyInput(SessionParts& parts, const MaterialInput& input) {
+    *std::ranges::lower_bound(parts.state().materials, input.material.id, {}, &Material::id) = input.material;
+    for (const PlayBody& body : parts.state().bodies) {
         if (body.asset == nullptr) continue;
-        if (materialOf(parts.state, parts.scene, body.asset->bake->asset).id != input.material.id) continue;
+        if (materialOf(parts.state(), parts.scene(), body.asset->bake->asset).id != input.material.id) continue;
         reportRefused(
             parts, &body,
-            "The material of " + quotedName(nameOf(body, parts.state.origins[body.origin])) + " stays as it was",
-            parts.world.setMaterial(body.body, bodyMaterial(parts, *body.asset, body.fragment, body.role)));
+            "The material of " + quotedName(nameOf(body, parts.state().origins[body.origin])) + " stays as it was",
+            parts.world().setMaterial(body.body, bodyMaterial(parts, *body.asset, body.fragment, body.role)));
     }
 }
 
 /// Adds the break of an input to those of the inputs directly before it.
-void addBreak(const SessionParts& parts, const BreakInput& input, std::vector<PendingBreak>& breaks) {
-    const PlayBody* body = findBody(parts.state, input.body);
+void addBreak(SessionParts& parts, const BreakInput& input, std::vector<PendingBreak>& breaks) {
+    const PlayBody* body = findBody(parts.state(), input.body);
     const auto isPending = [&](const PendingBreak& pending) { return pending.event.body.number == input.body; };
     if (body == nullptr || body->fracture() == nullptr || std::ranges::any_of(breaks, isPending)) {
         addUnapplied(parts, body, "Nothing was broken: the body is gone, unbreakable or without fragments.");
@@ -196,37 +194,37 @@ void addBreak(const SessionParts& parts, const BreakInput& input, std::vector<Pe
     breaks.back().event.point = breaks.back().mass.centre;
 }
 
-void applyInput(const SessionParts& parts, const GravityInput& input) {
-    reportRefused(parts, nullptr, "Cannot set gravity", parts.world.setGravity(input.gravity));
+void applyInput(SessionParts& parts, const GravityInput& input) {
+    reportRefused(parts, nullptr, "Cannot set gravity", parts.world().setGravity(input.gravity));
 }
 
-void applyInput(const SessionParts& parts, const DestructionInput& input) { parts.state.hasDestruction = input.isOn; }
+void applyInput(SessionParts& parts, const DestructionInput& input) { parts.state().hasDestruction = input.isOn; }
 
-void applyInput(const SessionParts& parts, const GrabInput& input) {
-    const PlayBody* body = findBody(parts.state, input.body);
-    if (body == nullptr || parts.world.kind(body->body) != BodyKind::Dynamic) {
+void applyInput(SessionParts& parts, const GrabInput& input) {
+    const PlayBody* body = findBody(parts.state(), input.body);
+    if (body == nullptr || parts.world().kind(body->body) != BodyKind::Dynamic) {
         addUnapplied(parts, body, "Nothing was grabbed: the body is fixed, or it broke.");
         return;
     }
-    reportRefused(parts, body, "Cannot grab", parts.world.grab(body->body, input.point, input.force));
+    reportRefused(parts, body, "Cannot grab", parts.world().grab(body->body, input.point, input.force));
 }
 
-void applyInput(const SessionParts& parts, const DragInput& input) {
-    reportRefused(parts, nullptr, "Cannot drag", parts.world.dragTo(input.to));
+void applyInput(SessionParts& parts, const DragInput& input) {
+    reportRefused(parts, nullptr, "Cannot drag", parts.world().dragTo(input.to));
 }
 
-void applyInput(const SessionParts& parts, const ReleaseInput&) { parts.world.release(); }
+void applyInput(SessionParts& parts, const ReleaseInput&) { parts.world().release(); }
 
-void applyInput(const SessionParts& parts, const RemoveInput& input) {
+void applyInput(SessionParts& parts, const RemoveInput& input) {
     const auto& [instance, paths] = input.part;
     if (paths.empty()) return removeInstance(parts, instance);
-    const Bake& bake = *parts.scene.assets.at(variantOf(*findInstance(parts.scene.project, instance)))->bake;
+    const Bake& bake = *parts.scene().assets.at(variantOf(*findInstance(parts.scene().project, instance)))->bake;
     std::vector<std::uint32_t> fragments;
     for (const FragmentPath& path : paths) fragments.push_back(*fragmentAt(bake, path));
     removeFragments(parts, instance, std::move(fragments));
 }
 
-void applyInput(const SessionParts& parts, const PlayInput& input) {
+void applyInput(SessionParts& parts, const PlayInput& input) {
     std::visit(
         [&](const auto& one) {
             if constexpr (!std::is_same_v<std::decay_t<decltype(one)>, BreakInput>) applyInput(parts, one);
@@ -240,10 +238,10 @@ std::optional<std::string> faultOf(const PlayInput& input, const PlayScene& scen
     return std::visit([&](const auto& one) { return faultOfInput(one, scene, state); }, input);
 }
 
-void applyInputs(const SessionParts& parts) {
-    std::vector<TimedInput>& pending = parts.state.pending;
+void applyInputs(SessionParts& parts) {
+    std::vector<TimedInput>& pending = parts.state().pending;
     std::size_t due = 0;
-    while (due < pending.size() && pending[due].step <= parts.state.step) ++due;
+    while (due < pending.size() && pending[due].step <= parts.state().step) ++due;
     const auto end = pending.begin() + static_cast<std::ptrdiff_t>(due);
     std::vector<TimedInput> inputs(std::make_move_iterator(pending.begin()), std::make_move_iterator(end));
     pending.erase(pending.begin(), end);
@@ -251,7 +249,7 @@ void applyInputs(const SessionParts& parts) {
     breaks.reserve(inputs.size());
     for (TimedInput& timed : inputs) {
         if (const auto* input = std::get_if<BreakInput>(&timed.input)) {
-            if (PlayBody* body = findBody(parts.state, input->body); body != nullptr && body->bondedFracture()) {
+            if (PlayBody* body = findBody(parts.state(), input->body); body != nullptr && body->bondedFracture()) {
                 breakAllBonds(parts, *body);
             } else {
                 addBreak(parts, *input, breaks);
@@ -260,7 +258,7 @@ void applyInputs(const SessionParts& parts) {
             applyBreaks(parts, std::exchange(breaks, {}));
             applyInput(parts, timed.input);
         }
-        parts.state.events.inputs.push_back(std::move(timed));
+        parts.state().events.inputs.push_back(std::move(timed));
     }
     applyBreaks(parts, std::move(breaks));
     splitUnjoined(parts);

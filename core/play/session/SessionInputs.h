@@ -10,6 +10,6 @@ namespace rubble {
 /// Why an input is invalid, as a sentence; nothing if it is valid.
 std::optional<std::string> faultOf(const PlayInput& input, const PlayScene& scene, const SessionState& state);
 /// Applies the inputs that are due. Consecutive BreakInputs break their bodies together.
-void applyInputs(const SessionParts& parts);
+void applyInputs(SessionParts& parts);
 
 }  // namespace rubble

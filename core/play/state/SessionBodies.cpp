@@ -15,10 +15,10 @@ namespace {
 constexpr double kFallDepth = 100.0;   // m below everything placed: bodies below it are removed
 constexpr double kThesisMass = 100.0;  // kg per fragment: listing 8 of the thesis
 
-Status placeGround(const SessionParts& parts) {
-    const Ground& ground = parts.scene.project.ground;
+Status placeGround(SessionParts& parts) {
+    const Ground& ground = parts.scene().project.ground;
     if (!ground.isOn) return success();
-    parts.state.origins.push_back({.name = "ground"});
+    parts.state().origins.push_back({.name = "ground"});
     const std::shared_ptr<const Polytope> box = groundHull();
     const Result<std::shared_ptr<const Shape>> shape = makeShape({box.get(), 1});
     RUBBLE_ASSERT(shape.hasValue());
@@ -32,16 +32,16 @@ Status placeGround(const SessionParts& parts) {
     return added ? success() : Status(added.error());
 }
 
-Status placeInstance(const SessionParts& parts, const Instance& instance) {
-    SessionState& state = parts.state;
-    const std::shared_ptr<const PlayAsset>& asset = parts.scene.assets.at(variantOf(instance));
+Status placeInstance(SessionParts& parts, const Instance& instance) {
+    SessionState& state = parts.state();
+    const std::shared_ptr<const PlayAsset>& asset = parts.scene().assets.at(variantOf(instance));
     const BodyMaterial material = bodyMaterial(parts, *asset, kNone, PlayRole::Instance);
     const auto origin = static_cast<std::uint32_t>(state.origins.size());
     state.origins.push_back({instance.name, instance.id, instance.asset, instance.variant});
     if (instance.threshold) state.instanceThresholds[instance.id] = *instance.threshold;
     state.lowest = std::min(state.lowest, instance.pose.position.y - kFallDepth);
-    const auto structure = parts.scene.structures.find(instance.id);
-    const bool isBonded = structure != parts.scene.structures.end();
+    const auto structure = parts.scene().structures.find(instance.id);
+    const bool isBonded = structure != parts.scene().structures.end();
     const bool isHeld = isBonded && structure->second->isHeld();
     const Result<std::uint32_t> added =
         addBody(parts,
@@ -61,6 +61,23 @@ Status placeInstance(const SessionParts& parts, const Instance& instance) {
     return success();
 }
 
+/// The body with a number, of `bodies`, const or not; null if it is gone.
+template <class Bodies>
+auto bodyIn(Bodies& bodies, std::uint32_t number) -> decltype(bodies.data()) {
+    // Were no body gone, it would be as far from the first as their numbers are apart: it is there, or not far before.
+    if (bodies.empty() || number < bodies.front().number) return nullptr;
+    std::size_t end = std::min<std::size_t>(bodies.size(), number - bodies.front().number + std::size_t{1});
+    std::size_t step = 1;
+    while (end > step && bodies[end - step].number > number) {
+        end -= step;
+        step *= 2;
+    }
+    const auto begin = bodies.begin() + static_cast<std::ptrdiff_t>(end > step ? end - step : 0);
+    const auto last = bodies.begin() + static_cast<std::ptrdiff_t>(end);
+    const auto found = std::ranges::lower_bound(begin, last, number, {}, &PlayBody::number);
+    return found != last && found->number == number ? &*found : nullptr;
+}
+
 }  // namespace
 
 const Material& materialOf(const SessionState& state, const PlayScene& scene, Id asset) {
@@ -69,9 +86,9 @@ const Material& materialOf(const SessionState& state, const PlayScene& scene, Id
 }
 
 BodyMaterial bodyMaterial(const SessionParts& parts, const PlayAsset& asset, std::uint32_t fragment, PlayRole role) {
-    const Material& material = materialOf(parts.state, parts.scene, asset.bake->asset);
+    const Material& material = materialOf(parts.state(), parts.scene(), asset.bake->asset);
     BodyMaterial made{material.density, material.friction, material.restitution};
-    if (parts.scene.project.damage.isThesis && role == PlayRole::Debris) {
+    if (parts.scene().project.damage.isThesis && role == PlayRole::Debris) {
         made.density = kThesisMass / asset.solid(fragment).shape->mass.volume;
     }
     return made;
@@ -87,21 +104,8 @@ double thresholdOf(const SessionState& state, const PlayScene& scene, const Play
     return thresholdOf(body.asset->solid(body.fragment), whole);
 }
 
-PlayBody* findBody(SessionState& state, std::uint32_t number) {
-    // Were no body gone, it would be as far from the first as their numbers are apart: it is there, or not far before.
-    std::vector<PlayBody>& bodies = state.bodies;
-    if (bodies.empty() || number < bodies.front().number) return nullptr;
-    std::size_t end = std::min<std::size_t>(bodies.size(), number - bodies.front().number + std::size_t{1});
-    std::size_t step = 1;
-    while (end > step && bodies[end - step].number > number) {
-        end -= step;
-        step *= 2;
-    }
-    const auto begin = bodies.begin() + static_cast<std::ptrdiff_t>(end > step ? end - step : 0);
-    const auto last = bodies.begin() + static_cast<std::ptrdiff_t>(end);
-    const auto found = std::ranges::lower_bound(begin, last, number, {}, &PlayBody::number);
-    return found != last && found->number == number ? &*found : nullptr;
-}
+const PlayBody* findBody(const SessionState& state, std::uint32_t number) { return bodyIn(state.bodies, number); }
+PlayBody* findBody(SessionState& state, std::uint32_t number) { return bodyIn(state.bodies, number); }
 
 double distanceToBody(const World& world, BodyId body, Vec3 point) {
     const BodyState state = world.state(body);
@@ -137,33 +141,33 @@ double heldPotential(const PlayScene& scene, const SessionState& state, const Wo
     return potential;
 }
 
-Result<std::uint32_t> addBody(const SessionParts& parts, BodyDefinition definition, PlayBody body) {
-    SessionState& state = parts.state;
+Result<std::uint32_t> addBody(SessionParts& parts, BodyDefinition definition, PlayBody body) {
+    SessionState& state = parts.state();
     definition.tag = state.nextNumber;
-    const Result<BodyId> id = parts.world.addBody(definition);
+    const Result<BodyId> id = parts.world().addBody(definition);
     if (!id) return id.error();
     body.number = state.nextNumber++;
     body.body = *id;
     body.born = state.step;
-    if (body.role == PlayRole::Instance) body.restCentre = parts.world.state(*id).centre;
+    if (body.role == PlayRole::Instance) body.restCentre = parts.world().state(*id).centre;
     state.bodies.push_back(std::move(body));
     return state.bodies.back().number;
 }
 
 PlayRemoval removalOf(const SessionParts& parts, const PlayBody& body, RemovalReason reason) {
-    const BodyState state = parts.world.state(body.body);
+    const BodyState state = parts.world().state(body.body);
     return {.body = body,
             .reason = reason,
             .state = state,
             .centre = state.centre,
-            .mass = parts.world.mass(body.body),
-            .box = parts.world.box(body.body)};
+            .mass = parts.world().mass(body.body),
+            .box = parts.world().box(body.body)};
 }
 
-void removeFromWorld(const SessionParts& parts, std::uint32_t number) {
-    PlayBody* body = findBody(parts.state, number);
+void removeFromWorld(SessionParts& parts, std::uint32_t number) {
+    PlayBody* body = findBody(parts.state(), number);
     RUBBLE_ASSERT(body != nullptr);
-    parts.world.removeBody(body->body);
+    parts.world().removeBody(body->body);
     body->body = {};
 }
 
@@ -173,9 +177,9 @@ std::size_t eraseRemovedBodies(SessionState& state) {
     return visited;
 }
 
-Status placeScene(const SessionParts& parts) {
-    SessionState& state = parts.state;
-    const Project& project = parts.scene.project;
+Status placeScene(SessionParts& parts) {
+    SessionState& state = parts.state();
+    const Project& project = parts.scene().project;
     state.materials = project.materials;
     for (const Asset& asset : project.assets) state.assetThresholds[asset.id] = thresholdOf(project, asset);
     state.lowest = project.ground.height - kFallDepth;

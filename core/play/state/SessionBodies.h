@@ -11,6 +11,7 @@ BodyMaterial bodyMaterial(const SessionParts& parts, const PlayAsset& asset, std
 double thresholdOf(const SessionState& state, const PlayScene& scene, const PlayBody& body);
 /// The body with a number; null if it is gone.
 PlayBody* findBody(SessionState& state, std::uint32_t number);
+const PlayBody* findBody(const SessionState& state, std::uint32_t number);
 
 /// The distance of a point from a body, m; 0 inside.
 double distanceToBody(const World& world, BodyId body, Vec3 point);
@@ -21,17 +22,17 @@ double heldPotential(const PlayScene& scene, const SessionState& state, const Wo
 /// Adds a body to world and list, with the next number.
 ///
 /// Errors: those of World::addBody().
-Result<std::uint32_t> addBody(const SessionParts& parts, BodyDefinition definition, PlayBody body);
+Result<std::uint32_t> addBody(SessionParts& parts, BodyDefinition definition, PlayBody body);
 /// A body as it is before it is removed.
 PlayRemoval removalOf(const SessionParts& parts, const PlayBody& body, RemovalReason reason);
 /// Removes a body from the world. It stays in the list, without a world id, until eraseRemovedBodies().
-void removeFromWorld(const SessionParts& parts, std::uint32_t number);
+void removeFromWorld(SessionParts& parts, std::uint32_t number);
 /// Returns the number of bodies visited.
 std::size_t eraseRemovedBodies(SessionState& state);
 
 /// Adds the ground and all instances.
 ///
 /// Errors: those of World::addBody(), with the instance's name.
-Status placeScene(const SessionParts& parts);
+Status placeScene(SessionParts& parts);
 
 }  // namespace rubble

@@ -62,12 +62,28 @@ inline double timeOf(const SessionState& state, double dt) {
 /// counted.
 std::size_t byteCount(const SessionState& state);
 
-/// The parts of a session that the functions carrying out a step work on.
-struct SessionParts {
-    const PlayScene& scene;
-    const SessionSettings& settings;
-    SessionState& state;
-    World& world;
+/// The parts of a session that the functions carrying out a step work on. One that changes state or world takes
+/// `SessionParts&`; one that only reads takes `const SessionParts&`, through which nothing can be changed. Not copied,
+/// since a copy of what can only be read could change it.
+class SessionParts {
+public:
+    SessionParts(const PlayScene& scene, const SessionSettings& settings, SessionState& state, World& world)
+        : m_scene(scene), m_settings(settings), m_state(state), m_world(world) {}
+    SessionParts(const SessionParts&) = delete;
+    SessionParts& operator=(const SessionParts&) = delete;
+
+    const PlayScene& scene() const { return m_scene; }
+    const SessionSettings& settings() const { return m_settings; }
+    const SessionState& state() const { return m_state; }
+    SessionState& state() { return m_state; }
+    const World& world() const { return m_world; }
+    World& world() { return m_world; }
+
+private:
+    const PlayScene& m_scene;
+    const SessionSettings& m_settings;
+    SessionState& m_state;
+    World& m_world;
 };
 
 }  // namespace rubble

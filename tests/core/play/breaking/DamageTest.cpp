@@ -32,12 +32,12 @@ struct BoxesInSession {
         for (const BodyId body : world.bodies())
             state.bodies.push_back({.number = static_cast<std::uint32_t>(world.tag(body)), .body = body});
     }
-    SessionParts parts() { return {scene, settings, state, world}; }
 
     World& world;
     PlayScene scene;
     SessionSettings settings;
     SessionState state = {};
+    SessionParts parts{scene, settings, state, world};
 };
 
 /// The break of the second box by the first.
@@ -87,7 +87,7 @@ private slots:
             BoxesInSession boxes(made.world);
             PendingBreak broken = breakOfSecond(made, threshold);
             const double before = made.world.momenta().linear.x;
-            applyBreakImpulses(boxes.parts(), {&broken, 1});
+            applyBreakImpulses(boxes.parts, {&broken, 1});
             const EnergyAudit& audit = boxes.state.events.energy;
             QCOMPARE(audit.size(), 1u);
             QVERIFY(audit[0].after < audit[0].before);
@@ -111,7 +111,7 @@ private slots:
                 breaks[1].event.impactor = {};
                 breaks[1].mass = movingMass(made.world, made.bodies[0]);
             }
-            applyBreakImpulses(boxes.parts(), breaks);
+            applyBreakImpulses(boxes.parts, breaks);
             QCOMPARE(breaks[0].mass.velocity.x, -1e30);
             QCOMPARE(made.world.state(made.bodies[0]).velocity.x, 3.0);
             if (doBothBreak) QCOMPARE(breaks[1].mass.velocity.x, 3.0);

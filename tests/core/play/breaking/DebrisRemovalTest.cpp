@@ -203,7 +203,7 @@ private slots:
         SessionState state;
         state.lowest = -100.0;
         World world;
-        const SessionParts parts{scene, settings, state, world};
+        SessionParts parts{scene, settings, state, world};
         const std::array<Polytope, 1> box{test::boxOf({0.1, 0.1, 0.1})};
         const std::shared_ptr<const Shape> shape = *makeShape(box);
         for (int k = 0; k < bodies; ++k) {

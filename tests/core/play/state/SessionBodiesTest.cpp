@@ -9,6 +9,8 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 using namespace rubble;
 
@@ -17,14 +19,13 @@ namespace {
 /// The bodies of a project in a world, without a session.
 struct PlacedBodies {
     explicit PlacedBodies(const Project& project) : scene(test::playSceneOf(project)) {
-        if (const Status placed = placeScene(parts()); !placed) qFatal("%s", placed.error().message.c_str());
+        if (const Status placed = placeScene(parts); !placed) qFatal("%s", placed.error().message.c_str());
     }
-    SessionParts parts() { return {*scene, settings, state, world}; }
-
     std::shared_ptr<const PlayScene> scene;
     SessionSettings settings;
     SessionState state;
     World world;
+    SessionParts parts{*scene, settings, state, world};
 };
 
 /// A block at a height of 5 m, and its first fragment 3 m below.
@@ -32,13 +33,23 @@ struct BlockAndFragment : PlacedBodies {
     BlockAndFragment() : PlacedBodies(test::floatingBlock()) {
         const std::shared_ptr<const PlayAsset> asset = state.bodies.back().asset;
         const Result<std::uint32_t> added =
-            addBody(parts(), {.shape = asset->solid(0).shape, .pose = {.position = {0.0, 2.0, 0.0}}},
+            addBody(parts, {.shape = asset->solid(0).shape, .pose = {.position = {0.0, 2.0, 0.0}}},
                     {.role = PlayRole::Debris, .origin = state.bodies.back().origin, .asset = asset, .fragment = 0});
         if (!added) qFatal("%s", added.error().message.c_str());
     }
     const PlayBody& block() const { return state.bodies[state.bodies.size() - 2]; }
     const PlayBody& fragment() const { return state.bodies.back(); }
 };
+
+// Through parts that are const, nothing of a session can be changed, not even by a copy.
+template <class Parts>
+concept CanChange = requires(Parts& parts) {
+    parts.state().step = 1;
+}
+|| requires(Parts& parts) { parts.world().release(); }
+|| requires(Parts& parts) { SessionParts(parts); };
+static_assert(CanChange<SessionParts> && !CanChange<const SessionParts>);
+static_assert(std::is_same_v<decltype(findBody(std::declval<const SessionState&>(), 0)), const PlayBody*>);
 
 }  // namespace
 
@@ -87,7 +98,7 @@ private slots:
         BlockAndFragment bodies;
         QCOMPARE(findBody(bodies.state, 2)->number, 2u);
         QVERIFY(!findBody(bodies.state, 3));
-        removeFromWorld(bodies.parts(), 1);
+        removeFromWorld(bodies.parts, 1);
         QVERIFY(findBody(bodies.state, 1));
         QCOMPARE(eraseRemovedBodies(bodies.state), std::size_t{3});
         QVERIFY(!findBody(bodies.state, 1));
@@ -100,8 +111,8 @@ private slots:
         PlacedBodies placed(project);
         const PlayAsset& asset = *placed.state.bodies[1].asset;
         const double volume = asset.solid(0).shape->mass.volume;
-        QCOMPARE(bodyMaterial(placed.parts(), asset, kNone, PlayRole::Instance).density, 1000.0);
-        const double density = bodyMaterial(placed.parts(), asset, 0, PlayRole::Debris).density;
+        QCOMPARE(bodyMaterial(placed.parts, asset, kNone, PlayRole::Instance).density, 1000.0);
+        const double density = bodyMaterial(placed.parts, asset, 0, PlayRole::Debris).density;
         QVERIFY(std::abs(density * volume - 100.0) < 1e-9);
     }
     void memoryGrowsWithTheBodies() {
@@ -112,10 +123,10 @@ private slots:
     }
     void inputsWithoutEffectAreReported() {
         BlockAndFragment bodies;
-        reportRefused(bodies.parts(), &bodies.block(), "Impulse", success());
+        reportRefused(bodies.parts, &bodies.block(), "Impulse", success());
         QVERIFY(bodies.state.events.diagnostics.empty());
-        reportRefused(bodies.parts(), &bodies.block(), "Impulse", Error{ErrorCode::BadInput, "It is too large."});
-        addUnapplied(bodies.parts(), nullptr, "There is nothing.");
+        reportRefused(bodies.parts, &bodies.block(), "Impulse", Error{ErrorCode::BadInput, "It is too large."});
+        addUnapplied(bodies.parts, nullptr, "There is nothing.");
         QCOMPARE(bodies.state.events.diagnostics.size(), std::size_t{2});
         const Diagnostic& refused = bodies.state.events.diagnostics[0];
         QVERIFY(refused.code == DiagnosticCode::UnappliedInput);
@@ -126,12 +137,12 @@ private slots:
     void lostImpulsesAreReported() {
         BlockAndFragment bodies;
         const BodyId block = bodies.block().body;
-        QVERIFY(applyImpulse(bodies.parts(), block, {500.0, 0.0, 0.0}, {0.0, 5.0, 0.0}, "The hit on \"block\""));
+        QVERIFY(applyImpulse(bodies.parts, block, {500.0, 0.0, 0.0}, {0.0, 5.0, 0.0}, "The hit on \"block\""));
         QVERIFY(bodies.state.events.diagnostics.empty());
         QCOMPARE(bodies.world.state(block).velocity, Vec3(1.0, 0.0, 0.0));
         for (const double impulse : {2.0 * kMaxImpulse, std::numeric_limits<double>::quiet_NaN()}) {
             bodies.state.events.diagnostics.clear();
-            QVERIFY(!applyImpulse(bodies.parts(), block, Vec3(impulse), {0.0, 5.0, 0.0}, "The hit on \"block\""));
+            QVERIFY(!applyImpulse(bodies.parts, block, Vec3(impulse), {0.0, 5.0, 0.0}, "The hit on \"block\""));
             QCOMPARE(bodies.world.state(block).velocity, Vec3(1.0, 0.0, 0.0));
             QCOMPARE(bodies.state.events.diagnostics.size(), std::size_t{1});
             const Diagnostic& lost = bodies.state.events.diagnostics[0];
