@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/physics/state/StepResults.h"
-#include "core/play/breaking/Splitting.h"
+#include "core/play/breaking/BrokenBonds.h"
 
 #include <optional>
 #include <span>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/play/breaking/Splitting.h"
+#include "core/play/breaking/BrokenBonds.h"
 
 #include <set>
 #include <vector>

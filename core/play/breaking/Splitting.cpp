@@ -3,14 +3,13 @@
 #include "core/base/Assert.h"
 #include "core/base/MessageText.h"
 #include "core/physics/world/Split.h"
+#include "core/play/breaking/Collapse.h"
 #include "core/play/breaking/MortarBreaking.h"
-#include "core/play/breaking/MortarSupport.h"
 #include "core/play/breaking/MovingMass.h"
 #include "core/play/scene/PlayBodyShape.h"
 #include "core/play/state/InputDiagnostics.h"
 #include "core/play/state/SessionBodies.h"
 #include "core/structure/graph/Islands.h"
-#include "core/structure/graph/Support.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,59 +27,6 @@ struct PartOfBody {
     bool isHeld = false;
     double volume = 0.0;  // m³
 };
-
-/// Breaks the unbroken bonds of nodes that `isBreaking(link)` accepts.
-template <class IsBreaking>
-void breakBonds(StructureState& state, std::span<const std::uint32_t> nodes, const IsBreaking& isBreaking,
-                std::vector<std::uint32_t>& broken) {
-    for (const std::uint32_t node : nodes) {
-        for (const BondLink& link : state.structure->graph.linksOf(node)) {
-            if (state.damage[link.bond] == kBroken || !isBreaking(link)) continue;
-            state.damage[link.bond] = kBroken;
-            broken.push_back(link.bond);
-        }
-    }
-}
-
-/// Nodes of a held body that lose their bonds, since they have lost their support.
-struct Unsupported {
-    std::vector<std::uint32_t> nodes;  // ascending
-    HeldClusters held;                 // whose bonds they keep
-};
-
-/// Of nodes without support, those that lose their bonds: clusters that hold have support where one of their nodes
-/// has. `nodes`: all of the body.
-Unsupported losingNodes(const StructureState& state, std::span<const std::uint32_t> nodes, const HeldClusters& held,
-                        std::span<const std::uint32_t> beyond) {
-    return {wholeClusters(beyond, state.structure->graph, held, state.damage, nodes), held};
-}
-
-/// Those of a held body; nothing of one that mortar joins, see MortarSupport.h.
-Unsupported unsupportedOf(const SessionParts& parts, const PlayBody& body, const StructureState& state,
-                          std::span<const std::uint32_t> nodes, const HeldClusters& held) {
-    const PlayStructure& structure = *state.structure;
-    const Vec3 gravity = parts.world().gravity();
-    if (!body.isHeld || !structure.hasSpan() || !structure.mortar.empty() || gravity == Vec3(0.0)) return {};
-    const Instance& instance = *findInstance(parts.scene().project, parts.state().origins[body.origin].instance);
-    const Vec3 up = upIn(poseOf(instance), gravity);  // what is held stays where it was placed
-    const std::vector<double> limits = supportLimitsOf(structure, up);
-    return losingNodes(state, nodes, held, unsupportedNodes(structure.graph, state.damage, nodes, limits, up));
-}
-
-/// The clusters of a body that hold, whatever broke in this step.
-HeldClusters clustersOf(const StructureState& state, const PlayBody& body) {
-    const PlayStructure& structure = *state.structure;
-    return {structure.clusterLevels,
-            breakingLevel(structure.graph, structure.capacities, structure.clusterLevels, state.damage, body.nodes)};
-}
-
-/// Breaks all bonds of what has no support but those of its clusters: in one piece it would jam between what stands.
-void breakUnsupported(StructureState& state, const Unsupported& unsupported, std::vector<std::uint32_t>& broken) {
-    const auto canBreak = [&](const BondLink& link) {
-        return std::isfinite(state.structure->capacities[link.bond]) && !unsupported.held.holds(link.bond);
-    };
-    breakBonds(state, unsupported.nodes, canBreak, broken);
-}
 
 double volumeOf(const PlayStructure& structure, std::span<const std::uint32_t> nodes) {
     double volume = 0.0;
@@ -222,26 +168,6 @@ void auditSplit(SessionParts& parts, std::uint32_t number, double before, std::s
     parts.state().events.energy.push_back(entry);
 }
 
-std::uint64_t collapseStepOf(const SessionParts& parts, const PlayStructure& structure) {
-    const double steps = std::ceil(structure.collapseDelay / parts.settings().dt - 1e-6);
-    return parts.state().step + 1 + static_cast<std::uint64_t>(std::max(1.0, steps));
-}
-
-/// Plans when a held body loses what has no support; one that has come free does not.
-void planCollapse(const SessionParts& parts, PlayBody& body) {
-    if (!body.isHeld) {
-        body.collapseStep = PlayBody::kNever;
-        return;
-    }
-    const StructureState& state = parts.state().structures[body.structure];
-    if (!state.structure->mortar.empty()) return;  // planMortarCollapse() does
-    if (unsupportedOf(parts, body, state, body.nodes, clustersOf(state, body)).nodes.empty()) {
-        body.collapseStep = PlayBody::kNever;
-    } else if (body.collapseStep == PlayBody::kNever) {
-        body.collapseStep = collapseStepOf(parts, *state.structure);
-    }
-}
-
 /// Replaces a body by the bodies of its parts. Adds the numbers of those that came off.
 void replaceBody(SessionParts& parts, const PlayBody& before, std::span<const PartOfBody> islands,
                  std::vector<std::uint32_t>& freed) {
@@ -356,7 +282,7 @@ bool splitBody(SessionParts& parts, BrokenBonds broken) {
     if (state.structure->collapseDelay == 0.0) {
         HeldClusters held = heldClusters(parts, body);
         held.breaking = std::min(held.breaking, broken.level);
-        breakUnsupported(state, unsupportedOf(parts, body, state, body.nodes, held), breakage.bonds);
+        breakUnsupported(parts, body, body.nodes, held, state, breakage.bonds);
     }
     const std::vector<PartOfBody> islands = crumbledParts(state, body.nodes, body.isHeld, breakage);
     const bool isChanged = islands.size() > 1 || islands.front().isHeld != body.isHeld;
@@ -391,13 +317,6 @@ std::vector<BrokenBonds> unjoinedBodies(SessionParts& parts) {
 
 }  // namespace
 
-HeldClusters heldClusters(const SessionParts& parts, const PlayBody& body) {
-    HeldClusters held = clustersOf(parts.state().structures[body.structure], body);
-    if (timeOf(parts.state(), parts.settings().dt) < body.heldUntil)
-        held.breaking = std::min(held.breaking, body.heldLevel);
-    return held;
-}
-
 void removeNodes(SessionParts& parts, std::uint32_t number, std::span<const std::uint32_t> nodes) {
     PlayBody& body = *findBody(parts.state(), number);
     StructureState& state = structureOf(parts, body);
@@ -412,24 +331,9 @@ void removeNodes(SessionParts& parts, std::uint32_t number, std::span<const std:
         eraseRemovedBodies(parts.state());
         return;
     }
-    breakUnsupported(state, unsupportedOf(parts, body, state, kept, heldClusters(parts, body)), broken.bonds);
+    breakUnsupported(parts, body, kept, heldClusters(parts, body), state, broken.bonds);
     std::vector<std::uint32_t> freed;
     replaceBody(parts, PlayBody(body), crumbledParts(state, kept, body.isHeld, broken), freed);
-}
-
-StructureState& structureOf(SessionParts& parts, PlayBody& body) {
-    std::vector<StructureState>& structures = parts.state().structures;
-    if (body.structure != kNone) return structures[body.structure];
-    RUBBLE_ASSERT(body.bondedFracture() != nullptr);
-    StructureState begun{.origin = body.origin,
-                         .parent = body.fragment,
-                         .structure = structureIn(parts.scene(), parts.state().origins[body.origin], body.fragment)};
-    begun.damage = begun.structure->initialDamage;
-    begun.bodyOfNode.assign(begun.structure->nodeCount(), body.number);
-    body.structure = static_cast<std::uint32_t>(structures.size());
-    body.nodes = begun.structure->allNodes();
-    structures.push_back(std::move(begun));
-    return structures.back();
 }
 
 bool splitBodies(SessionParts& parts, std::vector<BrokenBonds> broken) {
@@ -446,50 +350,5 @@ bool splitBodies(SessionParts& parts, std::vector<BrokenBonds> broken) {
 }
 
 void splitUnjoined(SessionParts& parts) { splitBodies(parts, unjoinedBodies(parts)); }
-
-void planMortarCollapse(SessionParts& parts, const std::set<Id>& changed) {
-    const std::set<Id> instances = joinedInstances(parts.scene().structures, changed);
-    if (instances.empty()) return;
-    const UnsupportedNodes unsupported = unsupportedByMortar(parts, instances);
-    for (PlayBody& body : parts.state().bodies) {
-        if (!body.isHeld || !instances.contains(parts.state().origins[body.origin].instance)) continue;
-        bool doLose = false;
-        if (const auto found = unsupported.find(body.number); found != unsupported.end()) {
-            const StructureState& state = structureOf(parts, body);
-            doLose = !losingNodes(state, body.nodes, clustersOf(state, body), found->second).nodes.empty();
-        }
-        if (doLose) {
-            const PlayStructure& structure = *parts.state().structures[body.structure].structure;
-            if (body.collapseStep == PlayBody::kNever) body.collapseStep = collapseStepOf(parts, structure);
-        } else if (body.structure != kNone && !parts.state().structures[body.structure].structure->mortar.empty()) {
-            body.collapseStep = PlayBody::kNever;
-        }
-    }
-}
-
-bool collapseUnsupported(SessionParts& parts) {
-    const auto isDue = [&](const PlayBody& body) { return body.collapseStep <= parts.state().step + 1; };
-    std::set<Id> instances;
-    for (const PlayBody& body : parts.state().bodies)
-        if (isDue(body)) instances.insert(parts.state().origins[body.origin].instance);
-    if (instances.empty()) return false;
-    std::vector<BrokenBonds> broken;
-    std::optional<UnsupportedNodes> byMortar;
-    for (PlayBody& body : parts.state().bodies) {
-        if (!isDue(body)) continue;
-        body.collapseStep = PlayBody::kNever;
-        StructureState& state = parts.state().structures[body.structure];
-        const HeldClusters held = heldClusters(parts, body);
-        BrokenBonds one{.body = body.number, .point = parts.world().state(body.body).centre, .level = held.breaking};
-        if (state.structure->mortar.empty()) {
-            breakUnsupported(state, unsupportedOf(parts, body, state, body.nodes, held), one.bonds);
-        } else {
-            if (!byMortar) byMortar = unsupportedByMortar(parts, instances);
-            breakUnsupported(state, losingNodes(state, body.nodes, held, (*byMortar)[body.number]), one.bonds);
-        }
-        if (!one.bonds.empty()) broken.push_back(std::move(one));
-    }
-    return splitBodies(parts, std::move(broken));
-}
 
 }  // namespace rubble

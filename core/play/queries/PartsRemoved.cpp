@@ -1,5 +1,6 @@
 #include "core/play/queries/PartsRemoved.h"
 
+#include "core/play/breaking/Collapse.h"
 #include "core/play/breaking/MortarBreaking.h"
 #include "core/play/breaking/PartRemoval.h"
 #include "core/play/breaking/Splitting.h"
@@ -48,7 +49,7 @@ void settle(SessionParts& parts, const std::set<Id>& changed, const Session& ses
         const bool wasPlanned = before != nullptr && before->collapseStep != PlayBody::kNever;
         if (body.collapseStep != PlayBody::kNever && !wasPlanned) body.collapseStep = parts.state().step + 1;
     }
-    collapseUnsupported(parts);
+    splitBodies(parts, brokenByCollapse(parts));
     for (const PlaySplit& split : parts.state().events.splits)
         for (const std::uint32_t freed : split.freed) sources.add(freed, split.body.number);
     for (const PlayBody& body : parts.state().bodies) {  // what anchors hold in several pieces

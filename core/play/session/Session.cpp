@@ -5,6 +5,7 @@
 #include "core/base/Stopwatch.h"
 #include "core/play/breaking/ApplyDamage.h"
 #include "core/play/breaking/BondBreaking.h"
+#include "core/play/breaking/Collapse.h"
 #include "core/play/breaking/DebrisRemoval.h"
 #include "core/play/breaking/HitIntervals.h"
 #include "core/play/breaking/SharedImpacts.h"
@@ -43,7 +44,7 @@ std::vector<BodyId> breakableBodies(const SessionState& state) {
 /// the same time; what came of a swap breaks in the next at the earliest.
 void breakBodies(SessionParts& parts, std::span<const Impact> impacts, double dt) {
     constexpr int kMaxPasses = 8;  // of a hit through bonds
-    collapseUnsupported(parts);
+    splitBodies(parts, brokenByCollapse(parts));
     // Bonds first: what breaks whole is gone after its swap, and could not take the impulse of bonds.
     const std::vector<Impact> shared = sharedImpacts(parts.world(), impacts);
     bool hasFreed = breakHitBonds(parts, shared);

@@ -1,4 +1,4 @@
-// Tests how core/play/breaking/BondBreaking.cpp and core/play/breaking/Splitting.cpp break clusters.
+// Tests how core/play/breaking/BondBreaking.cpp and core/play/breaking/BrokenBonds.cpp break clusters.
 #include "core/play/queries/WouldFall.h"
 #include "core/structure/clusters/ClusterLevels.h"
 #include "tests/support/FaultOfSeed.h"

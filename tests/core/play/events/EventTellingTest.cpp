@@ -6,6 +6,7 @@
 #include "tests/support/asset/Dam.h"
 #include "tests/support/asset/House.h"
 #include "tests/support/asset/Pane.h"
+#include "tests/support/asset/Simulated.h"
 #include "tests/support/asset/WallWithOpenings.h"
 #include "tests/support/play/BondedWalls.h"
 #include "tests/support/play/Sessions.h"
@@ -14,6 +15,7 @@
 
 using namespace rubble;
 using test::addInput;
+using test::energyOf;
 using test::floatingBlock;
 using test::sessionOf;
 
@@ -92,11 +94,6 @@ double lostInFlight(const Session& session) {
         lost += 0.5 * session.world().mass(body.body) * g * g * (dt / 4.0) * dt;
     }
     return lost;
-}
-
-double energyOf(const World& world) {
-    const Momenta momenta = world.momenta();
-    return momenta.kinetic + momenta.potential;
 }
 
 /// The potential energy of what came off held bodies in the last step, which have none as long as they are held, J.
