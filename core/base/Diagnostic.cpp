@@ -36,7 +36,11 @@ const char* nameOf(DiagnosticCode code) {
                                           "RepeatedPoint",
                                           "IdleMortar",
                                           "BeyondSpan",
-                                          "WeakBonds"};
+                                          "WeakBonds",
+                                          "ImporterName",
+                                          "LongName",
+                                          "LongPath",
+                                          "ManyHullCorners"};
     static_assert(kNames.size() == kDiagnosticCodes);
     return kNames[static_cast<std::size_t>(code)];
 }

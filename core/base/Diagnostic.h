@@ -44,8 +44,12 @@ enum class DiagnosticCode {
     IdleMortar,         // joins nothing that is anchored
     BeyondSpan,         // bonded fragments that are farther from an anchor than the span before anything is hit
     WeakBonds,          // bonds or mortar that take less than the weight that hangs on them before anything is hit
+    ImporterName,       // of a material of an export: an importer acts upon its ending
+    LongName,           // of an export: another program cuts it
+    LongPath,           // of a file of an export: another system cannot open it
+    ManyHullCorners,    // of a hull of an export: an engine does not take it, or simulates it slowly
 };
-inline constexpr int kDiagnosticCodes = 31;
+inline constexpr int kDiagnosticCodes = 35;
 
 /// The code's name in JSON, messages and lists: "DuplicateSeed".
 const char* nameOf(DiagnosticCode code);
@@ -83,7 +87,8 @@ struct Diagnostic {
     /// The measured value: m² for Gap, ThinPiece, MergedPiece, DroppedSeed and VanishedPiece; m for LooseCut,
     /// OverlappingPieces, CloseHulls and BeyondSpan; seeds for NoRoom; aspect ratio for Sliver; m³ for TinyPiece;
     /// hulls for ManyHulls; N·s for UnknownStrength; N for WeakBonds; m/s for PushedPiece; points for RepeatedPoint;
-    /// relative to that of the whole for SwapDrift and GapVolume.
+    /// bytes for LongName and LongPath; corners for ManyHullCorners; relative to that of the whole for SwapDrift and
+    /// GapVolume.
     double value = 0.0;
     double limit = 0.0;  // of the value; 0: none
     bool operator==(const Diagnostic&) const = default;

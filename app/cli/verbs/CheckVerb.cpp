@@ -15,8 +15,8 @@
 #include "core/io/json/JsonWriter.h"
 #include "core/io/output/ExportCheck.h"
 #include "core/io/output/ExportIndex.h"
+#include "core/io/pack/ImporterProblems.h"
 #include "core/io/pack/PackBinary.h"
-#include "core/io/pack/PackExport.h"
 #include "core/io/pack/PackFile.h"
 #include "core/io/pack/SceneFile.h"
 #include "core/io/project/ProjectFile.h"
@@ -196,39 +196,18 @@ std::vector<Finding> sceneWarnings(const std::string& file, const Project& proje
     return warnings;
 }
 
-/// What importers do with materials because of their names. Objects and files have names without such endings.
-void addNameWarnings(std::span<const PackSurface> surfaces, const FindingPlace& place, std::vector<Finding>& findings) {
-    for (const PackSurface& surface : surfaces) {
-        const std::optional<std::string> effect = importerEffect(surface.name);
-        if (!effect) continue;
-        findings.push_back({Severity::Warning, "ImporterName", place,
-                            "Godot's importer acts on the end of the name of the material " + quotedName(surface.name) +
-                                " and " + *effect + "; rename it."});
-    }
-}
-
-/// What other programs cut or cannot open, since a name in the export is too long.
-std::vector<Finding> lengthWarnings(const std::string& file, const Project& project) {
-    constexpr std::size_t kBlenderName = 63;  // bytes
-    constexpr std::size_t kWindowsPath = 260, kFoldersAbove = 80;
+/// Warnings of what other programs do with the names in the exports of a project.
+std::vector<Finding> importerWarnings(const std::string& file, const Project& project) {
     std::vector<Finding> warnings;
     std::vector<Id> assets;
-    for (const Asset& asset : project.assets) assets.push_back(asset.id);
+    for (const Asset& asset : project.assets) {
+        assets.push_back(asset.id);
+        for (const Diagnostic& problem : surfaceNameProblems(packSurfaces(asset, materialsOf(project, asset))))
+            warnings.push_back(findingOf(problem, file, asset.name));
+    }
     for (const PackListing& pack : packListings(project, assets, {})) {
-        const FindingPlace place{.file = file, .asset = pack.folder};
-        if (pack.folder.size() + std::string_view("_1").size() > kBlenderName) {
-            warnings.push_back({Severity::Warning, "LongName", place,
-                                "Blender cuts names at " + std::to_string(kBlenderName) +
-                                    " bytes, which its fragments would share; give the asset a shorter name, or " +
-                                    "export with --short-names."});
-        }
-        const std::string& longest = *std::ranges::max_element(pack.files.names, {}, &std::string::size);
-        const std::size_t length = pack.folder.size() + 1 + longest.size();
-        if (length <= kWindowsPath - kFoldersAbove) continue;
-        warnings.push_back({Severity::Warning, "LongPath", place,
-                            "Its files have paths of " + std::to_string(length) + " bytes within the export, and " +
-                                "Windows opens paths of " + std::to_string(kWindowsPath) +
-                                " at most; give the asset a shorter name, or export with --short-names."});
+        for (const Diagnostic& problem : nameLengthProblems(pack))
+            warnings.push_back(findingOf(problem, file, pack.folder));
     }
     return warnings;
 }
@@ -257,13 +236,7 @@ void checkProject(const std::string& path, const CheckArguments& arguments, Verb
         for (const Diagnostic& problem : strengthProblems(asset, *findMaterial(*project, asset.material)))
             add(findingOf(problem, path, asset.name));
     }
-    for (const Asset& asset : project->assets) {
-        std::vector<Finding> warnings;
-        addNameWarnings(packSurfaces(asset, materialsOf(*project, asset)), {.file = path, .asset = asset.name},
-                        warnings);
-        std::ranges::for_each(warnings, add);
-    }
-    std::ranges::for_each(lengthWarnings(path, *project), add);
+    std::ranges::for_each(importerWarnings(path, *project), add);
     std::ranges::for_each(overlapWarnings(path, *project), add);
 }
 
@@ -280,41 +253,12 @@ std::optional<std::string> binaryFault(const fs::path& folder, const Pack& pack)
     return "pack.bin is not of this pack; export it again.";
 }
 
-/// A limit of engines on the corners of a hull.
-struct CornerLimit {
-    std::size_t corners;
-    Severity severity;
-    const char* consequence;
-};
-
-/// What engines do with hulls of many corners, one finding for a pack: of the limit that its largest hull is above.
-std::vector<Finding> hullWarnings(const Pack& pack, const FindingPlace& place) {
-    constexpr CornerLimit kLimits[] = {
-        {255, Severity::Warning, "PhysX, and with it Unity and Unreal, takes no more than 255"},
-        {64, Severity::Note, "PhysX simulates those above 64 on the processor only"},
-    };
-    const auto largest = [](const PackBody& body) {
-        std::size_t corners = 0;
-        for (const PackHull& hull : body.hulls) corners = std::max(corners, hull.polytope.vertices.size());
-        return corners;
-    };
-    const PackBody* worst = &pack.whole;
-    for (const PackBody& body : pack.fragments) {
-        if (largest(body) > largest(*worst)) worst = &body;
-    }
-    for (const CornerLimit& limit : kLimits) {
-        if (largest(*worst) <= limit.corners) continue;
-        return {{limit.severity, "ManyHullCorners", place,
-                 "A hull of " + quotedName(worst->name) + " has " + std::to_string(largest(*worst)) +
-                     " corners: " + limit.consequence + "."}};
-    }
-    return {};
-}
-
 /// Warnings of a pack, and notes.
 std::vector<Finding> packWarnings(const Pack& pack, const FindingPlace& place) {
-    std::vector<Finding> findings = hullWarnings(pack, place);
-    addNameWarnings(pack.surfaces, place, findings);
+    std::vector<Finding> findings;
+    for (const auto& problems : {hullCornerProblems(pack), surfaceNameProblems(pack.surfaces)}) {
+        for (const Diagnostic& problem : problems) findings.push_back(findingOf(problem, place.file, place.asset));
+    }
     return findings;
 }
 
