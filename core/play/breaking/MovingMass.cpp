@@ -49,4 +49,9 @@ double stoppingImpulse(const MovingMass& first, const MovingMass& second, Vec3 p
     return approach > 0.0 && inverse > 0.0 ? (1.0 + restitution) * approach / inverse : 0.0;
 }
 
+Vec3 limitedVelocity(Vec3 velocity) {
+    const double speed = glm::length(velocity);
+    return speed > kMaxSpeed ? velocity * (kMaxSpeed / speed) : velocity;
+}
+
 }  // namespace rubble

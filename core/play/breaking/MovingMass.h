@@ -30,4 +30,7 @@ MovingMass movingMass(const World& world, BodyId body);
 /// separate. `normal` points from the first to the second.
 double stoppingImpulse(const MovingMass& first, const MovingMass& second, Vec3 point, Vec3 normal, double restitution);
 
+/// The linear or angular velocity, shortened where it exceeds that of a body, kMaxSpeed.
+Vec3 limitedVelocity(Vec3 velocity);
+
 }  // namespace rubble

@@ -131,11 +131,6 @@ std::vector<std::uint32_t> hullsBefore(const PlayStructure& structure, const Par
     return before;
 }
 
-Vec3 limited(Vec3 velocity) {
-    const double speed = glm::length(velocity);
-    return speed > kMaxSpeed ? velocity * (kMaxSpeed / speed) : velocity;
-}
-
 /// A part of a body as the world splits it.
 SplitPart splitPart(const SessionParts& parts, const PlayBody& before, const PlayBody& after, const PartOfBody& part,
                     std::span<const std::uint32_t> firstHulls) {
@@ -149,8 +144,8 @@ SplitPart splitPart(const SessionParts& parts, const PlayBody& before, const Pla
     if (made.kind == BodyKind::Static) return made;
     const BodyState state = parts.world().state(before.body);
     const Vec3 centre = state.pose.position + state.pose.orientation * (made.offset + made.shape->mass.centre);
-    made.velocity = limited(state.velocity + glm::cross(state.angularVelocity, centre - state.centre));
-    made.angularVelocity = limited(spinOfPart(*made.shape, state.pose.orientation, state.angularVelocity));
+    made.velocity = limitedVelocity(state.velocity + glm::cross(state.angularVelocity, centre - state.centre));
+    made.angularVelocity = limitedVelocity(spinOfPart(*made.shape, state.pose.orientation, state.angularVelocity));
     return made;
 }
 

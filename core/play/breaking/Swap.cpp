@@ -59,12 +59,6 @@ std::shared_ptr<const PlayAsset> assetToSwap(SessionParts& parts, PendingBreak& 
     return body.asset;
 }
 
-/// The velocity, shortened where it exceeds that of a body.
-Vec3 limitedVelocity(Vec3 velocity) {
-    const double speed = glm::length(velocity);
-    return speed > kMaxSpeed ? velocity * (kMaxSpeed / speed) : velocity;
-}
-
 /// Where the centre of mass of a fragment is in the whole, in world space.
 Vec3 centreInWhole(const PendingBreak& broken, const PlayAsset& asset, std::uint32_t fragment) {
     const PlaySolid& solid = asset.fragments[fragment];

@@ -127,6 +127,11 @@ private slots:
                          second = movingMass(made.world, made.bodies[1]);
         QCOMPARE(stoppingImpulse(first, second, {0.5, 0.0, 0.0}, {-1.0, 0.0, 0.0}, 0.0), 0.0);
     }
+    void velocitiesAreLimitedAlongTheirDirection() {
+        QCOMPARE(limitedVelocity({3.0, 0.0, -4.0}), Vec3(3.0, 0.0, -4.0));
+        const Vec3 limited = limitedVelocity({3.0 * kMaxSpeed, 0.0, -4.0 * kMaxSpeed});
+        QVERIFY(glm::distance(limited, Vec3(0.6, 0.0, -0.8) * kMaxSpeed) < 1e-9 * kMaxSpeed);
+    }
 };
 
 RUBBLE_TEST(DamageTest)
