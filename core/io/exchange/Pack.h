@@ -4,7 +4,6 @@
 #include "core/io/exchange/MeshPart.h"
 #include "core/io/exchange/PackBody.h"
 #include "core/io/exchange/PackBonding.h"
-#include "core/physics/solver/SpeedThresholds.h"
 
 #include <cstdint>
 #include <optional>
@@ -45,8 +44,8 @@ struct PackBreak {
     BreakAs as = BreakAs::Whole;
     DamageRule rule = DamageRule::Impact;
     std::optional<CutAtImpact> cutAtImpact;
-    double leastSpeed = double{kMinImpactSpeed};             // m/s: a contact that approaches slower does not count
-    double restitutionSpeed = double{kMinRestitutionSpeed};  // m/s: restitution counts above it
+    double leastSpeed = 0.0;        // m/s: a contact that approaches slower does not count
+    double restitutionSpeed = 0.0;  // m/s: restitution counts above it
     bool operator==(const PackBreak&) const = default;
 };
 

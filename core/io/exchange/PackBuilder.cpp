@@ -6,6 +6,7 @@
 #include "core/base/Parallel.h"
 #include "core/base/Version.h"
 #include "core/geometry/hull/InsetHull.h"
+#include "core/physics/solver/SpeedThresholds.h"
 #include "core/play/damage/InstanceDamage.h"
 #include "core/structure/clusters/ClusterLevels.h"
 #include "core/structure/strength/BondCapacities.h"
@@ -107,7 +108,8 @@ Pack PackBuilder::header(std::span<const PackMeshFile> meshes) const {
     pack.hash = hashes.all.hex();
     pack.physicsHash = hashes.physics.hex();
     pack.threshold = m_threshold;
-    pack.breaking = {asset.breakAs, settings.rule, asset.cutAtImpact};
+    pack.breaking = {asset.breakAs, settings.rule, asset.cutAtImpact, double{kMinImpactSpeed},
+                     double{kMinRestitutionSpeed}};
     pack.inset = settings.inset;
     pack.materials = {material.own};
     if (&material.own != &material.inside) {
