@@ -17,6 +17,7 @@
 
 #include <QContextMenuEvent>
 #include <QNativeGestureEvent>
+#include <QScopedValueRollback>
 
 #include <algorithm>
 #include <array>
@@ -269,10 +270,10 @@ void PatternCanvas::paintEvent(QPaintEvent*) {
 QImage PatternCanvas::picture(QSize pixels) {
     const double ratio = std::min(static_cast<double>(pixels.width()) / std::max(1, width()),
                                   static_cast<double>(pixels.height()) / std::max(1, height()));
-    const CanvasView view = m_state.view;
     m_tool->leave();
-    const auto pointer = std::exchange(m_pointer, std::nullopt);
-    const std::uint32_t hovered = std::exchange(m_hovered, kNone);
+    const QScopedValueRollback view(m_state.view);
+    const QScopedValueRollback pointer(m_pointer, std::optional<CanvasPointer>());
+    const QScopedValueRollback hovered(m_hovered, kNone);
     m_state.view.size = QSizeF(pixels) / ratio;
     QImage image(pixels, QImage::Format_RGB32);
     image.setDevicePixelRatio(ratio);
@@ -281,9 +282,6 @@ QImage PatternCanvas::picture(QSize pixels) {
     painter.drawImage(QPointF(0.0, 0.0), store.at(m_state.view, ratio, contents(), m_colours));
     paintOverlays(painter);
     if (m_breadcrumb->isVisible()) m_breadcrumb->render(&painter, m_breadcrumb->pos());
-    m_state.view = view;
-    m_pointer = pointer;
-    m_hovered = hovered;
     return image;
 }
 
