@@ -109,14 +109,13 @@ std::string usageError(const CLI::App& program, const CLI::ParseError& error) {
     return sentence + "; see " + callOf(givenCommand(program)) + " --help.";
 }
 
-/// Returns the arguments with the present name of a verb that had another one, and --help in place of the verb "help".
-std::vector<std::string> presentArguments(std::vector<std::string> arguments) {
+/// Returns the arguments with --help in place of the verb "help".
+std::vector<std::string> withHelpOption(std::vector<std::string> arguments) {
     if (!arguments.empty() && arguments.front() == "help") {
         arguments.erase(arguments.begin());
         arguments.resize(std::min<std::size_t>(arguments.size(), 1));
         arguments.emplace_back("--help");
     }
-    if (!arguments.empty() && arguments.front() == "film") arguments.front() = "video";
     return arguments;
 }
 
@@ -167,7 +166,7 @@ std::vector<Verb> addVerbs(CLI::App& program) {
 }  // namespace
 
 int runCli(const std::vector<std::string>& arguments, const CliContext& context) {
-    const std::vector<std::string> present = presentArguments(arguments);
+    const std::vector<std::string> present = withHelpOption(arguments);
     CLI::App program(kDescription, "rubble-cli");
     program.footer(kProgramFooter);
     program.set_version_flag("--version", versionText(), "Print the version and exit");

@@ -55,8 +55,7 @@ Edit applyPreset(const Project& project, Id asset, const MaterialPreset& preset,
     Asset changed = *findAsset(project, asset);
     changed.material = findOrAddMaterial(project, preset, edit);
     if (options.appliesPattern) applyPattern(project, preset, changed, edit);
-    const bool isDerived = changed.contactTime && changed.strengthRule == StrengthRule::Bending;
-    if (options.derivesThreshold && preset.tensileStrength && !isDerived) deriveThreshold(changed);
+    if (options.derivesThreshold && preset.tensileStrength && !changed.contactTime) deriveThreshold(changed);
     edit.replacements.push_back(Replacement<Asset>{asset, std::move(changed)});
     return edit;
 }

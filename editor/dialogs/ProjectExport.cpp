@@ -194,7 +194,6 @@ std::vector<ExportOptions> earlierExports(Workspace& workspace) {
     if (group.isEmpty()) return {};
     settings.beginGroup(group);
     std::vector<ExportOptions> targets;
-    if (settings.contains("folder")) targets.push_back(read(settings, workspace.project()));  // of an older version
     const int count = settings.beginReadArray(kTargetsKey);
     for (int k = 0; k < count; ++k) {
         settings.setArrayIndex(k);

@@ -148,7 +148,7 @@ void VideoDialog::connectFields() {
 void VideoDialog::restoreOptions() {
     const QSettings settings;
     const auto stored = [&](const QString& key, const QVariant& otherwise = {}) {
-        return settings.value("video/" + key, settings.value("film/" + key, otherwise));  // of version 0.1
+        return settings.value("video/" + key, otherwise);
     };
     restoreIndex(*m_kind, m_hasFfmpeg ? stored("pictures", kVideoOutput).toInt() : kImagesOutput);
     m_width->setValue(std::clamp(stored("width", 1280).toInt(), kMinImageSide, kMaxImageSide));

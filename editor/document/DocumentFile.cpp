@@ -79,7 +79,7 @@ Status DocumentFile::open(const QString& path, const ProjectAccess& access) {
 
 Result<DocumentFile::Faults> DocumentFile::restore(const Backup& backup, const ProjectAccess& access) {
     BackupOrigin origin = backup.origin;
-    if (!origin.hash) {  // an older version wrote the backup, or there was no file
+    if (!origin.hash) {  // there was no file, or it could not be read
         const Result<std::optional<ContentHash>> onDisk = hashOnDisk(origin.path);
         if (onDisk) origin.hash = *onDisk;
     }

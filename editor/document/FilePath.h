@@ -20,7 +20,7 @@ QString absolutePath(const QString& path);
 /// What exists at a path; errors count as nothing.
 std::filesystem::file_status statusOf(const QString& path);
 
-/// A path as a setting and back; text would lose bytes. Settings of older versions are text.
+/// A path as a setting and back; text would lose bytes.
 QByteArray settingOf(const QString& path);
 QString pathOf(const QVariant& setting);
 

@@ -12,9 +12,7 @@ constexpr const char* kKey = "recentFiles";
 
 QStringList storedPaths() {
     QStringList paths;
-    const QVariant stored = QSettings().value(kKey);
-    const bool isOne = stored.typeId() == QMetaType::QString;  // a list of one text, as older versions stored it
-    for (const QVariant& path : isOne ? QVariantList{stored} : stored.toList()) paths.append(pathOf(path));
+    for (const QVariant& path : QSettings().value(kKey).toList()) paths.append(pathOf(path));
     return paths;
 }
 

@@ -121,8 +121,6 @@ Command::Command(CLI::App& program, const std::string& name, const std::string& 
     m_app->group("Verbs");
 }
 
-void Command::alias(const std::string& name) { m_app->alias(name); }
-
 bool Command::isParsed() const { return m_app->parsed(); }
 
 template <class Value>

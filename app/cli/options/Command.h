@@ -84,7 +84,6 @@ public:
     /// Adds a subcommand to the program, which owns it.
     Command(CLI::App& program, const std::string& name, const std::string& description, const std::string& footer);
 
-    void alias(const std::string& name);
     bool isParsed() const;
 
     /// Adds a positional argument or an option. `value` holds the default and must outlive the command. A Value is a

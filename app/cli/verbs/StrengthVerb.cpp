@@ -117,7 +117,6 @@ Status strength(const StrengthOptions& options, VerbReport& report, const CliCon
 
 Verb addStrength(CLI::App& program) {
     Command command(program, "strength", "Check the strength requirements of assets", kStrengthFooter);
-    command.alias("intent");  // its old name
     const auto options = std::make_shared<StrengthOptions>();
     addProjectArgument(command, options->file);
     addAssetOption(command, options->assets);

@@ -73,9 +73,7 @@ std::string roughnessText(const Roughness& rough) {
 std::string thresholdText(const Project& project, const Asset& asset) {
     const std::string entered = messageText(asset.threshold) + " N·s";
     if (!asset.contactTime) return entered;
-    const std::string rule =
-        asset.strengthRule == StrengthRule::CrossSection ? "strength times cross-section" : "strength";
-    return messageText(thresholdOf(project, asset)) + " N·s from the " + rule + " with a contact time of " +
+    return messageText(thresholdOf(project, asset)) + " N·s from the strength with a contact time of " +
            messageText(*asset.contactTime) + " s; entered " + entered;
 }
 

@@ -19,10 +19,9 @@ bool Asset::operator==(const Asset& other) const {
            pattern == other.pattern && shaping == other.shaping && levels == other.levels &&
            fragmentLevels == other.fragmentLevels && fragmentThresholds == other.fragmentThresholds &&
            edits == other.edits && threshold == other.threshold && contactTime == other.contactTime &&
-           strengthRule == other.strengthRule && insideUvScale == other.insideUvScale &&
-           insideMaterial == other.insideMaterial && cutAtImpact == other.cutAtImpact && breakAs == other.breakAs &&
-           bonding == other.bonding && requirements == other.requirements && isSameSurface(surface, other.surface) &&
-           texture == other.texture;
+           insideUvScale == other.insideUvScale && insideMaterial == other.insideMaterial &&
+           cutAtImpact == other.cutAtImpact && breakAs == other.breakAs && bonding == other.bonding &&
+           requirements == other.requirements && isSameSurface(surface, other.surface) && texture == other.texture;
 }
 
 AssetMaterials materialsOf(const Project& project, const Asset& asset) {

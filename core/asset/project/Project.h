@@ -111,12 +111,6 @@ struct StrengthRequirement {
     bool operator==(const StrengthRequirement&) const = default;
 };
 
-/// The rule by which a threshold is derived from the strength of a material; see derivedThreshold().
-enum class StrengthRule {
-    CrossSection,  // tension across the smallest cross-section: of assets derived by older versions
-    Bending,       // local bending under an impact
-};
-
 /// A solid with its recipe for fracture.
 struct Asset {
     Id id = 0;
@@ -131,7 +125,6 @@ struct Asset {
     std::vector<FragmentEdit> edits;                    // merges and splits by hand, in the order of editing
     double threshold = 100.0;                           // N·s, > 0, as entered; thresholdOf() gives the effective one
     std::optional<double> contactTime;                  // s, > 0: derive the threshold from the material's strength
-    StrengthRule strengthRule = StrengthRule::Bending;  // by which it is derived
     double insideUvScale = 1.0;                         // UV units per metre on inside faces
     Id insideMaterial = 0;                              // of inside faces; 0: the asset's own material
     std::optional<CutAtImpact> cutAtImpact;             // none: it breaks into the fragments of its pattern

@@ -18,10 +18,6 @@ const double kResponse = kBendingRadius * kBendingRadius * std::sqrt(12.0 * (1.0
 
 double thicknessOf(const Prism& prism) { return std::min(prism.depth, minimumCrossSection(prism.outline)); }
 
-double minimumCrossSection(const Prism& prism) {
-    return std::min(prism.depth * minimumCrossSection(prism.outline), area(prism.outline));
-}
-
 std::optional<BendingStrength> bendingStrength(const Asset& asset, const Material& material) {
     if (!asset.contactTime || !material.tensileStrength) return std::nullopt;
     BendingStrength strength{.thickness = thicknessOf(asset.prism)};
@@ -35,29 +31,21 @@ std::optional<BendingStrength> bendingStrength(const Asset& asset, const Materia
 }
 
 std::optional<double> derivedThreshold(const Asset& asset, const Material& material) {
-    if (!asset.contactTime || !material.tensileStrength) return std::nullopt;
-    if (asset.strengthRule == StrengthRule::Bending) return bendingStrength(asset, material)->threshold();
-    return *material.tensileStrength * minimumCrossSection(asset.prism) * *asset.contactTime;
+    const std::optional<BendingStrength> strength = bendingStrength(asset, material);
+    return strength ? std::optional(strength->threshold()) : std::nullopt;
 }
 
-void deriveThreshold(Asset& asset) {
-    asset.contactTime = kDefaultContactTime;
-    asset.strengthRule = StrengthRule::Bending;
-}
+void deriveThreshold(Asset& asset) { asset.contactTime = kDefaultContactTime; }
 
 void deriveThresholdIfKnown(Asset& asset, const Material& material) {
     if (material.tensileStrength) deriveThreshold(asset);
 }
 
-bool hasDefaultThreshold(const Asset& asset) {
-    if (asset.contactTime) return asset.strengthRule == StrengthRule::Bending;
-    return asset.threshold == Asset{}.threshold;
-}
+bool hasDefaultThreshold(const Asset& asset) { return asset.contactTime || asset.threshold == Asset{}.threshold; }
 
 void enterThreshold(Asset& asset, double threshold) {
     asset.threshold = threshold;
     asset.contactTime.reset();
-    asset.strengthRule = StrengthRule::Bending;
 }
 
 std::optional<double> transitionCrackLength(const Material& material) {

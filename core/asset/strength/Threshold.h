@@ -26,11 +26,7 @@ inline constexpr double kBendingRadius = 7.0;
 /// less.
 double thicknessOf(const Prism& prism);
 
-/// The smallest area of the plane cross-sections through a prism's centre of mass that contain z or are perpendicular
-/// to it, m². Each of them leaves mass on both sides, so that breaking there separates the prism.
-double minimumCrossSection(const Prism& prism);
-
-/// How a solid breaks by StrengthRule::Bending.
+/// How a solid breaks in local bending.
 struct BendingStrength {
     double thickness = 0.0;    // m
     double force = 0.0;        // N, that breaks it when it acts for long
@@ -47,20 +43,15 @@ struct BendingStrength {
 /// decides.
 std::optional<BendingStrength> bendingStrength(const Asset& asset, const Material& material);
 
-/// The threshold that follows from the strength of a material, N·s. By StrengthRule::Bending, that of
-/// bendingStrength(); by StrengthRule::CrossSection, the impulse of a force that tears the minimum cross-section,
-///
-///     J = tensile strength * minimum cross-section * contact time        N·s = Pa * m² * s
-///
-/// which is an upper bound for slender solids, since they break in bending at lower loads than in tension.
-/// Nothing if the strength is unknown or the asset has no contactTime.
+/// The threshold that follows from the strength of a material, N·s, by bendingStrength(). Nothing if the strength is
+/// unknown or the asset has no contactTime.
 std::optional<double> derivedThreshold(const Asset& asset, const Material& material);
 
 /// Derives the threshold of an asset from the strength of its material from now on.
 void deriveThreshold(Asset& asset);
 /// The same if the strength of its material is known: for new assets.
 void deriveThresholdIfKnown(Asset& asset, const Material& material);
-/// True if nobody entered the threshold: it is that of a new asset, or derived by StrengthRule::Bending.
+/// True if nobody entered the threshold: it is that of a new asset, or derived.
 bool hasDefaultThreshold(const Asset& asset);
 /// Gives an asset an entered threshold.
 void enterThreshold(Asset& asset, double threshold);

@@ -229,7 +229,6 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Pac
     single.assets[0].requirements.clear();
     single.assets[0].threshold = thresholdOf(asset, material.own);
     single.assets[0].contactTime.reset();
-    single.assets[0].strengthRule = {};
     Hasher hasher;
     hasher.add(kExportRevision);
     hasher.add(std::uint64_t{kPackVersion});

@@ -12,9 +12,7 @@
 namespace rubble {
 namespace {
 
-// In the order of their enumerators.
-constexpr std::array<std::string_view, 2> kStrengthRules{"crossSection", "bending"};
-constexpr StrengthRule kOldStrengthRule = StrengthRule::CrossSection;  // of files without that key
+constexpr std::array<std::string_view, 1> kStrengthRules{"bending"};  // by which thresholds are derived
 
 void writePrism(JsonWriter& json, const Prism& prism) {
     json.openObject("prism");
@@ -243,8 +241,7 @@ void writeAsset(JsonWriter& json, const Asset& asset, const ImageList& images) {
     json.wholeNumber("material", asset.material);
     json.number("threshold", asset.threshold);
     json.number("contactTime", asset.contactTime);
-    if (asset.contactTime && asset.strengthRule != kOldStrengthRule)
-        json.text("strengthRule", kStrengthRules[static_cast<std::size_t>(asset.strengthRule)]);
+    if (asset.contactTime) json.text("strengthRule", kStrengthRules[0]);
     json.number("insideUvScale", asset.insideUvScale);
     json.wholeNumber("insideMaterial", asset.insideMaterial == 0 ? std::nullopt : std::optional{asset.insideMaterial});
     writePrism(json, asset.prism);
@@ -297,9 +294,11 @@ Asset readAsset(const JsonValue& value) {
     readBonding(value, asset);
     const JsonValue rule = value["strengthRule"];
     if (rule.isPresent()) {
-        asset.strengthRule = static_cast<StrengthRule>(rule.oneOf(kStrengthRules));
+        rule.oneOf(kStrengthRules);
     } else if (asset.contactTime) {
-        asset.strengthRule = kOldStrengthRule;
+        value.fail(
+            "the threshold follows from the cross-section, which is no longer supported; add "
+            "\"strengthRule\": \"bending\", or set \"contactTime\" to null");
     }
     return asset;
 }

@@ -38,7 +38,6 @@ void updateAssets(const Project& before, Project& played, const Project& now, st
         }
         asset.threshold = other.threshold;
         asset.contactTime = other.contactTime;
-        asset.strengthRule = other.strengthRule;
         asset.name = other.name;
         asset.requirements = other.requirements;
     }

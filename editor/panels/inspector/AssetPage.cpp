@@ -20,7 +20,6 @@ namespace {
 
 constexpr Id kEntered = 1;  // sources of the threshold
 constexpr Id kDerived = 2;
-constexpr Id kDerivedFromSection = 3;  // by older versions
 
 constexpr Id kBreakWhole = 0;  // ways to break
 constexpr Id kBreakBonded = 1;
@@ -37,10 +36,7 @@ void setWayToBreak(Asset& asset, Id way) {
     if (way == kBreakCut && !asset.cutAtImpact) asset.cutAtImpact = CutAtImpact();
 }
 
-Id sourceOf(const Asset& asset) {
-    if (!asset.contactTime) return kEntered;
-    return asset.strengthRule == StrengthRule::CrossSection ? kDerivedFromSection : kDerived;
-}
+Id sourceOf(const Asset& asset) { return asset.contactTime ? kDerived : kEntered; }
 
 bool isRectangle(const Ring& ring) {
     const Box2 box = boundsOf(ring);
@@ -155,6 +151,7 @@ void AssetPage::buildThreshold(Section& section) {
         [](Asset& asset, double entered) { asset.threshold = entered; });
     m_sources = section.addRow(tr("Source"), new QComboBox,
                                tr("Whether the threshold is entered or derived from the strength"));
+    setItems(*m_sources, {{kEntered, tr("Entered"), {}}, {kDerived, tr("Derived from strength"), {}}});
     m_form.bind(m_sources, tr("Set Threshold Source"), sourceOf, [this](Asset& asset, Id source) {
         if (source == sourceOf(asset)) return;
         enterThreshold(asset, thresholdOf(m_document.project(), asset));  // keeps its value when it becomes entered
@@ -217,15 +214,6 @@ void AssetPage::showWayToBreak(const Asset& asset) {
     for (QWidget* field : {m_cutFragments, m_cutRadius}) m_asset->setRowVisible(field, way == kBreakCut);
 }
 
-/// Lists the sources of thresholds; the older one only for assets that have it.
-void AssetPage::listSources() {
-    std::vector<ComboItem> sources{{kEntered, tr("Entered"), {}}, {kDerived, tr("Derived from strength"), {}}};
-    const auto isOld = [](const Asset& asset) { return sourceOf(asset) == kDerivedFromSection; };
-    if (std::ranges::any_of(selected(), isOld))
-        sources.push_back({kDerivedFromSection, tr("Strength × cross-section (older projects)"), {}});
-    setItems(*m_sources, sources);
-}
-
 /// Shows the formula of a derived threshold, or lets the threshold be typed. Bonds have strengths instead, which follow
 /// from the contact time unless they are entered.
 void AssetPage::showThreshold(const Asset& asset) {
@@ -259,13 +247,6 @@ void AssetPage::showThreshold(const Asset& asset) {
     }
     const QString strength = text(QuantityKind::Pressure, *material.tensileStrength);
     const QString threshold = text(QuantityKind::Impulse, thresholdOf(asset, material));
-    if (asset.strengthRule == StrengthRule::CrossSection) {
-        m_derivation->setToolTip(tr("Threshold = strength × cross-section × contact time"));
-        return m_derivation->setText(
-            tr("%1 follows from the strength %2, the smallest cross-section %3 and the contact time %4.")
-                .arg(threshold, strength, text(QuantityKind::Area, minimumCrossSection(asset.prism)),
-                     text(QuantityKind::Time, *asset.contactTime)));
-    }
     const BendingStrength bending = *bendingStrength(asset, material);
     const QString sentence =
         bending.isByInertia
@@ -340,7 +321,6 @@ void AssetPage::refresh() {
         insides.push_back({material.id, nameText(material.name), material.inside});
     }
     setItems(*m_inside, insides);
-    listSources();
     m_form.refresh();
     const std::vector<Asset> assets = selected();
     m_summary->setText(assets.empty() ? QString() : summary(assets.front()));

@@ -36,7 +36,6 @@ private:
     void buildShape(Section& section);
     QWidget* createTexture();
     void showTexture(const Asset& asset);
-    void listSources();
     void showThreshold(const Asset& asset);
     QString summary(const Asset& asset) const;
 

@@ -86,17 +86,6 @@ private slots:
         library.apply();
         QCOMPARE(thresholdOf(library.document.project(), library.pane()), 42.0);
     }
-    void olderRuleIsKept() {
-        Project project = paneProject();
-        project.materials[0].tensileStrength = 1e6;
-        project.assets[0].contactTime = 0.001;
-        project.assets[0].strengthRule = StrengthRule::CrossSection;
-        Library library(project);
-        library.select("glass");
-        QVERIFY(!library.derives().isChecked());
-        library.apply();
-        QCOMPARE(library.pane().strengthRule, StrengthRule::CrossSection);
-    }
     void newProjectsHaveThePlasterOfTheLibrary() {
         Library library(starterProject());
         library.select("plaster");

@@ -113,24 +113,6 @@ private slots:
         for (int k = 0; k < 2; ++k) stack().undo();
         QCOMPARE(field("Threshold").value(), before);
     }
-    void olderRuleIsListedWhereAnAssetHasIt() {
-        auto& source = control<QComboBox>("Source");
-        QCOMPARE(source.count(), 2);
-        Asset older = wall();
-        older.strengthRule = StrengthRule::CrossSection;
-        QVERIFY(m_window->workspace().document().push(modify("Older", older)));
-        QCOMPARE(source.count(), 3);
-        QCOMPARE(source.currentIndex(), 2);
-        QCOMPARE(thresholdOf(project(), wall()), 22500.0);  // 45 MPa on 0.5 m² for 1 ms
-        QCOMPARE(page().findChild<QLabel*>("derivation")->text().simplified(),
-                 QString("22.5 kN·s follows from the strength 45 MPa, the smallest cross-section 0.5 m² and the "
-                         "contact time 1 ms."));
-        source.setFocus();
-        QTest::keyClick(&source, Qt::Key_Up);
-        QVERIFY(wall().strengthRule == StrengthRule::Bending && wall().contactTime);
-        for (int k = 0; k < 2; ++k) stack().undo();
-        QCOMPARE(source.count(), 2);
-    }
     void typedThresholdKeepsTheDerivedNumber() {
         const double derived = thresholdOf(project(), wall());
         auto& source = control<QComboBox>("Source");

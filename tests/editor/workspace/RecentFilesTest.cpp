@@ -35,13 +35,6 @@ private slots:
         for (const QString& path : paths) std::filesystem::remove(toPath(path));  // QTemporaryDir cannot
         QVERIFY(RecentFiles().paths().isEmpty());
     }
-    void settingsOfOlderVersionsAreRead() {
-        const QString one = created("a.rubble"), other = created("b.rubble");
-        for (const QStringList& paths : {QStringList{one}, QStringList{one, other}}) {
-            QSettings().setValue("recentFiles", paths);
-            QCOMPARE(storedPaths(), paths);
-        }
-    }
 
 private:
     QString created(const std::string& name) const {

@@ -72,7 +72,6 @@ private slots:
         QVERIFY(isReported([](Asset& a) { a.insideMaterial = 0; }, "inside material"));
         QVERIFY(isReported([](Asset& a) { a.threshold = 56.0; }, "threshold"));
         QVERIFY(isReported([](Asset& a) { a.contactTime = 0.0625; }, "threshold"));
-        QVERIFY(isReported([](Asset& a) { a.strengthRule = StrengthRule::CrossSection; }, "threshold"));
         QVERIFY(isReported([](Asset& a) { a.insideUvScale = 3.0; }, "inside UV scale"));
         QVERIFY(isReported([](Asset& a) { a.cutAtImpact.reset(); }, "cut at impact"));
         QVERIFY(isReported([](Asset& a) { a.shaping.gap = 0.0; }, "gap"));

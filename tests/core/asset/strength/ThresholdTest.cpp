@@ -30,13 +30,6 @@ Asset derivedWall() {
     return asset;
 }
 
-/// As of a file of an older version.
-Asset tornWall() {
-    Asset asset = derivedWall();
-    asset.strengthRule = StrengthRule::CrossSection;
-    return asset;
-}
-
 bool isNear(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); }
 
 /// The ratio of strength times squared thickness to force of a plate whose radius is `ratio` times its thickness.
@@ -90,21 +83,6 @@ private slots:
         QCOMPARE(thicknessOf(wall().prism), 0.1);
         QCOMPARE(thicknessOf({unitSquare(), 4.0}), 1.0);
     }
-    void olderRuleIsStrengthTimesSectionTimesTime() {
-        // 2 MPa on 0.2 m² are 400 kN; for 1 ms they are 400 N·s.
-        QCOMPARE(thresholdOf(tornWall(), strongMaterial()), 400.0);
-        Asset longer = tornWall();
-        longer.contactTime = 0.0025;
-        QCOMPARE(thresholdOf(longer, strongMaterial()), 1000.0);
-        Asset thicker = tornWall();
-        thicker.prism.depth = 0.2;
-        QCOMPARE(thresholdOf(thicker, strongMaterial()), 800.0);
-    }
-    void columnHasItsSmallestSectionAcross() {
-        Asset column = derivedWall();
-        column.prism = {unitSquare(), 4.0};  // along z
-        QCOMPARE(minimumCrossSection(column.prism), 1.0);
-    }
     void transitionCrackLengthIsSquaredRatioByPi() {
         Material glass{.tensileStrength = 45e6, .fractureToughness = 0.75e6};
         QVERIFY(std::abs(*transitionCrackLength(glass) - 88.4e-6) < 0.1e-6);  // m: (1/60)^2 / 3.1416 by hand
@@ -121,7 +99,7 @@ private slots:
         QCOMPARE(thresholdOf(other, strongMaterial()), thresholdOf(derivedWall(), strongMaterial()));
     }
     void enteredThresholdsReplaceDerivedOnes() {
-        Asset entered = tornWall();
+        Asset entered = derivedWall();
         enterThreshold(entered, 12.0);
         QCOMPARE(thresholdOf(entered, strongMaterial()), 12.0);
         Asset expected = wall();

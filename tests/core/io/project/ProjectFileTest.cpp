@@ -77,8 +77,7 @@ bool isOptionalValue(const std::string& place, const nlohmann::json& value) {
             place.ends_with("bondStrength"))
             return true;
         return place.ends_with("].unbreakable") || place.ends_with("].anchored") ||
-               place.ends_with("].youngsModulus") || place.ends_with("].strengthRule") ||
-               place.ends_with("].fragmentThresholds") ||
+               place.ends_with("].youngsModulus") || place.ends_with("].fragmentThresholds") ||
                (place.find("].level") != std::string::npos && place.ends_with(".threshold"));
     }
     if (place.ends_with("].surface") || place.ends_with("].cutAtImpact")) return value.is_null();
@@ -243,17 +242,18 @@ private slots:
         json["shots"][2]["action"]["radius"] = 0.0;
         QVERIFY(!readProjectText(json.dump()));
     }
-    void thresholdsOfOlderFilesKeepTheirRule() {
+    void thresholdsFromTheCrossSectionAreRefused() {
         nlohmann::json json = fullJson();
         QVERIFY(json["assets"][0]["strengthRule"] == "bending" && !json["assets"][1].contains("strengthRule"));
-        json["assets"][0].erase("strengthRule");
-        json["assets"][0]["material"] = 2;
-        json["materials"][1].erase("youngsModulus");
-        const Result<Project> read = readProjectText(json.dump());
-        QVERIFY(read && read->assets[0].strengthRule == StrengthRule::CrossSection);
-        // A square of 2 x 2 m, 0.25 m thick, of 45 MPa for 1.25 ms, to the last bit.
-        QCOMPARE(thresholdOf(*read, read->assets[0]), 4.5e7 * (0.25 * 2.0) * 0.00125);
-        QVERIFY(nlohmann::json::parse(projectText(*read)) == json);
+        json["assets"][0]["strengthRule"] = "crossSection";
+        QCOMPARE(projectFault(json.dump()),
+                 std::string("assets[0].strengthRule: expected \"bending\", found \"crossSection\"."));
+        json["assets"][0].erase("strengthRule");  // as the first files with derived thresholds
+        QCOMPARE(projectFault(json.dump()),
+                 std::string("assets[0]: the threshold follows from the cross-section, which is no longer supported; "
+                             "add \"strengthRule\": \"bending\", or set \"contactTime\" to null."));
+        json["assets"][0]["contactTime"] = nullptr;
+        QVERIFY(readProjectText(json.dump()));
     }
     void thresholdsOfLevelsAndFragmentsAreWrittenWhereSetOnly() {
         nlohmann::json json = fullJson();

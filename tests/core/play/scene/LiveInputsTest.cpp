@@ -50,8 +50,6 @@ private slots:
         QCOMPARE(liveInputs(played, now), (Inputs{derived()}));
         now.materials[0].youngsModulus = 1e9;
         QCOMPARE(liveInputs(played, now), (Inputs{derived()}));
-        now.assets[0].strengthRule = StrengthRule::CrossSection;
-        QCOMPARE(liveInputs(played, now), (Inputs{derived()}));
         enterThreshold(now.assets[0], 7.0);
         QCOMPARE(liveInputs(played, now), (Inputs{ThresholdInput{.asset = asset, .threshold = 7.0}}));
         now = played;
