@@ -15,8 +15,8 @@ namespace rubble {
 /// read without them, they become notes.
 ///
 /// Errors, with the file's name: Unsupported if the file has another format, a version or an extension that is not
-/// read, or needs a file that is not read, and, with the library's reason, if an FBX, PLY or glTF 1 file is damaged;
-/// BadInput, with the place, if a file of another format is damaged, and for invalid indices and numbers; Degenerate if
+/// read, or needs a file that is not read, and, with the library's reason, if an FBX file is damaged; BadInput, with
+/// the place, if a file of another format is damaged, and for invalid indices and numbers; Degenerate if
 /// it has no triangles or all of its objects are hidden; Limit above kMaxTriangles, and as readGltf(); Io if it cannot
 /// be opened.
 Result<SourceScene> readMeshFile(MeshPlace place, FileLog log = FileLog::Off);

@@ -32,7 +32,7 @@ Result<SourceScene> imported(const std::string& bytes) {
 /// The reason why a file is rejected.
 QString reasonOf(const std::string& bytes) {
     const Result<SourceScene> scene = imported(bytes);
-    const QString start = "\"wall.ply\" cannot be read as OBJ, glTF, FBX, STL or PLY: ";
+    const QString start = "\"wall.ply\" cannot be read as PLY: ";
     const QString message = scene ? "read" : QString::fromStdString(scene.error().message);
     return message.startsWith(start) ? message.mid(start.size()) : message;
 }

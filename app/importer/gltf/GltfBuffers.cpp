@@ -34,7 +34,8 @@ GltfChunks gltfChunks(std::string_view bytes) {
     if (!bytes.starts_with("glTF")) return {bytes, std::nullopt};
     if (bytes.size() < kHeaderSize) failGltf("the file ends in its header");
     if (const std::uint32_t version = integerAt(bytes, 4); version != 2)
-        throw MeshError(ErrorCode::Unsupported, "has version " + std::to_string(version) + " of GLB; 2 is read");
+        throw MeshError(ErrorCode::Unsupported,
+                        "has version " + std::to_string(version) + " of GLB; export it as glTF 2.0");
     GltfChunks chunks;
     const std::size_t end = std::min<std::size_t>(integerAt(bytes, 8), bytes.size());
     for (std::size_t at = kHeaderSize; at + kChunkHeaderSize <= end;) {

@@ -223,7 +223,7 @@ void checkHeader(JsonValue root) {
     const std::string text = version.isPresent() ? version.text() : "2.0";
     if (!text.starts_with("2."))
         throw MeshError(ErrorCode::Unsupported,
-                        "has version " + quotedName(excerptOf(text)) + " of glTF; 1.0 and 2.0 are read");
+                        "has version " + quotedName(excerptOf(text)) + " of glTF; export it as glTF 2.0");
     if (!root["extensionsRequired"].isPresent()) return;
     for (const JsonValue extension : root["extensionsRequired"].elements())
         if (const std::string name = extension.text(); !isSupported(name) && !name.empty())
@@ -252,13 +252,6 @@ std::vector<std::uint32_t> rootsOf(JsonValue root, GltfDocument& document) {
 }
 
 }  // namespace
-
-bool isGltf1(std::string_view json) {
-    Result<JsonDocument> document = JsonDocument::parse(json);
-    if (!document) return false;
-    const JsonValue root = document->root();
-    return root["meshes"].isObject() || root["nodes"].isObject() || root["scenes"].isObject();
-}
 
 GltfDocument readGltfDocument(std::string_view json) {
     // Latin-1 is not JSON, but is found.

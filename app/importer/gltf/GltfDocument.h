@@ -124,9 +124,6 @@ struct GltfDocument {
     bool hasAnimations = false;
 };
 
-/// Returns whether text is the JSON of glTF 1, whose objects are keyed by name.
-bool isGltf1(std::string_view json);
-
 /// Reads the JSON text of a glTF 2.0 file.
 ///
 /// Errors: throws MeshError; BadInput with the path of an invalid value, Unsupported for another version or a required

@@ -1,24 +1,27 @@
 #include "app/importer/ply/PlyReader.h"
 
 #include "app/importer/files/AssimpValues.h"
+#include "app/importer/files/MeshError.h"
+#include "app/importer/files/PolygonTriangles.h"
+#include "app/importer/files/Rounding.h"
 #include "app/importer/ply/PlyHeader.h"
 
-#include <assimp/material.h>
-#include <assimp/mesh.h>
-#include <assimp/scene.h>
 #include <algorithm>
 #include <array>
-#include <assimp/IOStream.hpp>
-#include <assimp/IOSystem.hpp>
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <memory>
-#include <stdexcept>
+#include <optional>
 
 namespace rubble {
 namespace {
+
+[[noreturn]] void failPly(const std::string& what) {
+    throw MeshError(ErrorCode::BadInput, "cannot be read as PLY: " + what);
+}
+
+/// A number as programs mean it: files have single precision.
+double single(double value) { return decimalOf(static_cast<float>(value)); }
 
 /// The values after the header, one after the other.
 class PlyValues {
@@ -77,8 +80,8 @@ struct PlyFace {
 };
 
 struct PlyMesh {
-    std::vector<aiVector3D> points;
-    std::vector<aiVector3D> uvs;  // of each point, or none
+    std::vector<Vec3> points;
+    std::vector<Vec2> uvs;  // of each point, or none
     std::vector<PlyFace> faces;
 };
 
@@ -135,7 +138,8 @@ public:
 
 private:
     void readOne(const PlyElement& element, const std::vector<Role>& roles) {
-        aiVector3D point, uv;
+        Vec3 point{0.0};
+        Vec2 uv{0.0};
         PlyFace face;
         std::vector<double>& values = m_current;
         const auto has = [&](Role role) { return std::ranges::find(roles, role) != roles.end(); };
@@ -143,11 +147,11 @@ private:
             const PlyProperty& property = element.properties[k];
             readValues(element, property, values);
             switch (roles[k]) {
-                case Role::X: point.x = static_cast<float>(values[0]); break;
-                case Role::Y: point.y = static_cast<float>(values[0]); break;
-                case Role::Z: point.z = static_cast<float>(values[0]); break;
-                case Role::U: uv.x = static_cast<float>(values[0]); break;
-                case Role::V: uv.y = static_cast<float>(values[0]); break;
+                case Role::X: point.x = single(values[0]); break;
+                case Role::Y: point.y = single(values[0]); break;
+                case Role::Z: point.z = single(values[0]); break;
+                case Role::U: uv.x = single(values[0]); break;
+                case Role::V: uv.y = single(values[0]); break;
                 case Role::Corners: face.corners = indicesOf(element, values); break;
                 case Role::CornerUvs: face.uvs = values; break;
                 case Role::Strip: addStrip(element, values); break;
@@ -162,23 +166,23 @@ private:
     /// Reads the value of a property, or its list of values.
     void readValues(const PlyElement& element, const PlyProperty& property, std::vector<double>& values) {
         const double size = property.listSize ? valueOf(element, *property.listSize) : 1.0;
-        if (!isWhole(size)) fail(element, "the size of a list is invalid in ");
-        if (size > static_cast<double>(m_values.remainingBytes())) fail(element, "the file ends in ");
+        if (!isWhole(size)) failIn(element, "the size of a list is invalid in ");
+        if (size > static_cast<double>(m_values.remainingBytes())) failIn(element, "the file ends in ");
         values.resize(static_cast<std::size_t>(size));
         for (double& value : values) value = valueOf(element, property.type);
     }
     double valueOf(const PlyElement& element, PlyType type) {
         const std::optional<double> value = m_values.next(type);
-        if (!value) fail(element, m_values.isAtEnd() ? "the file ends in " : "a number is invalid in ");
+        if (!value) failIn(element, m_values.isAtEnd() ? "the file ends in " : "a number is invalid in ");
         return *value;
     }
-    [[noreturn]] void fail(const PlyElement& element, const char* what) const {
-        throw std::runtime_error(what + ('"' + excerptOf(element.name)) + "\" " + std::to_string(m_number) + " of " +
-                                 std::to_string(element.count));
+    [[noreturn]] void failIn(const PlyElement& element, const char* what) const {
+        failPly(what + ('"' + excerptOf(element.name)) + "\" " + std::to_string(m_number) + " of " +
+                std::to_string(element.count));
     }
 
     std::uint32_t indexOf(const PlyElement& element, double value) const {
-        if (!isWhole(value) || value > 0xffffffff) fail(element, "the number of a point is invalid in ");
+        if (!isWhole(value) || value > 0xffffffff) failIn(element, "the number of a point is invalid in ");
         return static_cast<std::uint32_t>(value);
     }
     std::vector<std::uint32_t> indicesOf(const PlyElement& element, const std::vector<double>& values) const {
@@ -210,102 +214,54 @@ private:
     std::vector<double> m_current;  // values of the property being read
 };
 
-/// assimp triangulates polygons without checking their corners.
-void checkCorners(const PlyMesh& mesh) {
-    for (const PlyFace& face : mesh.faces)
-        for (const std::uint32_t corner : face.corners)
-            if (corner >= mesh.points.size())
-                throw std::runtime_error("a face refers to point " + std::to_string(corner) + " of " +
-                                         std::to_string(mesh.points.size()));
-}
-
 bool hasUvs(const PlyFace& face) { return !face.uvs.empty() && face.uvs.size() == 2 * face.corners.size(); }
 
-/// Gives each corner of each face a point of its own, with the corner's texture coordinates.
-PlyMesh withSeparateCorners(const PlyMesh& mesh) {
-    PlyMesh separate;
+/// Adds the triangles of faces to an object that has their points. Texture coordinates of corners, where a face has
+/// any, replace those of points.
+void addFaces(const PlyMesh& mesh, SourceObject& object) {
+    const bool hasCornerUvs = std::ranges::any_of(mesh.faces, hasUvs);
+    const bool hasPointUvs = !hasCornerUvs && mesh.uvs.size() == mesh.points.size();
+    object.hasUvs = hasCornerUvs || hasPointUvs;
+    std::vector<Vec3> polygon;
     for (const PlyFace& face : mesh.faces) {
-        PlyFace& copy = separate.faces.emplace_back();
-        for (std::size_t k = 0; k < face.corners.size(); ++k) {
-            copy.corners.push_back(static_cast<std::uint32_t>(separate.points.size()));
-            separate.points.push_back(mesh.points[face.corners[k]]);
-            const double* uv = hasUvs(face) ? &face.uvs[2 * k] : nullptr;
-            separate.uvs.emplace_back(uv ? static_cast<float>(uv[0]) : 0.0f, uv ? static_cast<float>(uv[1]) : 0.0f,
-                                      0.0f);
+        polygon.clear();
+        for (const std::uint32_t corner : face.corners) polygon.push_back(mesh.points[corner]);
+        if (polygon.size() < 3) continue;
+        for (const auto& corners : polygonTriangles(polygon)) {
+            if (object.triangles.size() == kMaxTriangles)
+                throw MeshError(ErrorCode::Limit, "contains more than " + std::to_string(kMaxTriangles) + " triangles");
+            SourceTriangle& triangle = object.triangles.emplace_back();
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::size_t corner = corners[k];
+                triangle.points[k] = face.corners[corner];
+                if (hasPointUvs) triangle.uvs[k] = mesh.uvs[triangle.points[k]];
+                if (hasUvs(face)) triangle.uvs[k] = {single(face.uvs[2 * corner]), single(face.uvs[2 * corner + 1])};
+            }
         }
     }
-    return separate;
-}
-
-template <class Value>
-Value* arrayOf(const std::vector<Value>& values) {
-    auto* array = new Value[values.size()];
-    std::ranges::copy(values, array);
-    return array;
-}
-
-std::unique_ptr<aiMesh> meshOf(const PlyMesh& source) {
-    auto mesh = std::make_unique<aiMesh>();
-    mesh->mNumVertices = static_cast<unsigned>(source.points.size());
-    mesh->mVertices = arrayOf(source.points);
-    if (source.uvs.size() == source.points.size()) {
-        mesh->mTextureCoords[0] = arrayOf(source.uvs);
-        mesh->mNumUVComponents[0] = 2;
-    }
-    mesh->mNumFaces = static_cast<unsigned>(source.faces.size());
-    mesh->mFaces = new aiFace[source.faces.size()];
-    for (std::size_t k = 0; k < source.faces.size(); ++k) {
-        mesh->mFaces[k].mNumIndices = static_cast<unsigned>(source.faces[k].corners.size());
-        mesh->mFaces[k].mIndices = arrayOf(source.faces[k].corners);
-    }
-    return mesh;
-}
-
-std::string contentOf(const std::string& name, Assimp::IOSystem& files) {
-    const std::unique_ptr<Assimp::IOStream> stream(files.Open(name, "rb"));
-    if (!stream) throw std::runtime_error("it cannot be opened");
-    std::string bytes(stream->FileSize(), '\0');
-    bytes.resize(stream->Read(bytes.data(), 1, bytes.size()));
-    return bytes;
 }
 
 }  // namespace
 
-bool PlyReader::CanRead(const std::string& file, Assimp::IOSystem* files, bool /*checkSignature*/) const {
-    return CheckMagicToken(files, file, "ply\n", 1) || CheckMagicToken(files, file, "ply\r", 1);
-}
-
-const aiImporterDesc* PlyReader::GetInfo() const {
-    static constexpr aiImporterDesc kDescription{
-        .mName = "PLY",
-        .mAuthor = "",
-        .mMaintainer = "",
-        .mComments = "",
-        .mFlags = aiImporterFlags_SupportTextFlavour | aiImporterFlags_SupportBinaryFlavour,
-        .mMinMajor = 1,
-        .mMinMinor = 0,
-        .mMaxMajor = 1,
-        .mMaxMinor = 0,
-        .mFileExtensions = "ply"};
-    return &kDescription;
-}
-
-void PlyReader::InternReadFile(const std::string& file, aiScene* scene, Assimp::IOSystem* files) {
-    const std::string bytes = contentOf(file, *files);
+SourceScene readPly(std::string_view bytes) {
     const Result<PlyHeader> header = readPlyHeader(bytes);
-    if (!header) throw std::runtime_error(header.error().message);
+    if (!header) failPly(header.error().message);
     PlyMesh mesh = PlyElements(*header, bytes).read();
-    checkCorners(mesh);
-    if (std::ranges::any_of(mesh.faces, hasUvs)) mesh = withSeparateCorners(mesh);
-
-    scene->mNumMeshes = scene->mNumMaterials = 1;
-    scene->mMeshes = new aiMesh* [1] { meshOf(mesh).release() };
-    scene->mMaterials = new aiMaterial* [1] { new aiMaterial };
-    const aiColor3D white(1.0f, 1.0f, 1.0f);
-    scene->mMaterials[0]->AddProperty(&white, 1, AI_MATKEY_COLOR_DIFFUSE);
-    scene->mRootNode = new aiNode;
-    scene->mRootNode->mNumMeshes = 1;
-    scene->mRootNode->mMeshes = new unsigned[1]{0};
+    for (const PlyFace& face : mesh.faces)
+        for (const std::uint32_t corner : face.corners)
+            if (const std::size_t count = mesh.points.size(); corner >= count)
+                failPly("a face refers to point " + std::to_string(corner) + " of " + std::to_string(count));
+    SourceScene scene;
+    scene.materials.push_back({.name = {}, .colour = Vec3(1.0)});
+    SourceObject object;
+    addFaces(mesh, object);
+    if (object.triangles.empty()) return scene;
+    RoundingMeter rounding;
+    rounding.add(mesh.points);
+    object.rounding = displacementBy(rounding.step(), Mat4(1.0));
+    object.points = std::move(mesh.points);
+    scene.objects.push_back(std::move(object));
+    return scene;
 }
 
 }  // namespace rubble

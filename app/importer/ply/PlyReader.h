@@ -1,23 +1,16 @@
 #pragma once
 
-#include <assimp/BaseImporter.h>
-#include <assimp/importerdesc.h>
+#include "core/geometry/mesh/SourceScene.h"
+
+#include <string_view>
 
 namespace rubble {
 
-/// Reads PLY files for assimp, whose own reader crashes or runs on for ever if they are damaged, and reads bytes that
-/// are not there.
+/// Reads a PLY file, text or binary, as one object: points, texture coordinates of vertices and of corners, polygons
+/// and triangle strips; other elements and properties are skipped. Points have one material, which is white.
 ///
-/// Read are points, texture coordinates of vertices and of corners, polygons and triangle strips, as text or binary;
-/// other elements and properties are skipped. Points have one material, which is white. An error names the element.
+/// Errors: throws MeshError; BadInput with the element that is damaged; Limit above kMaxTriangles.
 /// Source: Turk, "The PLY Polygon File Format", 1994.
-class PlyReader final : public Assimp::BaseImporter {
-public:
-    bool CanRead(const std::string& file, Assimp::IOSystem* files, bool checkSignature) const override;
-    const aiImporterDesc* GetInfo() const override;
-
-protected:
-    void InternReadFile(const std::string& file, aiScene* scene, Assimp::IOSystem* files) override;
-};
+SourceScene readPly(std::string_view bytes);
 
 }  // namespace rubble
