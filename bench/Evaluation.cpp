@@ -2,10 +2,10 @@
 // a folder, for tools/evaluate to plot.
 //
 //   Evaluation FOLDER
+#include "app/thesis/ThesisMethod.h"
 #include "bench/Timing.h"
 #include "core/base/Percentile.h"
 #include "core/base/Random.h"
-#include "core/fracture/thesis/ThesisMethod.h"
 #include "core/fracture/voronoi/VoronoiPartition.h"
 #include "core/play/session/Session.h"
 #include "tests/support/asset/House.h"

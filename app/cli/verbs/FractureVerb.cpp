@@ -1,5 +1,6 @@
 #include "app/cli/console/InputOutput.h"
 #include "app/cli/verbs/Verb.h"
+#include "app/thesis/ThesisCells.h"
 #include "core/io/fracture/FractureJson.h"
 
 #include <memory>
@@ -31,8 +32,8 @@ Status fracture(const FractureOptions& options, const CliContext& context) {
     if (!text) return text.error();
     const Result<FractureInput> input = readFractureInput(*text);
     if (!input) return input.error();
-    const FractureMethod method = options.method == "thesis" ? FractureMethod::Thesis : FractureMethod::Exact;
-    const Result<std::string> json = fractureJson(*input, method, {.cancel = context.cancel});
+    if (options.method == "thesis") return printText(thesisJson(*input), context);
+    const Result<std::string> json = fractureJson(*input, {.cancel = context.cancel});
     if (!json) return json.error();
     return printText(*json, context);
 }

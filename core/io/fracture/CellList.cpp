@@ -1,7 +1,6 @@
 #include "core/io/fracture/CellList.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -52,45 +51,12 @@ Cell cellOf(const Partition& partition, std::uint32_t seed, double minSharedEdge
     return cell;
 }
 
-/// Returns the seeds that share a triangle with a seed, ascending.
-std::vector<std::uint32_t> neighboursOf(std::uint32_t seed, const ThesisDiagram& diagram) {
-    std::vector<std::uint32_t> others;
-    for (const auto& triangle : diagram.triangles) {
-        if (std::find(triangle.begin(), triangle.end(), seed) == triangle.end()) continue;
-        for (const std::uint32_t other : triangle) {
-            if (other != seed) others.push_back(other);
-        }
-    }
-    std::sort(others.begin(), others.end());
-    others.erase(std::unique(others.begin(), others.end()), others.end());
-    return others;
-}
-
-bool isCell(const Ring& ring) {
-    return ring.size() >= 3 && std::all_of(ring.begin(), ring.end(), [](Vec2 corner) {
-               return std::isfinite(corner.x) && std::isfinite(corner.y);
-           });
-}
-
 }  // namespace
 
 std::vector<Cell> cellList(const Partition& partition, double minSharedEdge) {
     std::vector<Cell> cells;
     for (std::uint32_t seed = 0; seed < partition.pieceOfSeed.size(); ++seed) {
         if (partition.pieceOfSeed[seed] != kNone) cells.push_back(cellOf(partition, seed, minSharedEdge));
-    }
-    return cells;
-}
-
-std::vector<Cell> cellList(const ThesisDiagram& diagram) {
-    std::vector<Cell> cells;
-    for (std::uint32_t seed = 0; seed < diagram.cells.size(); ++seed) {
-        if (!isCell(diagram.cells[seed])) continue;
-        Cell& cell = cells.emplace_back(Cell{.seed = seed});
-        cell.pieces.push_back(withCanonicalWinding({.outer = diagram.cells[seed], .holes = {}}));
-        cell.area = area(cell.pieces[0]);
-        cell.centroid = centroid(cell.pieces[0]);
-        cell.neighbours = neighboursOf(seed, diagram);
     }
     return cells;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/fracture/partition/Partition.h"
-#include "core/fracture/thesis/ThesisMethod.h"
 #include "core/geometry/polygon/Polygon.h"
 
 #include <cstdint>
@@ -21,9 +20,5 @@ struct Cell {
 /// Returns the cells of a partition by seed; seeds without a cell are left out. Neighbours share edges longer than
 /// `minSharedEdge` (m).
 std::vector<Cell> cellList(const Partition& partition, double minSharedEdge);
-
-/// Returns the cells of the thesis's diagram, each of one piece; neighbours share a triangle. Cells with fewer than
-/// three corners or with a corner that is not finite are left out.
-std::vector<Cell> cellList(const ThesisDiagram& diagram);
 
 }  // namespace rubble

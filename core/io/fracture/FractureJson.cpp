@@ -3,10 +3,8 @@
 #include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
 #include "core/fracture/delaunay/Delaunay.h"
-#include "core/fracture/thesis/ThesisMethod.h"
 #include "core/fracture/voronoi/VoronoiPartition.h"
 #include "core/geometry/polygon/OutlineCleaning.h"
-#include "core/io/fracture/CellList.h"
 #include "core/io/json/JsonDocument.h"
 #include "core/io/json/JsonWriter.h"
 
@@ -15,8 +13,6 @@
 
 namespace rubble {
 namespace {
-
-using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 void writeCell(JsonWriter& json, const Cell& cell) {
     json.openObject();
@@ -45,49 +41,6 @@ void writeReport(JsonWriter& json, const Diagnostic& report) {
     if (report.value != 0.0) json.number("amount", report.value);
     json.text("message", report.message);
     json.close();
-}
-
-std::string outputJson(const std::vector<Cell>& cells, const Triangles& triangles,
-                       const std::vector<Diagnostic>& reports) {
-    JsonWriter json(JsonLayout::Compact);
-    json.openObject();
-    json.list("cells", cells, writeCell);
-    json.rows("triangles", triangles, [](const auto& corners) {
-        return std::array<std::int64_t, 3>{corners[0], corners[1], corners[2]};
-    });
-    json.list("report", reports, writeReport);
-    json.close();
-    return std::move(json).finished();
-}
-
-Result<std::string> exactJson(const FractureInput& input, const TaskContext& task) {
-    const Result<Delaunay> delaunay = triangulate(input.seeds, task);
-    if (!delaunay) return delaunay.error();
-    const Result<Partition> partition = voronoiPartition(input.prism.outline, *delaunay, task);
-    if (!partition) return partition.error();
-    std::vector<Diagnostic> reports = input.diagnostics;
-    reports.insert(reports.end(), partition->diagnostics.begin(), partition->diagnostics.end());
-    if (input.seeds.empty()) {
-        const double whole = area(input.prism.outline);
-        reports.push_back(diagnostic(
-            DiagnosticCode::Gap, {},
-            "There are no seeds, so no cell covers the outline of " + quantityText(QuantityKind::Area, whole) + ".",
-            whole));
-    }
-    const double least = kMinSharedEdge * boundsOf(input.prism.outline.outer).diagonal();
-    return outputJson(cellList(*partition, least), triangleList(*delaunay), reports);
-}
-
-/// Triangles as triangleList() gives them.
-Triangles inOrder(Triangles triangles, std::span<const Vec2> seeds) {
-    for (auto& [a, b, c] : triangles) {
-        if (cross(seeds[b] - seeds[a], seeds[c] - seeds[a]) < 0.0) std::swap(b, c);
-    }
-    for (auto& triangle : triangles) {
-        std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
-    }
-    std::sort(triangles.begin(), triangles.end());
-    return triangles;
 }
 
 /// Removes the repeated points of a ring and reports them.
@@ -130,10 +83,35 @@ Result<FractureInput> readFractureInput(std::string_view json) {
     return input;
 }
 
-Result<std::string> fractureJson(const FractureInput& input, FractureMethod method, const TaskContext& task) {
-    if (method == FractureMethod::Exact) return exactJson(input, task);
-    const ThesisDiagram diagram = thesisDiagram(input.prism.outline.outer, input.seeds);
-    return outputJson(cellList(diagram), inOrder(diagram.triangles, input.seeds), input.diagnostics);
+std::string cellsJson(const std::vector<Cell>& cells, const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                      const std::vector<Diagnostic>& reports) {
+    JsonWriter json(JsonLayout::Compact);
+    json.openObject();
+    json.list("cells", cells, writeCell);
+    json.rows("triangles", triangles, [](const auto& corners) {
+        return std::array<std::int64_t, 3>{corners[0], corners[1], corners[2]};
+    });
+    json.list("report", reports, writeReport);
+    json.close();
+    return std::move(json).finished();
+}
+
+Result<std::string> fractureJson(const FractureInput& input, const TaskContext& task) {
+    const Result<Delaunay> delaunay = triangulate(input.seeds, task);
+    if (!delaunay) return delaunay.error();
+    const Result<Partition> partition = voronoiPartition(input.prism.outline, *delaunay, task);
+    if (!partition) return partition.error();
+    std::vector<Diagnostic> reports = input.diagnostics;
+    reports.insert(reports.end(), partition->diagnostics.begin(), partition->diagnostics.end());
+    if (input.seeds.empty()) {
+        const double whole = area(input.prism.outline);
+        reports.push_back(diagnostic(
+            DiagnosticCode::Gap, {},
+            "There are no seeds, so no cell covers the outline of " + quantityText(QuantityKind::Area, whole) + ".",
+            whole));
+    }
+    const double least = kMinSharedEdge * boundsOf(input.prism.outline.outer).diagonal();
+    return cellsJson(cellList(*partition, least), triangleList(*delaunay), reports);
 }
 
 }  // namespace rubble

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "app/thesis/ThesisCells.h"
 #include "core/asset/checks/PlayFaults.h"
 #include "core/asset/checks/VerifyProject.h"
 #include "core/asset/import/AssetImport.h"
 #include "core/base/Utf8.h"
 #include "core/fracture/pieces/Extrusion.h"
-#include "core/fracture/thesis/ThesisMethod.h"
 #include "core/fracture/verify/VerifyDelaunay.h"
 #include "core/fracture/verify/VerifyFragments.h"
 #include "core/fracture/verify/VerifyNearestSeed.h"
@@ -75,10 +75,9 @@ inline Sentence fractureFault(std::string_view bytes) {
     if (!input) return errorFault(input.error());
     if (input->seeds.size() > kMaxFuzzedSeeds || cornersOf(input->prism.outline).size() > kMaxFuzzedCorners)
         return std::nullopt;
-    for (const FractureMethod method : {FractureMethod::Exact, FractureMethod::Thesis}) {
-        const Result<std::string> json = fractureJson(*input, method);
-        if (!json) return errorFault(json.error());
-    }
+    const Result<std::string> json = fractureJson(*input);
+    if (!json) return errorFault(json.error());
+    static_cast<void>(thesisJson(*input));
     return stageFault(*input);
 }
 

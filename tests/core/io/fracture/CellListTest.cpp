@@ -6,8 +6,6 @@
 
 #include <QTest>
 
-#include <limits>
-
 using namespace rubble;
 
 namespace {
@@ -80,20 +78,6 @@ private slots:
         QVERIFY(signedArea(cells[0].pieces[0].holes[0]) < 0.0);
         QCOMPARE(cells[0].area, 12.0);
         QCOMPARE(cells[0].centroid, Vec2(2.0, 2.0));
-    }
-    void thesisCellsNeedThreeFiniteCorners() {
-        const double nan = std::numeric_limits<double>::quiet_NaN();
-        ThesisDiagram diagram;
-        diagram.triangles = {{0, 1, 2}, {1, 3, 2}};
-        diagram.cells = {
-            {{0, 0}, {0, 2}, {2, 0}}, {{0, 0}, {1, 1}}, {{0, 0}, {nan, 1}, {1, 0}}, {{0, 0}, {1, 0}, {0, 1}}};
-        const std::vector<Cell> cells = cellList(diagram);
-        QCOMPARE(cells.size(), std::size_t{2});
-        QCOMPARE(cells[0].area, 2.0);
-        QVERIFY(signedArea(cells[0].pieces[0].outer) > 0.0);
-        QCOMPARE(cells[0].neighbours, (Indices{1, 2}));
-        QCOMPARE(cells[1].seed, 3u);
-        QCOMPARE(cells[1].neighbours, (Indices{1, 2}));
     }
 };
 

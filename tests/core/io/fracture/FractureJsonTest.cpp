@@ -15,8 +15,8 @@ constexpr const char* kSquare = R"("outline":[[0,0],[1,0],[1,1],[0,1]],"depth":0
 
 std::string inputJson(const std::string& members) { return std::string("{") + kSquare + "," + members + "}"; }
 
-QJsonObject fractured(const FractureInput& input, FractureMethod method = FractureMethod::Exact) {
-    const Result<std::string> json = fractureJson(input, method);
+QJsonObject fractured(const FractureInput& input) {
+    const Result<std::string> json = fractureJson(input);
     return json ? QJsonDocument::fromJson(QByteArray::fromStdString(*json)).object() : QJsonObject();
 }
 
@@ -103,13 +103,6 @@ private slots:
         }
         QVERIFY(std::abs(sum - area(example.outline)) <= 1e-12 * area(example.outline));
     }
-    void thesisMethodReproducesItsErrors() {
-        const test::Counterexample example = test::counterexamples()[0];  // R1_origin_square3
-        const QJsonObject output = fractured({{example.outline, 1.0}, example.seeds}, FractureMethod::Thesis);
-        QVERIFY(std::abs(output["cells"][0]["area"].toDouble() - 0.370606061) < 1e-9);
-        QVERIFY(std::abs(example.areas[0] - 0.2956060606060606) < 1e-15);
-    }
-
     void trianglesStartWithTheSmallestIndexAndAreSorted() {
         const std::vector<Vec2> seeds = {{0.75, 0.75}, {0.25, 0.25}, {0.8, 0.2}, {0.2, 0.9}};
         const QJsonArray triangles = fractured({{unitSquare(), 1.0}, seeds})["triangles"].toArray();
@@ -126,15 +119,14 @@ private slots:
         QVERIFY(report[0]["message"].toString().endsWith('.'));
     }
     void outputIsOneLine() {
-        const Result<std::string> json = fractureJson({{unitSquare(), 1.0}, {{0.5, 0.5}}}, FractureMethod::Exact);
+        const Result<std::string> json = fractureJson({{unitSquare(), 1.0}, {{0.5, 0.5}}});
         QCOMPARE(json->find('\n'), json->size() - 1);
     }
     void cancellationStopsIt() {
         TaskContext task;
         task.cancel.cancel();
         const std::vector<Vec2> seeds = {{0.25, 0.5}, {0.75, 0.5}};
-        QCOMPARE(fractureJson({{unitSquare(), 1.0}, seeds}, FractureMethod::Exact, task).error().code,
-                 ErrorCode::Cancelled);
+        QCOMPARE(fractureJson({{unitSquare(), 1.0}, seeds}, task).error().code, ErrorCode::Cancelled);
     }
 };
 

@@ -1,5 +1,5 @@
-// Tests core/fracture/voronoi/VoronoiPartition.cpp on the cases in which core/fracture/thesis/ThesisMethod.cpp fails.
-#include "core/fracture/thesis/ThesisMethod.h"
+// Tests core/fracture/voronoi/VoronoiPartition.cpp on the cases in which app/thesis/ThesisMethod.cpp fails.
+#include "app/thesis/ThesisMethod.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/JsonCases.h"
 #include "tests/support/fracture/VerifiedPartition.h"

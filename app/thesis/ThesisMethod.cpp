@@ -1,4 +1,4 @@
-#include "core/fracture/thesis/ThesisMethod.h"
+#include "app/thesis/ThesisMethod.h"
 
 #include <algorithm>
 #include <cmath>
