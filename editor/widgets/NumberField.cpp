@@ -1,6 +1,6 @@
 #include "editor/widgets/NumberField.h"
 
-#include "editor/widgets/Theme.h"
+#include "editor/widgets/ColourScheme.h"
 #include "editor/widgets/numbers/UnitNames.h"
 
 #include <QKeyEvent>

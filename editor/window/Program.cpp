@@ -10,8 +10,8 @@
 #include "editor/document/FilePath.h"
 #include "editor/document/Translations.h"
 #include "editor/views/Views.h"
+#include "editor/widgets/ColourScheme.h"
 #include "editor/widgets/ScreenFit.h"
-#include "editor/widgets/Theme.h"
 #include "editor/window/Application.h"
 #include "editor/window/MainWindow.h"
 

@@ -2,8 +2,8 @@
 
 #include "editor/document/ShownText.h"
 #include "editor/widgets/Buttons.h"
+#include "editor/widgets/ColourScheme.h"
 #include "editor/widgets/Icon.h"
-#include "editor/widgets/Theme.h"
 #include "editor/workspace/InstalledData.h"
 #include "editor/workspace/RecentFiles.h"
 

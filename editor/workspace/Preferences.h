@@ -1,6 +1,6 @@
 #pragma once
 
-#include "editor/widgets/Theme.h"
+#include "editor/widgets/ColourScheme.h"
 #include "editor/widgets/numbers/Units.h"
 #include "viewport/widget/Navigation.h"
 #include "viewport/widget/ProgressiveRendering.h"

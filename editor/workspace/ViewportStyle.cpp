@@ -1,6 +1,6 @@
 #include "editor/workspace/ViewportStyle.h"
 
-#include "editor/widgets/Theme.h"
+#include "editor/widgets/ColourScheme.h"
 #include "editor/widgets/numbers/Units.h"
 #include "viewport/render/ScaleBar.h"
 #include "viewport/widget/ViewportWidget.h"

@@ -1,5 +1,5 @@
 #include "core/play/session/PlayTestRun.h"
-#include "core/structure/strength/BondCapacities.h"
+#include "core/structure/capacity/BondCapacities.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Dam.h"
 #include "tests/support/play/Sessions.h"

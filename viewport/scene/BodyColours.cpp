@@ -2,7 +2,7 @@
 
 #include "core/asset/project/FragmentColours.h"
 #include "core/asset/project/Variants.h"
-#include "core/asset/strength/FragmentThreshold.h"
+#include "core/asset/strength/FragmentThresholds.h"
 #include "core/asset/strength/Threshold.h"
 #include "core/play/scene/PlayAsset.h"
 #include "core/structure/clusters/ClusterColours.h"

@@ -2,8 +2,8 @@
 
 #include "core/asset/project/Variants.h"
 #include "core/asset/strength/BondStrength.h"
-#include "core/structure/strength/BondCapacities.h"
-#include "core/structure/strength/StrengthMap.h"
+#include "core/structure/capacity/BondCapacities.h"
+#include "core/structure/capacity/StrengthMap.h"
 
 #include <cmath>
 #include <limits>

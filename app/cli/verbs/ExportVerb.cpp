@@ -4,7 +4,7 @@
 #include "app/cli/options/AssetOptions.h"
 #include "app/cli/options/CommonOptions.h"
 #include "app/cli/output/Depfile.h"
-#include "app/cli/output/ExportSummary.h"
+#include "app/cli/output/ExportOutcome.h"
 #include "app/cli/output/ProjectLoading.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/project/Ranges.h"

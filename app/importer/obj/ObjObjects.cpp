@@ -26,7 +26,7 @@ std::vector<std::uint32_t> placesOf(const std::vector<Vec3>& points) {
 }
 
 /// The edges that have one face in their group.
-std::vector<GroupEdge> openEdges(const ObjFile& file) {
+std::vector<GroupEdge> openEdges(const ObjContent& file) {
     const std::vector<std::uint32_t> places = placesOf(file.points);
     std::vector<GroupEdge> edges;
     for (const ObjFace& face : file.faces) {
@@ -48,7 +48,7 @@ std::vector<GroupEdge> openEdges(const ObjFile& file) {
 
 }  // namespace
 
-std::vector<std::uint32_t> objectsOfParts(const ObjFile& file) {
+std::vector<std::uint32_t> objectsOfParts(const ObjContent& file) {
     DisjointSets objects(file.parts.size());
     if (!file.hasObjects && file.parts.size() > 1) {
         const std::vector<GroupEdge> open = openEdges(file);

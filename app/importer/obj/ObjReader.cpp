@@ -18,7 +18,7 @@ namespace {
 /// Adds the faces of a file to their objects.
 class ObjAssembly {
 public:
-    explicit ObjAssembly(const ObjFile& file) : m_file(file), m_objectOfPart(objectsOfParts(file)) {
+    explicit ObjAssembly(const ObjContent& file) : m_file(file), m_objectOfPart(objectsOfParts(file)) {
         m_objects.resize(file.parts.size());
         m_indices.resize(file.points.size(), kNone);
         m_owners.resize(file.points.size(), kNone);
@@ -73,7 +73,7 @@ private:
         return m_indices[point];
     }
 
-    const ObjFile& m_file;
+    const ObjContent& m_file;
     std::vector<std::uint32_t> m_objectOfPart;
     std::vector<SourceObject> m_objects;  // some without triangles
     std::vector<std::uint32_t> m_indices, m_owners;
@@ -110,7 +110,7 @@ void readMaterials(const std::string& names, MeshFiles& files, MeshImages& image
 }  // namespace
 
 SourceScene readObj(std::string_view text, MeshFiles& files) {
-    const ObjFile file = readObjText(text);
+    const ObjContent file = readObjText(text);
     SourceScene scene;
     for (const std::string& name : file.materials) scene.materials.push_back({.name = name});
     MeshImages images(files, scene);

@@ -4,7 +4,7 @@
 #include "core/base/Result.h"
 #include "core/base/TaskContext.h"
 #include "core/fracture/layer/SeedId.h"
-#include "core/fracture/pattern/PatternKinds.h"
+#include "core/fracture/pattern/LayerParameters.h"
 #include "core/geometry/polygon/Polygon.h"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "core/io/exchange/PackBuilder.h"
 
-#include "core/asset/strength/FragmentThreshold.h"
+#include "core/asset/strength/FragmentThresholds.h"
 #include "core/asset/strength/Threshold.h"
 #include "core/base/Assert.h"
 #include "core/base/Parallel.h"
@@ -8,8 +8,8 @@
 #include "core/geometry/hull/InsetHull.h"
 #include "core/physics/solver/SpeedThresholds.h"
 #include "core/play/damage/InstanceDamage.h"
+#include "core/structure/capacity/BondCapacities.h"
 #include "core/structure/clusters/ClusterLevels.h"
-#include "core/structure/strength/BondCapacities.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/asset/project/Project.h"
-#include "core/play/analysis/StrengthRequirement.h"
+#include "core/play/analysis/ThresholdInterval.h"
 
 #include <span>
 #include <string>

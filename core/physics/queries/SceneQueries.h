@@ -2,7 +2,7 @@
 
 #include "core/base/Result.h"
 #include "core/geometry/hull/Polytope.h"
-#include "core/physics/state/Body.h"
+#include "core/physics/state/BodyDefinition.h"
 
 #include <optional>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/physics/state/Body.h"
+#include "core/physics/state/BodyDefinition.h"
 
 #include <optional>
 #include <string>

@@ -6,7 +6,7 @@
 #include "core/physics/narrowphase/SeparatingAxis.h"
 #include "core/physics/solver/BodyMotion.h"
 #include "core/physics/solver/ContactColours.h"
-#include "core/physics/state/Body.h"
+#include "core/physics/state/BodyDefinition.h"
 #include "core/physics/state/StepResults.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "core/physics/math/Lanes.h"
 #include "core/physics/narrowphase/ManifoldCache.h"
 #include "core/physics/queries/SceneQueries.h"
-#include "core/physics/state/Body.h"
+#include "core/physics/state/BodyDefinition.h"
 #include "core/physics/state/StepResults.h"
 
 #include <memory>

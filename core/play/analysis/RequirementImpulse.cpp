@@ -1,7 +1,7 @@
 #include "core/play/analysis/RequirementImpulse.h"
 
 #include "core/base/Assert.h"
-#include "core/play/breaking/Damage.h"
+#include "core/play/breaking/DamageDone.h"
 #include "core/play/breaking/MovingMass.h"
 #include "core/play/scene/Projectile.h"
 
@@ -45,10 +45,10 @@ Vec2 hitPoint(const Polygon& outline, Vec2 point) {
 }
 
 /// The asset as a body in the prism's frame.
-BodyDefinition standing(const Project& project, const PlayAsset& asset, Support support) {
+BodyDefinition standing(const Project& project, const PlayAsset& asset, AssetSupport support) {
     const Material& material = *findMaterial(project, assetOf(project, asset).material);
     return {.shape = asset.whole.shape,
-            .kind = support == Support::Fixed ? BodyKind::Static : BodyKind::Dynamic,
+            .kind = support == AssetSupport::Fixed ? BodyKind::Static : BodyKind::Dynamic,
             .density = material.density,
             .friction = material.friction,
             .restitution = material.restitution};
@@ -104,7 +104,7 @@ Result<BodyDefinition> groundBelow(const Project& project, const Shape& shape) {
 }
 
 Result<TouchingBodies> touchingBodies(const Project& project, const PlayAsset& asset, const DropRequirement& drop,
-                                      Support support) {
+                                      AssetSupport support) {
     const Vec3 gravity = project.gravity;
     if (gravity.x != 0.0 || gravity.z != 0.0 || !(gravity.y < 0.0)) {
         return Error{ErrorCode::BadInput, "A drop needs gravity that points straight down, along -y."};
@@ -117,7 +117,7 @@ Result<TouchingBodies> touchingBodies(const Project& project, const PlayAsset& a
 }
 
 Result<TouchingBodies> touchingBodies(const Project& project, const PlayAsset& asset, const HitRequirement& hit,
-                                      Support support) {
+                                      AssetSupport support) {
     Result<BodyDefinition> cube = projectileBody(hitThrow(project, asset, hit), nullptr, nullptr);
     if (!cube) return cube.error();
     return TouchingBodies{standing(project, asset, support), std::move(*cube)};
@@ -133,7 +133,7 @@ Vec3 frontPoint(const Project& project, const PlayAsset& asset) {
 /// The bodies of a drop or a hit.
 Result<TouchingBodies> bodiesOf(const Project& project, const PlayAsset& asset,
                                 const StrengthRequirement& requirement) {
-    const Support support = supportOf(project, assetOf(project, asset), requirement);
+    const AssetSupport support = supportOf(project, assetOf(project, asset), requirement);
     if (const auto* drop = std::get_if<DropRequirement>(&requirement.event))
         return touchingBodies(project, asset, *drop, support);
     return touchingBodies(project, asset, std::get<HitRequirement>(requirement.event), support);
@@ -141,17 +141,17 @@ Result<TouchingBodies> bodiesOf(const Project& project, const PlayAsset& asset,
 
 }  // namespace
 
-Support supportOf(const Project& project, const Asset& asset, const StrengthRequirement& requirement) {
-    if (!std::holds_alternative<HitRequirement>(requirement.event)) return Support::Free;
+AssetSupport supportOf(const Project& project, const Asset& asset, const StrengthRequirement& requirement) {
+    if (!std::holds_alternative<HitRequirement>(requirement.event)) return AssetSupport::Free;
     const auto isBreakable = [&](const Instance& instance) {
         return instance.asset == asset.id && !instance.isUnbreakable;
     };
     const auto isHeld = [&](const Instance& instance) { return isHeldInPlace(project, asset, instance); };
     const auto held = [&](const Instance& instance) { return isBreakable(instance) && isHeld(instance); };
     const auto free = [&](const Instance& instance) { return isBreakable(instance) && !isHeld(instance); };
-    if (std::ranges::none_of(project.instances, held)) return Support::Free;
+    if (std::ranges::none_of(project.instances, held)) return AssetSupport::Free;
     const bool areMixed = std::ranges::any_of(project.instances, free);
-    return areMixed && requirement.outcome == RequirementOutcome::Breaks ? Support::Free : Support::Fixed;
+    return areMixed && requirement.outcome == RequirementOutcome::Breaks ? AssetSupport::Free : AssetSupport::Fixed;
 }
 
 Result<double> requirementImpulse(const Project& project, const PlayAsset& asset,
@@ -169,8 +169,8 @@ Result<RequirementImpact> requirementImpact(const Project& project, const PlayAs
     return bodies ? impactAtContact(*bodies) : bodies.error();
 }
 
-double cornerFraction(const Project& project, const PlayAsset& asset, const HitRequirement& hit, Support support) {
-    if (support == Support::Fixed || project.damage.rule == DamageRule::Momentum) return 1.0;
+double cornerFraction(const Project& project, const PlayAsset& asset, const HitRequirement& hit, AssetSupport support) {
+    if (support == AssetSupport::Fixed || project.damage.rule == DamageRule::Momentum) return 1.0;
     const Asset& authored = assetOf(project, asset);
     const MovingMass struck = restingMass(*asset.whole.shape, findMaterial(project, authored.material)->density, {});
     const Vec2 centre(struck.centre);

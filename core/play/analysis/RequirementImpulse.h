@@ -5,7 +5,7 @@
 namespace rubble {
 
 /// How an asset is held when a body hits it.
-enum class Support {
+enum class AssetSupport {
     Free,   // it gives way, which takes impulse off the hit
     Fixed,  // its instances are held in place: it gives way nowhere
 };
@@ -13,7 +13,7 @@ enum class Support {
 /// The support that decides an event: Fixed for a hit if all instances of the asset that can break are held in place,
 /// and otherwise Free. Where some of them are, the one that demands more: Fixed to survive, Free to break. Drops are
 /// always Free.
-Support supportOf(const Project& project, const Asset& asset, const StrengthRequirement& requirement);
+AssetSupport supportOf(const Project& project, const Asset& asset, const StrengthRequirement& requirement);
 
 /// The damage of a requirement's event to an asset, N·s: that of a session at the first contact, by the project's
 /// damage rule; 0 if the contact is too slow to do any.
@@ -48,7 +48,7 @@ Result<RequirementImpact> requirementImpact(const Project& project, const PlayAs
 ///
 /// In closed form, for a body of mass m that does not rotate itself: the inverse effective mass at the centre, 1/m +
 /// 1/M, divided by that at the corner.
-double cornerFraction(const Project& project, const PlayAsset& asset, const HitRequirement& hit, Support support);
+double cornerFraction(const Project& project, const PlayAsset& asset, const HitRequirement& hit, AssetSupport support);
 
 /// The throw of a hit, in the prism's frame: a cube of 0.2 m, or of a fifth of the outline if that is less, that starts
 /// in head-on contact with the front (z > 0) in front of the centre of mass, or, if the centre lies outside the

@@ -81,7 +81,7 @@ Result<ShotAction> shotOf(const Project& project, const PlayAsset& asset, const 
 
 const Instance* instanceToTry(const Project& project, const Asset& asset, const StrengthRequirement& requirement,
                               Id preferred) {
-    const bool isFixed = supportOf(project, asset, requirement) == Support::Fixed;
+    const bool isFixed = supportOf(project, asset, requirement) == AssetSupport::Fixed;
     const auto rank = [&](const Instance& one) {
         const bool isHeldSo =
             isHeldInPlace(project, asset, one) == isFixed || !std::holds_alternative<HitRequirement>(requirement.event);

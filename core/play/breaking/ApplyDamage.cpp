@@ -2,7 +2,7 @@
 
 #include "core/base/MessageText.h"
 #include "core/play/breaking/Collapse.h"
-#include "core/play/breaking/CutAtImpact.h"
+#include "core/play/breaking/ImpactCutting.h"
 #include "core/play/breaking/Splitting.h"
 #include "core/play/breaking/Swap.h"
 #include "core/play/damage/BondLayout.h"

@@ -1,7 +1,7 @@
 #include "core/play/breaking/HitIntervals.h"
 
 #include "core/play/breaking/BondBreaking.h"
-#include "core/play/breaking/Damage.h"
+#include "core/play/breaking/DamageDone.h"
 #include "core/play/state/SessionBodies.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 #include "core/base/Assert.h"
 #include "core/base/MessageText.h"
 #include "core/base/Stopwatch.h"
-#include "core/play/breaking/CutAtImpact.h"
-#include "core/play/breaking/Damage.h"
+#include "core/play/breaking/DamageDone.h"
+#include "core/play/breaking/ImpactCutting.h"
 #include "core/play/state/SessionBodies.h"
 
 #include <algorithm>

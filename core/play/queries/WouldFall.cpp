@@ -2,7 +2,7 @@
 
 #include "core/base/DisjointSets.h"
 #include "core/base/MessageText.h"
-#include "core/play/breaking/Damage.h"
+#include "core/play/breaking/DamageDone.h"
 #include "core/play/queries/ContactGraph.h"
 #include "core/play/queries/PartsRemoved.h"
 

@@ -1,6 +1,6 @@
 #include "core/play/scene/GroundHull.h"
 
-#include "core/physics/state/Body.h"
+#include "core/physics/state/BodyDefinition.h"
 
 #include <vector>
 

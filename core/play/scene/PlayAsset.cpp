@@ -1,9 +1,9 @@
 #include "core/play/scene/PlayAsset.h"
 
 #include "core/asset/bake/FractureResult.h"
-#include "core/asset/strength/FragmentThreshold.h"
+#include "core/asset/strength/FragmentThresholds.h"
 #include "core/play/scene/BodyShape.h"
-#include "core/structure/strength/BondCapacities.h"
+#include "core/structure/capacity/BondCapacities.h"
 
 #include <set>
 

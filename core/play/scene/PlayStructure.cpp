@@ -2,9 +2,9 @@
 
 #include "core/base/Assert.h"
 #include "core/play/scene/GroundHull.h"
+#include "core/structure/capacity/BondCapacities.h"
 #include "core/structure/graph/Islands.h"
 #include "core/structure/graph/Support.h"
-#include "core/structure/strength/BondCapacities.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "core/base/MessageText.h"
 #include "core/base/QuantityText.h"
 #include "core/play/breaking/ApplyDamage.h"
-#include "core/play/breaking/CutAtImpact.h"
+#include "core/play/breaking/ImpactCutting.h"
 #include "core/play/damage/BondLayout.h"
 
 namespace rubble {

@@ -1,8 +1,8 @@
 #include "editor/canvas/painting/BondMarks.h"
 
+#include "core/structure/capacity/BondCapacities.h"
+#include "core/structure/capacity/StrengthMap.h"
 #include "core/structure/clusters/ClusterColours.h"
-#include "core/structure/strength/BondCapacities.h"
-#include "core/structure/strength/StrengthMap.h"
 #include "editor/canvas/painting/FragmentEdges.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "editor/canvas/painting/CanvasColours.h"
 
-#include "editor/widgets/Theme.h"
+#include "editor/widgets/ColourScheme.h"
 
 #include <array>
 

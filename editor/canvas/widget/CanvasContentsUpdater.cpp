@@ -1,7 +1,7 @@
 #include "editor/canvas/widget/CanvasContentsUpdater.h"
 
 #include "core/asset/bake/FragmentLookup.h"
-#include "core/asset/strength/FragmentThreshold.h"
+#include "core/asset/strength/FragmentThresholds.h"
 #include "core/asset/strength/Threshold.h"
 #include "editor/canvas/painting/FragmentEdges.h"
 

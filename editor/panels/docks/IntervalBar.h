@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/play/analysis/StrengthRequirement.h"
+#include "core/play/analysis/ThresholdInterval.h"
 
 #include <QWidget>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/play/analysis/StrengthRequirement.h"
+#include "core/play/analysis/ThresholdInterval.h"
 #include "editor/document/Document.h"
 #include "editor/panels/docks/EventTable.h"
 #include "editor/play/PlayController.h"

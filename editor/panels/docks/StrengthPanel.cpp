@@ -311,10 +311,10 @@ void StrengthPanel::addField(int row, int column, std::size_t index, ProjectNumb
 QString StrengthPanel::assumption(const Asset& asset, const StrengthRequirement& requirement) const {
     if (std::holds_alternative<ImpulseRequirement>(requirement.event) && !hasThreshold(m_document.project(), asset))
         return tr("on the centre of the front");
-    const Support support = supportOf(m_document.project(), asset, requirement);
-    const QString text = assumptionText(requirement.event, support == Support::Fixed);
+    const AssetSupport support = supportOf(m_document.project(), asset, requirement);
+    const QString text = assumptionText(requirement.event, support == AssetSupport::Fixed);
     const auto* hit = std::get_if<HitRequirement>(&requirement.event);
-    if (!hit || !m_whole || support == Support::Fixed) return text;
+    if (!hit || !m_whole || support == AssetSupport::Fixed) return text;
     const double fraction = cornerFraction(m_document.project(), *m_whole, *hit, support);
     const long percent = std::lround(100.0 * fraction);
     return percent < 100 ? tr("%1; %L2\u00a0% of it at a corner").arg(text).arg(percent) : text;
@@ -330,7 +330,7 @@ void StrengthPanel::addFigure(const Asset& asset, std::size_t index) {
     }
     auto* label = new QLabel(text);
     const StrengthRequirement& requirement = asset.requirements[index];
-    const bool isFixed = supportOf(m_document.project(), asset, requirement) == Support::Fixed;
+    const bool isFixed = supportOf(m_document.project(), asset, requirement) == AssetSupport::Fixed;
     label->setToolTip(
         (hasThreshold(m_document.project(), asset)
              ? tr("The impulse on the asset and its ratio to the threshold: it breaks from 1× on.")

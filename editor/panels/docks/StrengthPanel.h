@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/asset/project/Ranges.h"
-#include "core/play/analysis/StrengthRequirement.h"
+#include "core/play/analysis/ThresholdInterval.h"
 #include "editor/background/SwapAuditRunner.h"
 #include "editor/document/Selection.h"
 #include "editor/widgets/numbers/Units.h"

@@ -1,7 +1,7 @@
 #include "editor/panels/inspector/FragmentSection.h"
 
 #include "core/asset/bake/FragmentSets.h"
-#include "core/asset/strength/FragmentThreshold.h"
+#include "core/asset/strength/FragmentThresholds.h"
 #include "core/asset/strength/Threshold.h"
 #include "core/play/scene/PlayAsset.h"
 #include "editor/commands/FragmentEdits.h"

@@ -1,6 +1,6 @@
 #include "editor/view3d/tools/BondPaintTool.h"
 
-#include "core/structure/strength/BondCapacities.h"
+#include "core/structure/capacity/BondCapacities.h"
 #include "editor/workspace/Workspace.h"
 #include "viewport/scene/SurfacePicking.h"
 #include "viewport/widget/ViewportWidget.h"

@@ -3,7 +3,7 @@
 #include "editor/panels/docks/ProjectTree.h"
 #include "editor/panels/docks/StrengthPanel.h"
 #include "editor/panels/inspector/Inspector.h"
-#include "editor/widgets/Theme.h"
+#include "editor/widgets/ColourScheme.h"
 
 #include <QApplication>
 #include <QDir>

@@ -1,7 +1,7 @@
 // Tests editor/view3d/tools/BondPaintTool.cpp and the brushes for bonds of editor/actions/ViewActions.cpp in the
 // window: a wall is painted, saved and loaded.
 #include "core/asset/library/StarterProject.h"
-#include "core/structure/strength/BondCapacities.h"
+#include "core/structure/capacity/BondCapacities.h"
 #include "editor/canvas/tools/BondBrushTool.h"
 #include "editor/commands/ProjectEdits.h"
 #include "tests/support/TestProgram.h"

@@ -1,6 +1,6 @@
 // Tests editor/window/StartPage.cpp and what its demo starts.
 #include "editor/document/Bakes.h"
-#include "editor/widgets/Theme.h"
+#include "editor/widgets/ColourScheme.h"
 #include "editor/workspace/InstalledData.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Dialogs.h"

@@ -4,7 +4,7 @@
 #include "editor/dialogs/sheet/ContactSheetWindow.h"
 #include "editor/help/ManualWindow.h"
 #include "editor/view3d/PlayView.h"
-#include "editor/widgets/Theme.h"
+#include "editor/widgets/ColourScheme.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/EditorStory.h"
 

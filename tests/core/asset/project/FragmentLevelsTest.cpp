@@ -1,6 +1,6 @@
-// Tests core/asset/project/FragmentLevels.cpp and core/asset/strength/FragmentThreshold.cpp.
+// Tests core/asset/project/FragmentLevels.cpp and core/asset/strength/FragmentThresholds.cpp.
 #include "core/asset/project/FragmentLevels.h"
-#include "core/asset/strength/FragmentThreshold.h"
+#include "core/asset/strength/FragmentThresholds.h"
 #include "tests/support/TestProgram.h"
 
 #include <QTest>

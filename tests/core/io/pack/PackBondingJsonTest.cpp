@@ -3,7 +3,7 @@
 #include "core/io/pack/PackFile.h"
 #include "core/play/damage/InstanceDamage.h"
 #include "core/play/scene/PlayStructure.h"
-#include "core/structure/strength/BondCapacities.h"
+#include "core/structure/capacity/BondCapacities.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Packs.h"
 

@@ -2,7 +2,7 @@
 #include "core/play/analysis/HitForecast.h"
 
 #include "core/play/analysis/RequirementShot.h"
-#include "core/play/analysis/StrengthRequirement.h"
+#include "core/play/analysis/ThresholdInterval.h"
 #include "core/play/session/StandingParts.h"
 #include "tests/support/Closeness.h"
 #include "tests/support/TestProgram.h"

@@ -67,7 +67,7 @@ private slots:
         QTest::newRow("drop of 0.3 m") << StrengthRequirement{Survives, DropRequirement{0.3}} << true;
         QTest::newRow("impulse") << StrengthRequirement{Breaks, ImpulseRequirement{30.0}} << false;
     }
-    /// To 1 %; see StrengthRequirementTest for falls at 1/60 s.
+    /// To 1 %; see ThresholdIntervalTest for falls at 1/60 s.
     void playGivesTheImpulseOfTheRequirement() {
         QFETCH(StrengthRequirement, requirement);
         QFETCH(bool, isFixed);
@@ -88,8 +88,8 @@ private slots:
         test::addInstance(project, project.assets[0].id, "free", {.position = {9.0, 0.0, 0.0}});
         StrengthRequirement breaks = kFootball;
         breaks.outcome = Breaks;
-        QCOMPARE(supportOf(project, project.assets[0], kFootball), Support::Fixed);
-        QCOMPARE(supportOf(project, project.assets[0], breaks), Support::Free);
+        QCOMPARE(supportOf(project, project.assets[0], kFootball), AssetSupport::Fixed);
+        QCOMPARE(supportOf(project, project.assets[0], breaks), AssetSupport::Free);
         QCOMPARE(instanceToTry(project, project.assets[0], kFootball)->name, std::string("wall"));
         QCOMPARE(instanceToTry(project, project.assets[0], breaks)->name, std::string("free"));
         QVERIFY(computedImpulse(project, kFootball) > computedImpulse(project, breaks));
@@ -114,9 +114,9 @@ private slots:
         const double corner = 1.0 / 300.0 + 0.75 * 0.75 / ix + 1.0 / iy;
         const auto asset = test::playSceneOf(project);
         const HitRequirement hit{.mass = 100.0, .speed = 5.0};
-        QVERIFY(isNear(cornerFraction(project, test::onlyAsset(*asset), hit, Support::Free),
+        QVERIFY(isNear(cornerFraction(project, test::onlyAsset(*asset), hit, AssetSupport::Free),
                        (1.0 / 100.0 + 1.0 / 300.0) / (1.0 / 100.0 + corner), 1e-6));
-        QCOMPARE(cornerFraction(project, test::onlyAsset(*asset), hit, Support::Fixed), 1.0);
+        QCOMPARE(cornerFraction(project, test::onlyAsset(*asset), hit, AssetSupport::Fixed), 1.0);
     }
     void dropsNeedGround() {
         Project project = standingWall();

@@ -1,7 +1,7 @@
 // Tests core/play/scene/PlayAsset.cpp, core/play/scene/PlayScene.cpp and core/play/scene/BodyShape.cpp.
 #include "core/play/scene/PlayAsset.h"
 
-#include "core/asset/strength/FragmentThreshold.h"
+#include "core/asset/strength/FragmentThresholds.h"
 #include "core/base/math/Roots.h"
 #include "core/base/math/Trigonometry.h"
 #include "core/play/scene/BodyShape.h"

@@ -1,6 +1,6 @@
 #include "editor/canvas/tools/BondBrushTool.h"
 
-#include "core/structure/strength/BondCapacities.h"
+#include "core/structure/capacity/BondCapacities.h"
 #include "editor/document/EnteredFragment.h"
 #include "editor/widgets/NumberField.h"
 #include "tests/support/TestProgram.h"

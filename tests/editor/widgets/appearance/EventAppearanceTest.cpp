@@ -1,7 +1,7 @@
 #include "editor/widgets/appearance/EventAppearance.h"
 
+#include "editor/widgets/ColourScheme.h"
 #include "editor/widgets/Icon.h"
-#include "editor/widgets/Theme.h"
 #include "tests/support/TestProgram.h"
 
 #include <QGuiApplication>

@@ -1,4 +1,4 @@
-#include "core/play/breaking/Damage.h"
+#include "core/play/breaking/DamageDone.h"
 
 #include <algorithm>
 #include <cmath>

@@ -190,7 +190,7 @@ std::string faultOfLayer(const LayerParameters& parameters) {
 
 }  // namespace
 
-class PatternKindsTest : public QObject {
+class LayerParametersTest : public QObject {
     Q_OBJECT
 private slots:
     void samplesCoverEveryKind() {
@@ -324,5 +324,5 @@ private slots:
     }
 };
 
-RUBBLE_TEST(PatternKindsTest)
-#include "PatternKindsTest.moc"
+RUBBLE_TEST(LayerParametersTest)
+#include "LayerParametersTest.moc"

@@ -1,4 +1,4 @@
-#include "app/cli/output/ExportSummary.h"
+#include "app/cli/output/ExportOutcome.h"
 
 #include "app/cli/output/FragmentsText.h"
 #include "app/cli/output/Warnings.h"

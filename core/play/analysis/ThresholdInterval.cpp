@@ -1,4 +1,4 @@
-#include "core/play/analysis/StrengthRequirement.h"
+#include "core/play/analysis/ThresholdInterval.h"
 
 #include "core/asset/bake/FractureResult.h"
 #include "core/asset/project/Ranges.h"

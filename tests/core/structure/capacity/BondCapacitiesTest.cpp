@@ -1,7 +1,7 @@
-// Tests core/structure/strength/BondCapacities.cpp and core/structure/strength/StrengthMap.cpp.
-#include "core/structure/strength/BondCapacities.h"
+// Tests core/structure/capacity/BondCapacities.cpp and core/structure/capacity/StrengthMap.cpp.
+#include "core/structure/capacity/BondCapacities.h"
 
-#include "core/structure/strength/StrengthMap.h"
+#include "core/structure/capacity/StrengthMap.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
 

@@ -1,4 +1,4 @@
-#include "core/structure/strength/BondPainting.h"
+#include "core/structure/capacity/BondPainting.h"
 
 #include "core/geometry/predicates/Predicates.h"
 #include "core/geometry/predicates/SegmentDistance.h"

@@ -1,5 +1,5 @@
-// Tests core/play/analysis/StrengthRequirement.cpp and core/play/analysis/RequirementImpulse.cpp.
-#include "core/play/analysis/StrengthRequirement.h"
+// Tests core/play/analysis/ThresholdInterval.cpp and core/play/analysis/RequirementImpulse.cpp.
+#include "core/play/analysis/ThresholdInterval.h"
 
 #include "core/play/analysis/RequirementImpulse.h"
 #include "tests/support/Closeness.h"
@@ -86,7 +86,7 @@ bool breaksBond(Project project, const HitRequirement& hit, double impulsePerAre
 
 }  // namespace
 
-class StrengthRequirementTest : public QObject {
+class ThresholdIntervalTest : public QObject {
     Q_OBJECT
 private slots:
     void bondsBreakFromTheirFigureOn() {
@@ -297,5 +297,5 @@ private slots:
     }
 };
 
-RUBBLE_TEST_WITH(StrengthRequirementTest, QCoreApplication)
-#include "StrengthRequirementTest.moc"
+RUBBLE_TEST_WITH(ThresholdIntervalTest, QCoreApplication)
+#include "ThresholdIntervalTest.moc"

@@ -29,7 +29,7 @@ struct ObjPart {
 };
 
 /// The content of an OBJ file, as it is written.
-struct ObjFile {
+struct ObjContent {
     std::vector<Vec3> points;
     std::vector<Vec2> uvs;
     std::vector<ObjCorner> corners;
@@ -49,7 +49,7 @@ struct ObjFile {
 ///
 /// Errors: throws MeshError with the line if a number or a face is invalid or refers to a missing point.
 /// Source: Alias|Wavefront, "Object Files (.obj)", 1995.
-ObjFile readObjText(std::string_view text);
+ObjContent readObjText(std::string_view text);
 
 /// A texture of the base colour, map_Kd.
 struct ObjTexture {

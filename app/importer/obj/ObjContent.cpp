@@ -1,4 +1,4 @@
-#include "app/importer/obj/ObjFile.h"
+#include "app/importer/obj/ObjContent.h"
 
 #include "app/importer/files/AssimpValues.h"
 #include "app/importer/files/MeshError.h"
@@ -66,7 +66,7 @@ class ObjParser {
 public:
     explicit ObjParser(std::string_view text) : m_lines(text), m_text(text) {}
 
-    ObjFile file() {
+    ObjContent file() {
         m_file.hasObjects = hasObjects(m_text);
         material("");
         for (std::string_view line; m_lines.next(line);) readLine(line);
@@ -182,7 +182,7 @@ private:
 
     Lines m_lines;
     std::string_view m_text;
-    ObjFile m_file;
+    ObjContent m_file;
     Names m_groups, m_materials;
     std::uint32_t m_part = 0;
     std::uint32_t m_material = 0;
@@ -219,7 +219,7 @@ ObjTexture textureOf(std::string_view rest) {
 
 }  // namespace
 
-ObjFile readObjText(std::string_view text) { return ObjParser(text).file(); }
+ObjContent readObjText(std::string_view text) { return ObjParser(text).file(); }
 
 void readMaterialFile(std::string_view text, std::vector<SourceMaterial>& materials,
                       std::vector<ObjTexture>& textures) {

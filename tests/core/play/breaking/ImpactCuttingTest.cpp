@@ -1,4 +1,4 @@
-#include "core/play/breaking/CutAtImpact.h"
+#include "core/play/breaking/ImpactCutting.h"
 
 #include "core/base/Random.h"
 #include "tests/support/TestProgram.h"
@@ -16,7 +16,7 @@ Project cutWhereHit(std::uint32_t fragments = 40) {
 
 }  // namespace
 
-class CutAtImpactTest : public QObject {
+class ImpactCuttingTest : public QObject {
     Q_OBJECT
 private slots:
     void fragmentsAreSmallerAtTheImpact() {
@@ -140,5 +140,5 @@ private slots:
     }
 };
 
-RUBBLE_TEST(CutAtImpactTest)
-#include "CutAtImpactTest.moc"
+RUBBLE_TEST(ImpactCuttingTest)
+#include "ImpactCuttingTest.moc"

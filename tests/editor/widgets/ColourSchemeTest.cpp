@@ -1,4 +1,4 @@
-#include "editor/widgets/Theme.h"
+#include "editor/widgets/ColourScheme.h"
 #include "tests/support/TestProgram.h"
 
 #include <QApplication>
@@ -34,7 +34,7 @@ QPalette highContrast() {
 
 }  // namespace
 
-class ThemeTest : public QObject {
+class ColourSchemeTest : public QObject {
     Q_OBJECT
 private slots:
     void textsAreReadable() {
@@ -62,5 +62,5 @@ private slots:
     }
 };
 
-RUBBLE_TEST_WITH(ThemeTest, QApplication)
-#include "ThemeTest.moc"
+RUBBLE_TEST_WITH(ColourSchemeTest, QApplication)
+#include "ColourSchemeTest.moc"

@@ -1,5 +1,5 @@
-// Tests core/play/breaking/Damage.cpp, core/play/breaking/BreakImpulse.cpp and core/play/breaking/MovingMass.cpp.
-#include "core/play/breaking/Damage.h"
+// Tests core/play/breaking/DamageDone.cpp, core/play/breaking/BreakImpulse.cpp and core/play/breaking/MovingMass.cpp.
+#include "core/play/breaking/DamageDone.h"
 
 #include "core/play/breaking/BreakImpulse.h"
 #include "tests/support/TestProgram.h"
@@ -54,7 +54,7 @@ PendingBreak breakOfSecond(const SceneWorld& made, double threshold) {
 
 }  // namespace
 
-class DamageTest : public QObject {
+class DamageDoneTest : public QObject {
     Q_OBJECT
 private slots:
     void impactRuleUsesTheImpact() {
@@ -134,5 +134,5 @@ private slots:
     }
 };
 
-RUBBLE_TEST(DamageTest)
-#include "DamageTest.moc"
+RUBBLE_TEST(DamageDoneTest)
+#include "DamageDoneTest.moc"

@@ -1,4 +1,4 @@
-#include "core/play/breaking/CutAtImpact.h"
+#include "core/play/breaking/ImpactCutting.h"
 
 #include "core/base/Assert.h"
 #include "core/base/Random.h"

@@ -1,4 +1,4 @@
-#include "core/structure/strength/StrengthMap.h"
+#include "core/structure/capacity/StrengthMap.h"
 
 #include "core/geometry/predicates/SegmentDistance.h"
 

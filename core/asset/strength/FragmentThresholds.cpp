@@ -1,4 +1,4 @@
-#include "core/asset/strength/FragmentThreshold.h"
+#include "core/asset/strength/FragmentThresholds.h"
 
 #include "core/asset/project/FragmentLevels.h"
 #include "core/base/math/Roots.h"

@@ -1,4 +1,4 @@
-#include "editor/widgets/Theme.h"
+#include "editor/widgets/ColourScheme.h"
 
 #include <QApplication>
 #include <QPainter>

@@ -1,4 +1,4 @@
-#include "core/structure/strength/BondPainting.h"
+#include "core/structure/capacity/BondPainting.h"
 
 #include "core/fracture/pieces/Extrusion.h"
 #include "tests/support/FaultOfSeed.h"

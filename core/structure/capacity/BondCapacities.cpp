@@ -1,9 +1,9 @@
-#include "core/structure/strength/BondCapacities.h"
+#include "core/structure/capacity/BondCapacities.h"
 
 #include "core/asset/project/FragmentLevels.h"
 #include "core/asset/strength/BondStrength.h"
-#include "core/structure/strength/BondPainting.h"
-#include "core/structure/strength/StrengthMap.h"
+#include "core/structure/capacity/BondPainting.h"
+#include "core/structure/capacity/StrengthMap.h"
 
 #include <algorithm>
 #include <limits>
