@@ -1,4 +1,5 @@
-// Tests all verbs of app/cli.
+// Tests all verbs by recorded runs: app/cli/verbs/*.cpp, app/cli/options/*.cpp, app/cli/output/*.cpp,
+// app/cli/simulation/*.cpp, app/cli/console/*.cpp.
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/FileBytes.h"
 #include "tests/support/files/FileTree.h"

@@ -1,4 +1,4 @@
-// Tests rubble-cli clusters.
+// Tests app/cli/verbs/ClustersVerb.cpp.
 #include "core/io/project/ProjectFile.h"
 #include "core/structure/clusters/ClusterEditing.h"
 #include "tests/support/TestProgram.h"

@@ -1,4 +1,4 @@
-// Tests rubble-cli damage: what it writes, applies, merges and compares.
+// Tests app/cli/verbs/DamageVerb.cpp: what it writes, applies, merges and compares.
 #include "core/io/project/ProjectFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/FileBytes.h"

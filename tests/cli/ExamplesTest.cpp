@@ -1,4 +1,4 @@
-// Runs the examples in docs/examples.
+// Tests the examples in docs/examples.
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/FileBytes.h"
 #include "tests/support/files/FileTree.h"

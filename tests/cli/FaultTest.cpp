@@ -1,5 +1,5 @@
-// Tests that a full disk, a failing disk and a kill leave files as they were before or as they are to be: each call to
-// the file system that a save and an export make fails once, and the program is killed before each.
+// Tests that a full disk, a failing disk and a kill of app/cli leave files as they were before or as they are to be:
+// each call to the file system that a save and an export make fails once, and the program is killed before each.
 #include "core/asset/library/StarterProject.h"
 #include "core/io/project/ProjectFile.h"
 #include "tests/support/TestProgram.h"

@@ -1,4 +1,4 @@
-// Tests several programs that write the same files at once.
+// Tests several programs of app/cli that write the same files at once.
 #include "core/io/project/ProjectFile.h"
 #include "tests/support/TestProgram.h"
 

@@ -1,4 +1,4 @@
-// Tests rubble-cli simulate --wav.
+// Tests --wav of app/cli/verbs/SimulateVerb.cpp.
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/FileBytes.h"
 #include "tests/support/files/RunProgram.h"

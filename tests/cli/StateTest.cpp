@@ -1,4 +1,4 @@
-// Tests that rubble-cli simulate goes on from the states that it saves.
+// Tests that app/cli/verbs/SimulateVerb.cpp goes on from the states that it saves.
 #include "core/base/Random.h"
 #include "core/io/project/ProjectFile.h"
 #include "tests/support/TestProgram.h"

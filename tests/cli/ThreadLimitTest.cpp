@@ -1,4 +1,4 @@
-// Tests that rubble-cli works with the threads that the system allows, or ends with a sentence.
+// Tests that the verbs in app/cli work with the threads that the system allows, or end with a sentence.
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/RunProgram.h"
 

@@ -1,4 +1,4 @@
-// Tests the commands in README.md.
+// Tests the commands of app/cli that README.md shows.
 #include "tests/support/TestProgram.h"
 
 #include <QDir>

@@ -1,4 +1,4 @@
-// Tests app/importer/MeshFile.cpp: what it tells about files that assimp rejects.
+// Tests app/importer/MeshFile.cpp: what it reports about files that it rejects.
 #include "core/base/Utf8.h"
 #include "core/io/mesh/MeshImport.h"
 #include "tests/support/TestProgram.h"
@@ -38,11 +38,6 @@ private slots:
                  "\"wall.gltf\" has version \"1.0\" of glTF; export it as glTF 2.0.");
         QCOMPARE(messageOf("wall.glb", std::string("glTF\1\0\0\0\x14\0\0\0\0\0\0\0\0\0\0\0", 20)),
                  "\"wall.glb\" has version 1 of GLB; export it as glTF 2.0.");
-    }
-    void oldFbxIsRejectedWithItsVersion() {
-        QCOMPARE(
-            messageOf("wall.fbx", "; FBX 6.1.0 project file\nFBXHeaderExtension:  {\n\tFBXVersion: 6100\n}\n"),
-            "\"wall.fbx\" has a version of FBX before 7.1 (FBX 2011); export it as FBX 2013 or later, or as glTF.");
     }
     void longReasonsAreShortened() {
         const QString message = messageOf("wall.gltf", gltfWithBuffer(std::string(70000, 'a')));

@@ -1,4 +1,5 @@
-// Tests the base-colour textures of imported meshes: app/importer, core/asset/import, core/asset/project/Texture.cpp
+// Tests the base-colour textures of imported meshes: app/importer/files/MeshImages.cpp, core/asset/import,
+// core/asset/project/Texture.cpp
 // and core/io/project/TextureJson.cpp.
 #include "core/asset/checks/VerifyProject.h"
 #include "core/asset/import/AssetImport.h"

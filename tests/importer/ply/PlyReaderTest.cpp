@@ -1,6 +1,7 @@
-// Tests app/importer/ply/PlyHeader.cpp and PlyReader.cpp.
+// Tests app/importer/ply/*.cpp and app/importer/files/PolygonTriangles.cpp.
 #include "core/io/mesh/MeshImport.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/MeshCases.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -68,6 +69,11 @@ const std::string kPoints = "0 0 0\n1 0 0\n0 2 0\n";
 class PlyReaderTest : public QObject {
     Q_OBJECT
 private slots:
+    void everyMeshIsWhatItsValuesSay_data() { test::addMeshCases({".ply"}); }
+    void everyMeshIsWhatItsValuesSay() {
+        QFETCH(const QString, file);
+        test::compareMeshCase(file.toStdString());
+    }
     void textAndBinaryAreRead_data() {
         QTest::addColumn<QByteArray>("bytes");
         QTest::newRow("little-endian") << QByteArray::fromStdString(binaryTriangle(false));

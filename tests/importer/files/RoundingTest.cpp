@@ -1,4 +1,4 @@
-// Tests app/importer/files/Rounding.cpp.
+// Tests app/importer/files/Rounding.cpp and app/importer/files/AssimpValues.cpp.
 #include "core/asset/import/AssetImport.h"
 #include "core/base/Random.h"
 #include "core/geometry/mesh/SolidMesh.h"

@@ -1,4 +1,5 @@
-// Tests app/importer/files/MeshFiles.cpp: which files the importer opens for a mesh.
+// Tests app/importer/files/MeshFiles.cpp, which files the importer opens for a mesh, with
+// app/importer/files/PercentEncoding.cpp and app/importer/files/TextEncoding.cpp.
 #include "core/io/mesh/MeshImport.h"
 #include "core/io/system/ChildProcess.h"
 #include "tests/support/TestProgram.h"
