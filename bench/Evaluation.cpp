@@ -26,7 +26,7 @@ using bench::millisecondsOf;
 namespace {
 
 constexpr int kRuns = 10;  // as the thesis
-constexpr std::uint32_t kMostSeeds = 100;
+constexpr std::uint32_t kMaxSeeds = 100;
 const Ring kSquare = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
 
 std::vector<Vec2> seedsOf(std::uint32_t count, std::uint64_t run) {
@@ -40,7 +40,7 @@ std::vector<Vec2> seedsOf(std::uint32_t count, std::uint64_t run) {
 void measureVoronoi(const std::filesystem::path& file) {
     std::ofstream csv(file);
     csv << "seeds,ours,thesis\n";
-    for (std::uint32_t count = 1; count <= kMostSeeds; ++count) {
+    for (std::uint32_t count = 1; count <= kMaxSeeds; ++count) {
         double ours = 0.0, thesis = 0.0;
         for (int run = -1; run < kRuns; ++run) {  // the first warms up memory
             const std::vector<Vec2> seeds = seedsOf(count, static_cast<std::uint64_t>(run + 1));
@@ -64,7 +64,7 @@ Session houseOf(std::uint32_t pieces) {
 void measureSwap(const std::filesystem::path& file) {
     std::ofstream csv(file);
     csv << "fragments,swap,step\n";
-    for (std::uint32_t pieces = 10; pieces <= kMostSeeds; pieces += 10) {
+    for (std::uint32_t pieces = 10; pieces <= kMaxSeeds; pieces += 10) {
         Session session = houseOf(pieces);
         for (int k = 0; k < 10; ++k) session.step();
         const auto standing = session.snapshot();

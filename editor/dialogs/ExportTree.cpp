@@ -13,7 +13,7 @@ namespace rubble {
 
 namespace {
 
-constexpr int kMostExpandedPacks = 4;  // of more, only the names of their folders are shown at first
+constexpr int kMaxExpandedPacks = 4;  // of more, only the names of their folders are shown at first
 constexpr int kRows = 8;
 constexpr int kTreeWidth = 260;  // pixels, so that the names of most files fit
 
@@ -63,7 +63,7 @@ void ExportTree::setListing(const ExportListing& listing) {
             more->setFlags(Qt::ItemNeverHasChildren);
         }
         const auto known = isExpanded.find(folder->text(0));
-        folder->setExpanded(known != isExpanded.end() ? known->second : listing.packs.size() <= kMostExpandedPacks);
+        folder->setExpanded(known != isExpanded.end() ? known->second : listing.packs.size() <= kMaxExpandedPacks);
     }
     for (const std::string& name : listing.files) addFile(*root, name);
 }

@@ -65,9 +65,9 @@ Match directMatch(const QString& word, const QAction* action) {
 
 /// A word of at least three letters also stands for its synonyms.
 Match matchOf(const QString& word, const QAction* action) {
-    constexpr int kLeastLetters = 3;
+    constexpr int kMinLetters = 3;
     const Match direct = directMatch(word, action);
-    if (direct != kNone || word.size() < kLeastLetters) return direct;
+    if (direct != kNone || word.size() < kMinLetters) return direct;
     for (const QString& group : synonyms()) {
         if (!hasWordStartingWith(group, word)) continue;
         for (const QString& other : group.split(' ')) {

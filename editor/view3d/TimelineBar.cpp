@@ -30,7 +30,7 @@ constexpr double kTop = 9.0;  // above the handle, which is lower than the marks
 constexpr double kTick = 4.0;
 constexpr double kMinTickDistance = 70.0;
 constexpr int kTextMargin = 10;
-constexpr int kLeastTrack = 80;
+constexpr int kMinTrack = 80;
 constexpr double kMarkTolerance = 4.0;
 constexpr double kZoomPerNotch = 1.25;
 constexpr std::size_t kMaxTipEvents = 8;
@@ -96,7 +96,7 @@ QSize TimelineBar::sizeHint() const {
 int TimelineBar::labelWidth() const { return fontMetrics().horizontalAdvance(timeText(8888.88)) + kTextMargin; }
 
 /// A narrow bar shows the displayed time, but not its length.
-bool TimelineBar::hasLengthLabel() const { return width() >= 2 * labelWidth() + kLeastTrack; }
+bool TimelineBar::hasLengthLabel() const { return width() >= 2 * labelWidth() + kMinTrack; }
 
 /// Between the time labels at both ends.
 QRectF TimelineBar::track() const {

@@ -26,7 +26,7 @@ constexpr std::uint64_t kMaxBatch = 2000;    // inputs for a process
 constexpr std::uint64_t kBatchesPerJob = 8;  // at least, so that all end at about the same time
 constexpr int kSeconds = 10;
 constexpr rlim_t kMemory = rlim_t{2} << 30;
-constexpr std::uint64_t kMostSaved = 100;
+constexpr std::uint64_t kMaxSaved = 100;
 constexpr int kOutOfMemory = 77;
 constexpr int kFaulty = 78;
 
@@ -164,7 +164,7 @@ private:
             batch.start = m_next;
             batch.end = m_next = std::min(m_end, m_next + m_batchSize);
         }
-        if (batch.start == batch.end || m_figures.broken() >= kMostSaved) return;
+        if (batch.start == batch.end || m_figures.broken() >= kMaxSaved) return;
         *batch.progress = {.next = batch.start};
         batch.seen = batch.start;
         batch.since = std::chrono::steady_clock::now();

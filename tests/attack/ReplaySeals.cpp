@@ -53,8 +53,8 @@ ReplayStep stepOf(const Json& value, bool isDetailed) {
 }
 
 ReplayKeyframe keyframeOf(const Json& value) {
-    constexpr double kMostExact = 9007199254740992.0;
-    ReplayKeyframe frame{.step = wholeOf(value.at("step"), kMostExact)};
+    constexpr double kMaxExact = 9007199254740992.0;
+    ReplayKeyframe frame{.step = wholeOf(value.at("step"), kMaxExact)};
     for (const Json& body : value.at("bodies")) {
         const auto p = body.at("position").get<std::array<double, 3>>();
         const auto q = body.at("orientation").get<std::array<double, 4>>();

@@ -24,8 +24,8 @@ namespace fs = std::filesystem;
 using test::Sentence;
 
 constexpr std::uint64_t kUnsealedShare = 8;  // one in so many inputs keeps the seals that no longer match
-constexpr std::size_t kMostInputs = 32;
-constexpr std::uint64_t kMostSteps = 80;
+constexpr std::size_t kMaxInputs = 32;
+constexpr std::uint64_t kMaxSteps = 80;
 
 [[noreturn]] void fail(const Error& error) {
     std::fprintf(stderr, "%s\n", error.message.c_str());
@@ -37,8 +37,8 @@ Verdict checkReplay(std::string_view bytes, Random&) {
     Verdict verdict{.fault = test::replayFault(bytes)};
     Result<Replay> replay = readReplayText(bytes);
     verdict.isAccepted = replay.hasValue();
-    if (verdict.fault || !replay || replay->inputs.size() > kMostInputs) return verdict;
-    const std::uint64_t steps = std::min<std::uint64_t>(replay->steps.size(), kMostSteps);
+    if (verdict.fault || !replay || replay->inputs.size() > kMaxInputs) return verdict;
+    const std::uint64_t steps = std::min<std::uint64_t>(replay->steps.size(), kMaxSteps);
     Result<ReplayPlayer> player = ReplayPlayer::start(blockScene(), std::move(*replay), {.threads = 1});
     if (!player) return {true, false, test::errorFault(player.error()), {}};
     verdict.isPlayed = true;

@@ -13,7 +13,7 @@
 namespace rubble::soak {
 namespace {
 
-constexpr std::uint32_t kMostFragments = 60;  // of an asset: more are slow to play
+constexpr std::uint32_t kMaxFragments = 60;  // of an asset: more are slow to play
 
 double heightOf(const Prism& prism, const Quat& orientation, double sign) {
     double most = -1e300;
@@ -75,7 +75,7 @@ void addClusters(Random& random, Asset& asset, const Bake& baked) {
 
 /// Makes an asset's bake valid and small.
 Bake smallBake(Asset& asset, Id& nextId) {
-    const auto isSmall = [](const Result<Bake>& baked) { return baked && baked->fragmentCount() <= kMostFragments; };
+    const auto isSmall = [](const Result<Bake>& baked) { return baked && baked->fragmentCount() <= kMaxFragments; };
     Result<Bake> baked = bake(asset);
     if (!isSmall(baked)) {
         asset.levels.clear();

@@ -228,7 +228,7 @@ private:
 
     /// Prints how often throws break the same bonds at two frame rates. True if often enough, or too few were thrown.
     bool isFrameRateIndependent() const {
-        constexpr double kEqual = 0.95, kLeastFraction = 0.95, kLeastMean = 0.97;
+        constexpr double kEqual = 0.95, kMinFraction = 0.95, kMinMean = 0.97;
         constexpr std::size_t kFewest = 50;
         if (m_agreements.empty()) return true;
         const auto throws = static_cast<double>(m_agreements.size());
@@ -239,7 +239,7 @@ private:
             "%.1f %% of %.0f throws break the same bonds at 60 and at 240 steps a second, %.3f of them in the "
             "mean\n",
             100.0 * fraction, throws, mean);
-        return m_agreements.size() < kFewest || (fraction >= kLeastFraction && mean >= kLeastMean);
+        return m_agreements.size() < kFewest || (fraction >= kMinFraction && mean >= kMinMean);
     }
 
     void printFigures() const {

@@ -85,14 +85,14 @@ private:
         const double width = std::min(one.first->minWidth, other.first->minWidth);
         const double size = std::min(one.first->boundingRadius, other.first->boundingRadius);
         const double allowed =
-            m_initial.of(*one.first, *other.first) + std::max({kSinkFloor, kMostOfWidth * width, kSinkOfSize * size});
+            m_initial.of(*one.first, *other.first) + std::max({kSinkFloor, kMaxOfWidth * width, kSinkOfSize * size});
         if (depth <= allowed) return std::nullopt;
         return Fault{step.session.nameOf(one.first->body), "it is " + textOf(depth) + " m deep in " +
                                                                step.session.nameOf(other.first->body) + ", at most " +
                                                                textOf(allowed) + " m are allowed"};
     }
 
-    static constexpr double kMostOfWidth = 0.5;  // beyond it bodies may come out on the other side
+    static constexpr double kMaxOfWidth = 0.5;  // beyond it bodies may come out on the other side
 
     BodyHulls m_hulls;
     InitialOverlaps m_initial;

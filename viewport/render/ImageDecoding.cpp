@@ -69,11 +69,11 @@ public:
     }
 
 private:
-    static constexpr int kMostScans = 100;  // a progressive file has some ten; each takes the time of an image
+    static constexpr int kMaxScans = 100;  // a progressive file has some ten; each takes the time of an image
 
     static JpegReader& of(j_common_ptr jpeg) { return *static_cast<JpegReader*>(jpeg->client_data); }
     static void limitScans(j_common_ptr jpeg) {
-        if (of(jpeg).m_jpeg.input_scan_number > kMostScans) std::longjmp(of(jpeg).m_failure, 1);
+        if (of(jpeg).m_jpeg.input_scan_number > kMaxScans) std::longjmp(of(jpeg).m_failure, 1);
     }
 
     jpeg_decompress_struct m_jpeg{};

@@ -13,14 +13,14 @@ namespace rubble {
 namespace {
 
 constexpr double kQuarterTurn = std::numbers::pi / 2.0;
-constexpr double kNearest = 1e-4;      // m; nearer, rounding to single precision becomes visible
-constexpr double kFarthest = 1e6;      // m
-constexpr double kMargin = 1.08;       // the framed box takes 1 / kMargin of the image
-constexpr double kMostCovered = 0.75;  // of the height of an image, by strips
-constexpr double kLeastNear = 2e-4;    // near plane ÷ far plane at least: limits the error of the depth buffer
+constexpr double kNearest = 1e-4;     // m; nearer, rounding to single precision becomes visible
+constexpr double kFarthest = 1e6;     // m
+constexpr double kMargin = 1.08;      // the framed box takes 1 / kMargin of the image
+constexpr double kMaxCovered = 0.75;  // of the height of an image, by strips
+constexpr double kMinNear = 2e-4;     // near plane ÷ far plane at least: limits the error of the depth buffer
 // Before the eye, in distances of the camera, at least. A point at the eye would be infinitely far beside the image.
-constexpr double kLeastDepth = 1e-6;
-constexpr double kLeastLineDepth = 1e-3;
+constexpr double kMinDepth = 1e-6;
+constexpr double kMinLineDepth = 1e-3;
 
 double halfTangent(const Camera& camera) { return sine(camera.fieldOfView / 2.0) / cosine(camera.fieldOfView / 2.0); }
 
@@ -90,7 +90,7 @@ std::optional<Vec2> pixelOf(const Camera& camera, Vec3 point, ImageSize size) {
     double scale = 1.0 / metresPerPixel(camera, size);
     if (camera.projection == Projection::Perspective) {
         const double depth = camera.distance - glm::dot(arm, axes.back);
-        if (depth <= kLeastDepth * camera.distance) return std::nullopt;
+        if (depth <= kMinDepth * camera.distance) return std::nullopt;
         scale *= camera.distance / depth;
     }
     return Vec2(0.5 * size.width + scale * glm::dot(arm, axes.right),
@@ -100,7 +100,7 @@ std::optional<Vec2> pixelOf(const Camera& camera, Vec3 point, ImageSize size) {
 std::optional<std::array<Vec2, 2>> pixelsOf(const Camera& camera, Vec3 from, Vec3 to, ImageSize size) {
     if (camera.projection == Projection::Perspective) {
         const Vec3 back = axesOf(camera).back;
-        const double least = kLeastLineDepth * camera.distance;
+        const double least = kMinLineDepth * camera.distance;
         const double first = camera.distance - glm::dot(from - camera.target, back);
         const double last = camera.distance - glm::dot(to - camera.target, back);
         if (first < least && last < least) return std::nullopt;
@@ -142,7 +142,7 @@ Camera dollied(Camera camera, double factor, Vec2 anchor, ImageSize size) {
 /// and t before the target's plane is within if |y - above * tangent * t| <= free * tangent * (distance - t).
 Camera framing(Camera camera, const Box3& box, ImageSize size, const ImageStrips& strips) {
     if (box.isEmpty()) return camera;
-    const double wanted = strips.top + strips.bottom, covered = std::min(wanted, kMostCovered * size.height);
+    const double wanted = strips.top + strips.bottom, covered = std::min(wanted, kMaxCovered * size.height);
     const double above = wanted > 0.0 ? covered / wanted * (strips.top - strips.bottom) / size.height : 0.0;
     const double free = 1.0 - covered / size.height;
     const CameraAxes axes = axesOf(camera);
@@ -181,7 +181,7 @@ CameraMatrices matricesOf(const Camera& camera, ImageSize size, Vec3 origin, con
                                          halfHeight, nearest - slack, farthest + slack);
     } else {
         const double far = std::max(farthest, camera.distance) + slack;
-        const double near = std::clamp(nearest - slack, kLeastNear * far, 0.5 * camera.distance);
+        const double near = std::clamp(nearest - slack, kMinNear * far, 0.5 * camera.distance);
         matrices.projection = glm::perspective(camera.fieldOfView, size.aspect(), near, far);
     }
     return matrices;

@@ -8,7 +8,7 @@
 namespace rubble {
 namespace {
 
-constexpr std::size_t kMostQueued = 3;  // images: enough to even out, at 100 MB each
+constexpr std::size_t kMaxQueued = 3;  // images: enough to even out, at 100 MB each
 
 Status write(PictureSequence& sequence, const Image& image) {
     return orOutOfMemory("writing images", [&]() -> Status {
@@ -36,7 +36,7 @@ Status FrameWriter::add(Image image) {
         return m_status;
     }
     std::unique_lock lock(m_mutex);
-    m_changed.wait(lock, [this] { return m_images.size() < kMostQueued || !m_status; });
+    m_changed.wait(lock, [this] { return m_images.size() < kMaxQueued || !m_status; });
     if (m_status) m_images.push_back(std::move(image));
     m_changed.notify_all();
     return m_status;

@@ -6,8 +6,8 @@
 namespace rubble {
 namespace {
 
-constexpr double kMostRise = 1.1;  // at once: an image that is quick by chance must not make the next one slow
-constexpr double kMostFall = 0.6;
+constexpr double kMaxRise = 1.1;  // at once: an image that is quick by chance must not make the next one slow
+constexpr double kMaxFall = 0.6;
 constexpr double kSpare = 0.9;  // of the goal, which is aimed at; between both, the resolution stays
 
 }  // namespace
@@ -16,7 +16,7 @@ constexpr double kSpare = 0.9;  // of the goal, which is aimed at; between both,
 void AdaptiveResolution::add(double seconds) {
     if (seconds > kSpare * kGoal && seconds <= kGoal) return;
     const double change = std::sqrt(kSpare * kGoal / std::max(seconds, 1e-6));
-    m_value = std::clamp(m_value * std::clamp(change, kMostFall, kMostRise), kLowest, 1.0);
+    m_value = std::clamp(m_value * std::clamp(change, kMaxFall, kMaxRise), kLowest, 1.0);
 }
 
 }  // namespace rubble

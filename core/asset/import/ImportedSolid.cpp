@@ -67,14 +67,14 @@ std::vector<Pose> copiesInWorld(const SourceObject& object, double metresPerUnit
 /// An error if a mesh lies where positions of a project end, or where single precision, which most files have, has lost
 /// its shape.
 std::optional<Error> farFault(const TriangleMesh& mesh) {
-    constexpr double kMostLost = 0.01;  // of the diagonal
+    constexpr double kMaxLost = 0.01;  // of the diagonal
     if (mesh.points.empty()) return std::nullopt;
     const Box3 box = boundsOf(mesh);
     const Vec3 centre = (box.min + box.max) / 2.0;
     const double limit = rangeOf(ProjectNumber::InstancePosition).max;
     const double farthest = std::max({std::abs(centre.x), std::abs(centre.y), std::abs(centre.z)});
     const bool isBeyond = farthest > limit && box.diagonal() < farthest;
-    const bool isLost = 0x1p-22 * farthest > kMostLost * box.diagonal() && box.diagonal() > 0.0;
+    const bool isLost = 0x1p-22 * farthest > kMaxLost * box.diagonal() && box.diagonal() > 0.0;
     if (!std::isfinite(farthest) || farthest >= kMaxMeshCoordinate || (!isBeyond && !isLost)) return std::nullopt;
     const std::string place =
         "(" + roundedNumber(centre.x) + ", " + roundedNumber(centre.y) + ", " + roundedNumber(centre.z) + ") m";

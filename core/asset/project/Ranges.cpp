@@ -13,7 +13,7 @@ constexpr const char* kPositive = "zero would make the quantity vanish";
 constexpr const char* kAny = "either sign is a valid direction or position";
 constexpr const char* kFraction = "a fraction of one";
 constexpr double kMaxSteps = 1e7;
-constexpr const char* kMostSteps = "two days at 60 steps a second";
+constexpr const char* kStepLimitText = "two days at 60 steps a second";
 
 // The simulation's limits: single precision resolves 8 mm at 100 km, 170 m are a step at 10 km/s, and squares and
 // products of masses in this range do not overflow. The same numbers are in core/physics, which this module does not
@@ -24,7 +24,7 @@ constexpr double kMinMass = 1e-9, kMaxMass = 1e15;  // kg
 constexpr double kMaxDensity = 1e6, kMaxFriction = 1e3;
 constexpr double kMaxBlow = 1e15;                      // N·s; it moves a mountain at 1 m/s
 constexpr double kMinExtent = 1e-5, kMaxExtent = 1e4;  // m: a hundredth of a millimetre, a mountain
-constexpr double kLeastOffset = 1e-6;                  // m, of corners: far above rounding at kMaxCoordinate
+constexpr double kMinOffset = 1e-6;                    // m, of corners: far above rounding at kMaxCoordinate
 
 constexpr NumberRange between(const char* name, const char* unit, double min, double max, double defaultValue,
                               const char* reason = kPositive) {
@@ -59,10 +59,10 @@ constexpr std::array<NumberRange, kProjectNumbers> kRanges{{
     zeroOrAbove("minimum volume", "m³", 1e12, 0.0),
     aboveZero("minimum size of fragments", "", 1e12, 0.1, "nothing is smaller than zero"),
     {"minimum size of fragments", "", 0.0, 1.0, true, 0.1, kFraction},
-    {"gap", "m", 0.0, kMaxExtent, false, 0.0, "smaller gaps are lost in rounding", kLeastOffset},
+    {"gap", "m", 0.0, kMaxExtent, false, 0.0, "smaller gaps are lost in rounding", kMinOffset},
     zeroOrAbove("inset", "m", 1.0, 1e-4, "0 lets hulls touch; a hundredth of the thinnest width is the most"),
     {"roughness", "m", 0.0, kMaxExtent, false, 0.0, "0 leaves cuts straight; smaller bumps are lost in rounding",
-     kLeastOffset},
+     kMinOffset},
     between("frequency", "1/m", 1e-6, 1e6, 10.0),
     {"octaves", "", 1.0, Roughness::kMaxOctaves, false, 3.0, "each octave halves the bumps; more than 8 are invisible"},
     between("threshold", "N·s", 1e-9, 1e24, 100.0, "at zero a body would break at rest"),
@@ -103,8 +103,8 @@ constexpr std::array<NumberRange, kProjectNumbers> kRanges{{
     aboveZero("force", "N", 1e15, 1000.0),
     {"step length", "s", 1e-5, 0.1, false, 1.0 / 60.0,
      "rounding dominates shorter steps; longer ones do not resolve motion"},
-    {"step", "", 0.0, kMaxSteps, false, 0.0, kMostSteps},
-    {"number of steps", "", 1.0, kMaxSteps, false, 60.0, kMostSteps},
+    {"step", "", 0.0, kMaxSteps, false, 0.0, kStepLimitText},
+    {"number of steps", "", 1.0, kMaxSteps, false, 60.0, kStepLimitText},
     {"frame rate", "1/s", 1.0, 240.0, false, 60.0, "no screen shows more"},
     {"number of samples", "", 0.0, 4096.0, false, 0.0, "more change no pixel"},
     {"explode factor", "", 0.0, 100.0, false, 0.0, "1 doubles the distances; farther, fragments vanish"},

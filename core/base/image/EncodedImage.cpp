@@ -58,7 +58,7 @@ bool isFrame(unsigned marker) {
 /// Walks the segments of a JPEG file up to its frame header, and requires a scan and an end behind it; nothing without.
 std::optional<ImageSize> jpegSize(std::string_view bytes) {
     constexpr std::size_t kFrameSize = 10;  // up to the number of channels
-    constexpr char kBits = 8, kMostChannels = 3;
+    constexpr char kBits = 8, kMaxChannels = 3;
     bytes.remove_prefix(2);
     while (bytes.size() >= 4 && bytes[0] == '\xff') {
         const unsigned marker = static_cast<unsigned char>(bytes[1]);
@@ -73,7 +73,7 @@ std::optional<ImageSize> jpegSize(std::string_view bytes) {
                                  bytes.find("\xff\xda"sv) != std::string_view::npos;
             if (!isWhole) return std::nullopt;
             return ImageSize{bigEndian(bytes.substr(7, 2)), bigEndian(bytes.substr(5, 2)),
-                             bytes[4] != kBits || bytes[9] > kMostChannels};
+                             bytes[4] != kBits || bytes[9] > kMaxChannels};
         }
         bytes.remove_prefix(2 + length);
     }

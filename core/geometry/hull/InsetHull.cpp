@@ -125,7 +125,7 @@ double thinnestWidth(const Polytope& prism) {
 }
 
 InsetHull insetHull(const Polytope& prism, double distance) {
-    const double inset = std::min(distance, kMostInset * thinnestWidth(prism));
+    const double inset = std::min(distance, kMaxInset * thinnestWidth(prism));
     if (!(inset > 0.0)) return {prism, 0.0};
     const Ring ring = ShrinkingRing(prism, inset).ring();
     if (ring.size() < 3) return {prism, 0.0};

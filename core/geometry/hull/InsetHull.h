@@ -19,7 +19,7 @@ struct InsetHull {
 inline constexpr double kDefaultInset = 1e-4;
 
 /// The most that faces are moved, relative to the thinnestWidth().
-inline constexpr double kMostInset = 0.01;
+inline constexpr double kMaxInset = 0.01;
 
 /// Whether a polytope has the vertices and faces of extruded(), in its order; each face may start at any vertex.
 bool isPrism(const Polytope& polytope);
@@ -28,7 +28,7 @@ bool isPrism(const Polytope& polytope);
 /// Source: the rotating calipers of Shamos 1978, "Computational Geometry".
 double thinnestWidth(const Polytope& prism);
 
-/// A prism with its faces moved inwards by `distance` m >= 0, at most kMostInset of its thinnestWidth(). Faces between
+/// A prism with its faces moved inwards by `distance` m >= 0, at most kMaxInset of its thinnestWidth(). Faces between
 /// which no room is left vanish. The prism itself where rounding leaves nothing.
 InsetHull insetHull(const Polytope& prism, double distance);
 

@@ -8,7 +8,7 @@ namespace rubble {
 namespace {
 
 constexpr double kRounding = 1e-15;    // of the largest element: what is smaller beside the diagonal is none
-constexpr int kMostSweeps = 30;        // Jacobi's method takes about six
+constexpr int kMaxSweeps = 30;         // Jacobi's method takes about six
 constexpr double kEqualMoment = 1e-9;  // relative
 constexpr double kEqualSize = 1e-9;    // of components of an axis
 
@@ -44,7 +44,7 @@ JacobiState diagonalized(const Mat3& tensor) {
     JacobiState state{.tensor = tensor};
     const double rounding = kRounding * largestElement(tensor);
     constexpr std::array<std::array<int, 2>, 3> kPairs{{{0, 1}, {0, 2}, {1, 2}}};
-    for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+    for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
         bool isDiagonal = true;
         for (const auto& [p, q] : kPairs) {
             if (std::abs(state.tensor[q][p]) <= rounding) continue;

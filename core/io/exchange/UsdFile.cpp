@@ -12,7 +12,7 @@ namespace rubble {
 namespace {
 
 /// Masses and moments that are 0 in single precision would mean that they are not given.
-constexpr double kLeastUsdFloat = double{std::numeric_limits<float>::min()};
+constexpr double kMinUsdFloat = double{std::numeric_limits<float>::min()};
 
 /// Writes the prims of a layer, one after the other.
 class UsdLayer {
@@ -92,8 +92,8 @@ private:
     void addMass(const PackBody& body) {
         RUBBLE_ASSERT(body.principal.has_value());
         m_lines.setFloats("point3f physics:centerOfMass", body.centreOfMass);
-        m_lines.setFloats("float3 physics:diagonalInertia", glm::max(body.principal->moments, Vec3(kLeastUsdFloat)));
-        m_lines.setFloat("float physics:mass", std::max(body.mass, kLeastUsdFloat));
+        m_lines.setFloats("float3 physics:diagonalInertia", glm::max(body.principal->moments, Vec3(kMinUsdFloat)));
+        m_lines.setFloat("float physics:mass", std::max(body.mass, kMinUsdFloat));
         m_lines.setRotation("quatf physics:principalAxes", body.principal->rotation);
     }
 

@@ -115,7 +115,7 @@ ErrorText verifyInset(const PackHull& hull, const PackScale& scale) {
     if (hull.inset == 0.0) return std::nullopt;
     const std::optional<Polytope> solid = solidOf({hull.polytope, hull.inset});
     if (!solid) return std::string("it has an inset, but is not a prism.");
-    const double most = std::min(scale.inset, kMostInset * thinnestWidth(*solid)) * (1.0 + kHullTolerance);
+    const double most = std::min(scale.inset, kMaxInset * thinnestWidth(*solid)) * (1.0 + kHullTolerance);
     if (hull.inset <= most) return std::nullopt;
     return "its inset is " + messageText(hull.inset) + " m instead of at most " + messageText(most) + " m.";
 }

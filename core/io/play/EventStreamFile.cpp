@@ -15,8 +15,8 @@ namespace rubble {
 namespace {
 
 constexpr FileFormat kEventsFormat{.name = "rubble-events", .noun = "events", .version = 2};
-constexpr int kDigits = 7;                // of numbers: all that a float of the solver has
-constexpr std::size_t kMostContacts = 3;  // that slide or roll, a step
+constexpr int kDigits = 7;               // of numbers: all that a float of the solver has
+constexpr std::size_t kMaxContacts = 3;  // that slide or roll, a step
 
 /// A number with as many digits as the file has.
 double shortened(double value) {
@@ -374,7 +374,7 @@ void EventStreamText::addDamage(const Session& session) {
 }
 
 void EventStreamText::addContacts(const Session& session) {
-    for (const MovingContact& contact : movingContacts(session.world(), kMostContacts)) {
+    for (const MovingContact& contact : movingContacts(session.world(), kMaxContacts)) {
         addEvent(session, contact.isRolling ? "rolling" : "sliding", [&](JsonWriter& json) {
             json.wholeNumber("body", std::uint64_t{contact.body});
             json.wholeNumber("other", std::uint64_t{contact.other});

@@ -109,12 +109,12 @@ std::string compressed(const std::string& bytes) {
 }
 
 Result<std::string> uncompressed(std::string_view packed, std::uint64_t size) {
-    constexpr std::uint64_t kMostFold = 1100;  // zlib compresses to no less than a 1032nd
+    constexpr std::uint64_t kMaxFold = 1100;  // zlib compresses to no less than a 1032nd
     if (size > kMaxStateBytes) {
         return Error{ErrorCode::Limit, "The state takes " + std::to_string(size) + " bytes, but at most " +
                                            std::to_string(kMaxStateBytes) + " are read."};
     }
-    if (size > kMostFold * packed.size()) return unreadable("its size is wrong");
+    if (size > kMaxFold * packed.size()) return unreadable("its size is wrong");
     std::string bytes(size, '\0');
     uLongf length = size;
     uLong used = packed.size();

@@ -13,12 +13,12 @@ using Triangle = std::array<Vec3, 3>;
 constexpr double kEdgePerDistance = 1.0 / 4.0;
 constexpr double kEdgeAtRadius = 1.0 / 32.0;  // per distance: where the impulse per area has a kink
 constexpr int kMaxDivisions = 64;             // two halve the edges: from 400 m to 0.1 µm
-constexpr double kLeastDistance = 1e-9;       // m: a point is the centre of the blast
+constexpr double kMinDistance = 1e-9;         // m: a point is the centre of the blast
 
 /// Adds the impulse on a small area, given as its vector.
 void addAt(Vec3 point, Vec3 area, const BlastPressure& blast, BlastSum& sum) {
     const double distance = glm::length(point);
-    if (distance < kLeastDistance || distance >= blast.radius) return;
+    if (distance < kMinDistance || distance >= blast.radius) return;
     const Vec3 direction = point / distance;
     const double facing = -glm::dot(area, direction);
     const Vec3 impulse = direction * (blast.impulse * (1.0 - distance / blast.radius) * facing);

@@ -18,10 +18,10 @@ bool reachesBehind(const FacePolygon& polygon, const Plane& plane) {
 /// The plane through the viewpoint and an edge; nothing in front of it is hidden. The edge runs counter-clockwise
 /// around the face that is turned to the viewpoint.
 void addSilhouette(ShadowVolume& volume, Vec3 from, Vec3 to) {
-    constexpr double kLeastArea = 1e-12;  // m²: the viewpoint is in line with the edge
+    constexpr double kMinArea = 1e-12;  // m²: the viewpoint is in line with the edge
     const Vec3 normal = glm::cross(from, to);
     const double size = glm::length(normal);
-    if (size > kLeastArea) volume.planes.push_back({normal / size, 0.0});
+    if (size > kMinArea) volume.planes.push_back({normal / size, 0.0});
 }
 
 }  // namespace

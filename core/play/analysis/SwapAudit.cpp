@@ -238,7 +238,7 @@ double gapFractionOf(const Bake& bake) {
 /// By how much the exported hulls of a fragment are inset, m: the least of them.
 double insetOf(const Fragment& fragment) {
     double inset = kDefaultInset;
-    for (const Polytope& hull : fragment.hulls()) inset = std::min(inset, kMostInset * thinnestWidth(hull));
+    for (const Polytope& hull : fragment.hulls()) inset = std::min(inset, kMaxInset * thinnestWidth(hull));
     return inset;
 }
 

@@ -16,7 +16,7 @@ namespace rubble {
 namespace {
 
 constexpr double kHammerRange = 0.1;  // m before and behind the target point
-constexpr double kLeastLost = 1e-6;   // of a blow: less is rounding
+constexpr double kMinLost = 1e-6;     // of a blow: less is rounding
 
 struct Blow {
     Vec3 direction;  // length 1
@@ -174,7 +174,7 @@ void applyBlow(SessionParts& parts, const std::string& name, const Hammer& hamme
     } else {
         strikeSolid(parts, blow, body);
     }
-    if (blow.head.impulse <= kLeastLost * size) return;
+    if (blow.head.impulse <= kMinLost * size) return;
     addUnapplied(parts, &body,
                  title + " gave " + roundedText(size - blow.head.impulse, 3) + " of its " + roundedText(size, 3) +
                      " N·s: a hammer makes nothing faster than itself, " + messageText(kHammerSpeed) + " m/s.");

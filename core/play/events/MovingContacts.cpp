@@ -8,8 +8,8 @@
 namespace rubble {
 namespace {
 
-constexpr double kLeastSpeed = 0.05;   // m/s
-constexpr double kLeastPower = 1.0;    // W
+constexpr double kMinSpeed = 0.05;     // m/s
+constexpr double kMinPower = 1.0;      // W
 constexpr double kRollingSlip = 0.25;  // of the speed of the centre
 
 double powerOf(const MovingContact& contact) { return contact.load * contact.speed; }
@@ -62,7 +62,7 @@ std::vector<MovingContact> movingContacts(const World& world, std::size_t most) 
         });
         const MovingContact contact = contactOf(world, {begin, end});
         begin = end;
-        if (contact.speed < kLeastSpeed || powerOf(contact) < kLeastPower) continue;
+        if (contact.speed < kMinSpeed || powerOf(contact) < kMinPower) continue;
         const auto [known, isNew] = ofBody.try_emplace(contact.body, contact);
         if (!isNew && powerOf(known->second) < powerOf(contact)) known->second = contact;
     }

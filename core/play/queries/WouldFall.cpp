@@ -19,12 +19,12 @@ constexpr double kHorizon = 3.0;         // s
 constexpr double kMovedDistance = 0.05;  // m
 constexpr double kMovedPart = 0.05;      // of its size, if that is less
 constexpr double kRestSpeed = 0.1;       // m/s: what is faster falls or flies already
-constexpr double kLeastDrop = 0.01;      // m
+constexpr double kMinDrop = 0.01;        // m
 constexpr double kOnItsWay = 0.15;       // m/s, of what is not yet so far
 
-constexpr std::size_t kMostBodySteps = 6000;  // of a quick query: a few milliseconds
+constexpr std::size_t kMaxBodySteps = 6000;  // of a quick query: a few milliseconds
 /// As many bodies as a quick query can simulate as they are, long enough.
-constexpr std::size_t kMostConnected = 160;
+constexpr std::size_t kMaxConnected = 160;
 
 // What more bodies than that are connected with: a body without support falls 11 cm and is then 1.5 m/s fast. Steps of
 // this length keep stacks at rest.
@@ -227,7 +227,7 @@ private:
 /// How far a body falls along `down`, of length 1, until it meets what stays; infinite if nothing does.
 double dropOf(const Moment& moment, std::uint32_t place, Vec3 down, const std::vector<BodyId>& gone) {
     constexpr double kFarthest = 500.0;  // m
-    constexpr int kMostPassed = 64;      // bodies that fall or are removed, on the way
+    constexpr int kMaxPassed = 64;       // bodies that fall or are removed, on the way
     const World& world = moment.world;
     const BodyId body = moment.bodies[place].body;
     const BodyState state = world.state(body);
@@ -240,7 +240,7 @@ double dropOf(const Moment& moment, std::uint32_t place, Vec3 down, const std::v
     }
     const Vec3 end = state.centre + kFarthest * down;
     Vec3 from = state.centre;
-    for (int passed = 0; passed < kMostPassed; ++passed) {
+    for (int passed = 0; passed < kMaxPassed; ++passed) {
         const std::optional<CastHit> hit = world.castRay(from, end);
         if (!hit) break;
         if (hit->body != body && !std::ranges::binary_search(gone, hit->body)) {
@@ -262,7 +262,7 @@ void addTimes(const Moment& moment, std::span<const std::uint32_t> removed, std:
     std::optional<double> first;
     for (const std::uint32_t place : fallen) {
         const double drop = dropOf(moment, place, down, gone);
-        if (drop < kLeastDrop) continue;  // it is pushed away or broken where it is
+        if (drop < kMinDrop) continue;  // it is pushed away or broken where it is
         const double time = std::sqrt(2.0 * drop / gravity);
         first = std::min(first.value_or(time), time);
         collapse.last = std::max(collapse.last, time);
@@ -331,7 +331,7 @@ Result<std::vector<std::uint32_t>> fallenOf(const Session& session, QueryEffort 
     std::vector<std::uint32_t> fallen(cameOff.begin(), cameOff.end());
     std::vector<std::uint32_t> connected(affected.begin(), affected.end());
     const bool isWhole =
-        graph.addConnected(connected, effort == QueryEffort::Quick ? kMostConnected : moment.bodies.size());
+        graph.addConnected(connected, effort == QueryEffort::Quick ? kMaxConnected : moment.bodies.size());
     const bool isKnown = std::ranges::all_of(connected, [&](std::uint32_t place) {
         return !graph.isDynamic(place) || std::ranges::binary_search(cameOff, place) ||
                std::ranges::binary_search(removal.places, place);
@@ -346,7 +346,7 @@ Result<std::vector<std::uint32_t>> fallenOf(const Session& session, QueryEffort 
     trial->horizon = isWhole ? kHorizon : kCoarseHorizon;
     trial->movedDistance = isWhole ? kMovedDistance : kCoarseDistance;
     TrialRun run(session, moment, *trial);
-    run.simulate(effort == QueryEffort::Quick ? kMostBodySteps : std::numeric_limits<std::size_t>::max());
+    run.simulate(effort == QueryEffort::Quick ? kMaxBodySteps : std::numeric_limits<std::size_t>::max());
     std::ranges::copy(run.fallen(), std::back_inserter(fallen));
     makeSet(fallen);
     return fallen;

@@ -11,8 +11,8 @@
 namespace rubble {
 namespace {
 
-constexpr double kLeastLength = 1e-6;  // m, of a spring
-constexpr double kStands = 0.1;        // of its load: what gives as much to what it stands on stands
+constexpr double kMinLength = 1e-6;  // m, of a spring
+constexpr double kStands = 0.1;      // of its load: what gives as much to what it stands on stands
 
 /// A bond from a node to its neighbour, or to an anchor.
 struct Hold {
@@ -67,7 +67,7 @@ public:
             holds.push_back({.node = other,
                              .along = direction * glm::dot(bond.normal, part.up),
                              .strength = structure.capacities[link.bond] / contactTime(part, isMortar),
-                             .stiffness = bond.area / std::max(length, kLeastLength),
+                             .stiffness = bond.area / std::max(length, kMinLength),
                              .isMortar = isMortar});
         }
         return holds;

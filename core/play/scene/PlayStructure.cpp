@@ -14,7 +14,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kLeastAnchorArea = 1e-6;  // m²: less is a corner or an edge
+constexpr double kMinAnchorArea = 1e-6;  // m²: less is a corner or an edge
 
 /// The index of the fracture of a fragment in its bake; kNone: of the whole.
 std::uint32_t fractureIndex(const Bake& bake, std::uint32_t parent) {
@@ -48,7 +48,7 @@ std::vector<Bond> touchedAnchors(const PlayStructure& whole, const Instance& ins
             supports.push_back(std::move(hull));
     }
     const std::vector<MortarNode> nodes = mortarNodes(whole, instance.id, {});
-    return anchorBonds(nodes, supports, kAnchorTolerance, kLeastAnchorArea);
+    return anchorBonds(nodes, supports, kAnchorTolerance, kMinAnchorArea);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace rubble {
 namespace {
 
 constexpr double kUntouched = 0.01;  // m
-constexpr double kLeastLoss = 1e-9;  // of the mass: the rounding of the sum of all fragments
+constexpr double kMinLoss = 1e-9;    // of the mass: the rounding of the sum of all fragments
 
 /// What stands of an instance at the start of a test, m³, without what the test removes.
 double standingVolume(const Session& session, const Instance& instance, const PlayTest& test) {
@@ -239,7 +239,7 @@ private:
             const double before = m_standing.at(instance);
             if (before <= 0.0) return std::nullopt;
             const double part = 1.0 - standingParts(m_session, instance).volume / before;
-            return part > kLeastLoss ? part : 0.0;
+            return part > kMinLoss ? part : 0.0;
         });
         return {lost && lost->second <= expectation.value,
                 nameOf(expectation.instance, "every instance") + " loses at most " +

@@ -9,8 +9,8 @@
 namespace rubble {
 namespace {
 
-constexpr std::size_t kMaxGap = 120;             // keys between those that reducedPoses() keeps
-constexpr float kLeastRotationCosine = 0.9962f;  // of half of 10 degrees
+constexpr std::size_t kMaxGap = 120;           // keys between those that reducedPoses() keeps
+constexpr float kMinRotationCosine = 0.9962f;  // of half of 10 degrees
 
 /// The origin of the mesh of a solid in the solid's frame, m: that of a whole is at its centre of mass.
 Vec3 meshOrigin(const PlayBody& body, std::uint32_t fragment) {
@@ -135,7 +135,7 @@ std::vector<PoseKey> reducedPoses(const std::vector<PoseKey>& poses, double radi
         std::size_t to = from + 1;
         const auto isReached = [&](std::size_t next) {
             return next < poses.size() && next - from <= kMaxGap &&
-                   glm::dot(poses[from].orientation, poses[next].orientation) >= kLeastRotationCosine &&
+                   glm::dot(poses[from].orientation, poses[next].orientation) >= kMinRotationCosine &&
                    shows(poses, from, next, radius, tolerance);
         };
         while (isReached(to + 1)) ++to;

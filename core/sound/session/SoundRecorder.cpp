@@ -8,8 +8,8 @@
 namespace rubble {
 namespace {
 
-constexpr double kLeastEnergy = 1.0;  // J: breaks without a blow are heard, too
-constexpr double kLeastMass = 1e-3;   // kg
+constexpr double kMinEnergy = 1.0;    // J: breaks without a blow are heard, too
+constexpr double kMinMass = 1e-3;     // kg
 constexpr double kNearestView = 3.0;  // m
 
 /// What a material of the project sounds like; stone for the ground, metal for projectiles that are no asset.
@@ -35,7 +35,7 @@ SoundCue impactCue(const Session& session, const EventRecord& impact) {
             .first = isOwn ? material : other,
             .second = isOwn ? other : material,
             .energy = impact.energy,
-            .mass = std::max(isOwn ? mass : otherMass, kLeastMass),
+            .mass = std::max(isOwn ? mass : otherMass, kMinMass),
             .point = impact.point};
 }
 
@@ -44,8 +44,8 @@ SoundCue breakCue(const Session& session, const EventRecord& broken) {
     return {.kind = CueKind::Broken,
             .first = material,
             .second = material,
-            .energy = std::max(broken.energy, kLeastEnergy),
-            .mass = std::max(broken.mass, kLeastMass),
+            .energy = std::max(broken.energy, kMinEnergy),
+            .mass = std::max(broken.mass, kMinMass),
             .point = broken.point};
 }
 

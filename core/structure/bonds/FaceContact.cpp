@@ -97,7 +97,7 @@ std::optional<FaceContact> faceContact(const Polytope& first, const Polytope& se
     std::vector<FaceContact> contacts;
     for (std::size_t i = 0; i < first.faces.size(); ++i) {
         for (std::size_t j = 0; j < second.faces.size(); ++j) {
-            if (-glm::dot(first.planes[i].normal, second.planes[j].normal) < kLeastFacing) continue;
+            if (-glm::dot(first.planes[i].normal, second.planes[j].normal) < kMinFacing) continue;
             if (const auto contact = contactOfFaces({first, i}, {second, j}, tolerance)) contacts.push_back(*contact);
         }
     }

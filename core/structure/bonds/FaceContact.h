@@ -16,7 +16,7 @@ struct FaceContact {
 };
 
 /// The largest angle between a face and the opposite of another that it lies against: 1 degree, as its cosine.
-inline constexpr double kLeastFacing = 0.99984769515639124;
+inline constexpr double kMinFacing = 0.99984769515639124;
 
 /// The contact of two convex polytopes in one frame: the sum over all pairs of faces that lie against each other. Two
 /// faces do if their normals are opposite within 1 degree and they overlap when projected on the plane between them;

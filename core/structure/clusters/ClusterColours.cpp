@@ -8,12 +8,12 @@
 namespace rubble {
 namespace {
 
-constexpr double kLeastLightness = 0.62, kMostLightness = 0.88, kLightness = 0.76;
+constexpr double kMinLightness = 0.62, kMaxLightness = 0.88, kLightness = 0.76;
 constexpr double kGoldenRatio = 0.6180339887498949;  // places of a series are far from those before
 
 double lightnessOf(std::uint32_t cluster) {
     const double place = kGoldenRatio * cluster;
-    return kLeastLightness + (kMostLightness - kLeastLightness) * (place - std::floor(place));
+    return kMinLightness + (kMaxLightness - kMinLightness) * (place - std::floor(place));
 }
 
 }  // namespace

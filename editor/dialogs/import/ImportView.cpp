@@ -9,7 +9,7 @@
 namespace rubble {
 namespace {
 
-constexpr std::size_t kMostShadowedTriangles = 200'000;  // shadows draw each triangle dozens of times
+constexpr std::size_t kMaxShadowedTriangles = 200'000;  // shadows draw each triangle dozens of times
 
 }  // namespace
 
@@ -28,7 +28,7 @@ ImportView::ImportView(const Preferences& preferences, QWidget* parent)
 void ImportView::setModel(SourceModel model) {
     m_model = std::move(model);
     RenderSettings settings = m_viewport->settings();
-    settings.hasShadows = m_model.geometry->indices.size() / 3 <= kMostShadowedTriangles;
+    settings.hasShadows = m_model.geometry->indices.size() / 3 <= kMaxShadowedTriangles;
     m_viewport->setSettings(settings);
     setPrism(nullptr);
     m_viewport->frameAll();

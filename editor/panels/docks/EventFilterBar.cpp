@@ -18,7 +18,7 @@ namespace rubble {
 
 namespace {
 
-constexpr int kLeastWidth = 640;  // pixels that all fields need side by side, with their label
+constexpr int kMinWidth = 640;  // pixels that all fields need side by side, with their label
 constexpr int kSpacing = 4;
 
 }  // namespace
@@ -126,7 +126,7 @@ void EventFilterBar::arrange(bool isNarrow) {
 
 void EventFilterBar::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    if (const bool isNarrow = width() < kLeastWidth; isNarrow != m_isNarrow) arrange(isNarrow);
+    if (const bool isNarrow = width() < kMinWidth; isNarrow != m_isNarrow) arrange(isNarrow);
 }
 
 void EventFilterBar::change(const EventFilter& filter) {

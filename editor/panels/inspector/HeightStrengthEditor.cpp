@@ -13,7 +13,7 @@ namespace rubble {
 
 namespace {
 
-constexpr int kMostVisibleStrengths = 6;
+constexpr int kMaxVisibleStrengths = 6;
 
 }  // namespace
 
@@ -63,7 +63,7 @@ QWidget* HeightStrengthEditor::buttonRow() {
 /// Without a row, the table is hidden.
 void HeightStrengthEditor::fitHeight() {
     const bool hasRows = m_model->rowCount() > 0;
-    m_view->fitHeight(0, kMostVisibleStrengths);
+    m_view->fitHeight(0, kMaxVisibleStrengths);
     m_view->setVisible(hasRows);
     m_remove->setEnabled(hasRows);
 }

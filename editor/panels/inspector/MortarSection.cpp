@@ -20,13 +20,13 @@ namespace rubble {
 
 namespace {
 
-constexpr int kLeastVisibleRows = 3;  // a shorter list looks like a field
-constexpr int kMostVisibleMortars = 4;
-constexpr int kMostVisibleInstances = 6;
+constexpr int kMinVisibleRows = 3;  // a shorter list looks like a field
+constexpr int kMaxVisibleMortars = 4;
+constexpr int kMaxVisibleInstances = 6;
 
 /// Makes a list as high as its rows, within limits.
 void fitRows(QListWidget& list, int most) {
-    const int rows = std::clamp(list.count(), kLeastVisibleRows, most);
+    const int rows = std::clamp(list.count(), kMinVisibleRows, most);
     const int row = std::max(list.sizeHintForRow(0), list.fontMetrics().height());
     list.setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);  // otherwise the section grows
     list.setFixedHeight(rows * row + 2 * list.frameWidth());
@@ -196,7 +196,7 @@ void MortarSection::showList() {
     showNames(*m_list, names);
     for (int row = 0; row < m_list->count(); ++row)
         m_list->item(row)->setSelected(idOf(*m_list->item(row)) == m_selection.mortar());
-    fitRows(*m_list, kMostVisibleMortars);
+    fitRows(*m_list, kMaxVisibleMortars);
     m_list->setVisible(m_list->count() > 0);
     m_remove->setEnabled(m_selection.mortar() != 0);
 }
@@ -220,7 +220,7 @@ void MortarSection::showInstances(const Mortar& mortar) {
         QListWidgetItem& item = *m_instances->item(row);
         item.setCheckState(isJoined(idOf(item)) ? Qt::Checked : Qt::Unchecked);
     }
-    fitRows(*m_instances, kMostVisibleInstances);
+    fitRows(*m_instances, kMaxVisibleInstances);
 }
 
 QString MortarSection::jointText(const JoinedMortar& joined) const {

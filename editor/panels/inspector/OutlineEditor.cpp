@@ -11,8 +11,8 @@ namespace rubble {
 
 namespace {
 
-constexpr int kLeastVisiblePoints = 3;
-constexpr int kMostVisiblePoints = 8;
+constexpr int kMinVisiblePoints = 3;
+constexpr int kMaxVisiblePoints = 8;
 
 }  // namespace
 
@@ -38,7 +38,7 @@ OutlineEditor::OutlineEditor(Document& document, QWidget* parent)
         m_removeHole->setEnabled(row > 0);
     });
     connect(m_model, &OutlineModel::modelReset, m_view,
-            [this] { m_view->fitHeight(kLeastVisiblePoints, kMostVisiblePoints); });
+            [this] { m_view->fitHeight(kMinVisiblePoints, kMaxVisiblePoints); });
     connect(m_model, &OutlineModel::refused, m_view, &NumberTable::showRefusal);
     connect(m_model, &OutlineModel::refused, this, &OutlineEditor::refused);
 }

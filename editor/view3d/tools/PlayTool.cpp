@@ -20,7 +20,7 @@ namespace {
 constexpr double kTapSeconds = 0.2;  // holding F longer charges the throw
 constexpr double kSecondsToFull = 1.0;
 constexpr double kRadiusPerNotch = 1.1;
-constexpr double kLeastRadius = 0.01;  // m, by the wheel: smaller ones could hardly be enlarged again
+constexpr double kMinRadius = 0.01;  // m, by the wheel: smaller ones could hardly be enlarged again
 
 bool isPlain(Qt::KeyboardModifiers modifiers) {
     return !modifiers.testAnyFlags(Qt::ControlModifier | Qt::AltModifier | Qt::ShiftModifier | Qt::MetaModifier);
@@ -108,7 +108,7 @@ bool PlayTool::wheel(const QWheelEvent& event) {
     double& radius = settings.explosion.radius;
     const NumberRange& range = rangeOf(ProjectNumber::ExplosionRadius);
     radius *= std::pow(kRadiusPerNotch, event.angleDelta().y() / double{QWheelEvent::DefaultDeltasPerStep});
-    radius = std::clamp(radius, kLeastRadius, range.max);
+    radius = std::clamp(radius, kMinRadius, range.max);
     m_controller.setToolSettings(settings);
     emit statusMessage(tr("Blast radius: %1").arg(localizedQuantity(QuantityKind::Length, radius, m_units)));
     return true;

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kLookMilliseconds = 20;
 constexpr int kSettlingLooks = 15;  // after a sentence
-constexpr int kMostLooks = 3000;    // in a step: it hangs
+constexpr int kMaxLooks = 3000;     // in a step: it hangs
 constexpr std::uint64_t kPlayedSteps = 20;
 
 bool isSentence(const QString& text) { return text.endsWith('.') || text.endsWith('?'); }
@@ -99,7 +99,7 @@ void EditorSteps::look() {
         return end("done");
     if (!m_sentence.isEmpty() && m_looksInStep > kSettlingLooks && !QApplication::activeModalWidget())
         return end(m_sentence);
-    if (m_looksInStep > kMostLooks) {
+    if (m_looksInStep > kMaxLooks) {
         m_hasFailed = true;
         std::printf("%s: neither a result nor a sentence\n", m_steps[m_step].name);
         std::fflush(stdout);

@@ -16,8 +16,8 @@ using namespace rubble;
 
 namespace {
 
-constexpr int kMostCharacters = 1000;  // of a text
-constexpr int kMostWidth = 1600;       // pixels; of the display
+constexpr int kMaxCharacters = 1000;  // of a text
+constexpr int kMaxWidth = 1600;       // pixels; of the display
 
 /// A name that is long, looks like HTML and controls the text around it.
 std::string hostileName(int number) {
@@ -43,12 +43,12 @@ QString faultIn(const QWidget& widget) {
     for (const auto* label : widget.findChildren<QLabel*>()) {
         const bool isHtml = label->textFormat() != Qt::PlainText && Qt::mightBeRichText(label->text());
         if (isHtml && label->text().contains("<img")) return "HTML: " + label->text();
-        if (label->text().size() > kMostCharacters) return "long: " + label->text();
+        if (label->text().size() > kMaxCharacters) return "long: " + label->text();
     }
     for (const auto* child : widget.findChildren<QWidget*>()) {
         const QString tip = child->toolTip();
-        if ((Qt::mightBeRichText(tip) && tip.contains("<img")) || tip.size() > kMostCharacters) return "tip: " + tip;
-        if (child->isVisible() && child->width() > kMostWidth) return "wide: " + child->objectName();
+        if ((Qt::mightBeRichText(tip) && tip.contains("<img")) || tip.size() > kMaxCharacters) return "tip: " + tip;
+        if (child->isVisible() && child->width() > kMaxWidth) return "wide: " + child->objectName();
     }
     return {};
 }
@@ -66,7 +66,7 @@ private slots:
         const auto check = [&] {
             QCoreApplication::processEvents();
             QCOMPARE(faultIn(window()), QString());
-            QVERIFY(window().minimumSizeHint().width() <= kMostWidth);
+            QVERIFY(window().minimumSizeHint().width() <= kMaxWidth);
         };
         check();
         selection().setAsset(9);
@@ -76,7 +76,7 @@ private slots:
         check();
         selection().setInstances(project(), {21});
         check();
-        QVERIFY(window().windowTitle().size() < kMostCharacters);
+        QVERIFY(window().windowTitle().size() < kMaxCharacters);
     }
     void dialogsShowNamesAsText() {
         open(hostileProject());
@@ -87,7 +87,7 @@ private slots:
         for (QDialog* dialog : {static_cast<QDialog*>(&exports), static_cast<QDialog*>(&materials)}) {
             dialog->show();
             QCOMPARE(faultIn(*dialog), QString());
-            QVERIFY(dialog->width() <= kMostWidth);
+            QVERIFY(dialog->width() <= kMaxWidth);
         }
     }
     void messagesShowNamesAsText() {

@@ -24,7 +24,7 @@ namespace rubble::test {
 
 namespace {
 
-constexpr double kLeastContrast = 4.5;
+constexpr double kMinContrast = 4.5;
 
 /// A text, and the size that it has and needs.
 struct Fit {
@@ -172,7 +172,7 @@ QStringList faintTexts(const QWidget& root) {
         if (!fit || fit->text.isEmpty()) continue;
         const QPalette& palette = widget->palette();
         const double value = contrast(palette.color(widget->foregroundRole()), palette.color(widget->backgroundRole()));
-        if (value < kLeastContrast) {
+        if (value < kMinContrast) {
             faint << QString("%1 '%2': %3").arg(widget->metaObject()->className(), fit->text.left(60)).arg(value);
         }
     }

@@ -14,12 +14,12 @@ namespace rubble {
 namespace {
 
 constexpr std::size_t kMaxParticles = 2000;  // per scene, latest events first: more would only overlap
-constexpr double kMostSize = 1.0;            // m: what breaks off a larger body makes no larger clouds
+constexpr double kMaxSize = 1.0;             // m: what breaks off a larger body makes no larger clouds
 constexpr Colour kPale{0.90, 0.88, 0.85};    // most of any dust's colour
 constexpr Colour kSoil{0.50, 0.46, 0.40};    // of the ground, which has no material
 constexpr Colour kHot{1.0, 0.78, 0.42};      // of sparks
 constexpr double kNoGround = 1e9;            // m, a depth below all
-constexpr double kLeastEnergy = 4.0;         // J: a brick that falls 0.2 m makes no dust
+constexpr double kMinEnergy = 4.0;           // J: a brick that falls 0.2 m makes no dust
 constexpr double kSparkEnergy = 50.0;        // J
 constexpr double kTough = 5e6;               // Pa·√m: above, as metals are, materials tear and make hardly any dust
 constexpr double kLightest = 800.0;          // kg/m³: below, as wood is, materials make no dust
@@ -110,7 +110,7 @@ public:
     }
 
 private:
-    static double sizeOf(Vec3 extent) { return std::min(std::max({extent.x, extent.y, extent.z}), kMostSize); }
+    static double sizeOf(Vec3 extent) { return std::min(std::max({extent.x, extent.y, extent.z}), kMaxSize); }
 
     const EventRecord& m_broken;
     Vec3 m_extent;
@@ -154,7 +154,7 @@ public:
         Random random(mixSeeds(mixSeeds(kStream + static_cast<std::uint64_t>(event.kind), event.step),
                                mixSeeds(event.body, event.other)));
         if (event.kind == EventKind::Bonds || event.kind == EventKind::Broken) addBreak(event, random);
-        if (event.kind == EventKind::Impact && event.energy >= kLeastEnergy) addImpact(event, random);
+        if (event.kind == EventKind::Impact && event.energy >= kMinEnergy) addImpact(event, random);
     }
 
 private:
