@@ -65,7 +65,7 @@ void shoot(BenchScene& scene, std::uint64_t step, const ShotAction& action) {
 BenchScene blownWall(std::uint32_t fragments) {
     BenchScene scene{.steps = 150};
     addStanding(scene.project, addBonded(scene.project, {12.0, 4.0}, 0.5, fragments, 100.0), 4.0, {});
-    shoot(scene, kHitStep, Explosion{.at = {0.0, 2.0, 1.0}, .impulse = 30000.0, .radius = 3.5});
+    shoot(scene, kHitStep, Blast{.at = {0.0, 2.0, 1.0}, .impulse = 30000.0, .radius = 3.5});
     return scene;
 }
 
@@ -118,7 +118,7 @@ BenchScene houses(int count) {
             scene.project.instances.push_back(std::move(instance));
         }
     }
-    shoot(scene, kHitStep, Explosion{.at = {1.0, 1.2, 1.5}, .impulse = 8000.0, .radius = 4.0});
+    shoot(scene, kHitStep, Blast{.at = {1.0, 1.2, 1.5}, .impulse = 8000.0, .radius = 4.0});
     return scene;
 }
 

@@ -33,7 +33,7 @@ QString countMessage(std::size_t count) {
     return EventActions::tr("Exported %Ln event(s) to %1.", nullptr, static_cast<int>(count));
 }
 
-bool isTold(const PlayEvent& event) { return event.isTold; }
+bool isReported(const PlayEvent& event) { return event.isReported; }
 
 }  // namespace
 
@@ -94,7 +94,7 @@ void EventActions::exportAll() {
     const EventCourse events = controller().events();
     std::size_t count = 0;
     for (const std::shared_ptr<const LoggedStep>& step : events.steps()) {
-        count += static_cast<std::size_t>(std::ranges::count_if(step->events, isTold));
+        count += static_cast<std::size_t>(std::ranges::count_if(step->events, isReported));
     }
     write(file.path, countMessage(count),
           [&](const TaskContext& task) { return eventsText(events, file.format, task); });
@@ -104,7 +104,7 @@ void EventActions::exportShown() {
     const OutputFile file = askForFile(tr("Export Shown Events"), {EventsFormat::Csv, EventsFormat::JsonLines});
     if (file.path.isEmpty()) return;
     const std::vector<EventRef> events = controller().shownEvents();
-    const auto count = std::ranges::count_if(events, [](const EventRef& event) { return isTold(*event); });
+    const auto count = std::ranges::count_if(events, [](const EventRef& event) { return isReported(*event); });
     write(file.path, countMessage(static_cast<std::size_t>(count)),
           [&](const TaskContext& task) { return eventsText(events, file.format, task); });
 }

@@ -121,7 +121,7 @@ void PlayActions::addTools() {
     QAction* throwing = makeAction(this, {"play-throw", tr("Throw\tF"), tr("Throw the projectile at the pointer")});
     QAction* hammering =
         makeAction(this, {"play-hammer", tr("Hammer\tH"), tr("Hit what is at the pointer with a hammer")});
-    QAction* blasting = makeAction(this, {"play-blast", tr("Blast\tX"), tr("Set off an explosion at the pointer")});
+    QAction* blasting = makeAction(this, {"play-blast", tr("Blast\tX"), tr("Set off a blast at the pointer")});
     connect(throwing, &QAction::triggered, &tool, &PlayTool::throwAtPointer);
     connect(hammering, &QAction::triggered, &tool, &PlayTool::hammerAtPointer);
     connect(blasting, &QAction::triggered, &tool, &PlayTool::explodeAtPointer);

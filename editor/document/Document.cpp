@@ -29,7 +29,7 @@ public:
         m_isDone = true;
     }
     bool isDone() const { return m_isDone; }
-    /// Undoes it where there may be no memory: receivers are told later.
+    /// Undoes it where there may be no memory: receivers are notified later.
     void takeBack() {
         revertEdit(m_document.m_project, m_edit);
         m_document.m_repeat.start(0);
@@ -54,7 +54,7 @@ private:
 Document::Document(Project project, QObject* parent) : QObject(parent), m_project(std::move(project)) {
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, [this] { emit modifiedChanged(isModified()); });
     m_repeat.setSingleShot(true);
-    connect(&m_repeat, &QTimer::timeout, this, [this] { tell({{}, true}); });
+    connect(&m_repeat, &QTimer::timeout, this, [this] { notify({{}, true}); });
 }
 
 /// The undo stack clears itself when it is destroyed, which must not be reported: what belongs to the document, such as
@@ -62,7 +62,7 @@ Document::Document(Project project, QObject* parent) : QObject(parent), m_projec
 Document::~Document() { m_undoStack.disconnect(this); }
 
 bool Document::push(Edit edit) {
-    if (m_isTelling) return false;
+    if (m_isNotifying) return false;
     if (edit.isEmpty() || isNoChange(m_project, edit)) return true;
     if (const std::optional<std::string> fault = editFault(m_project, edit)) {
         emit refused(QString::fromStdString(*fault));
@@ -121,7 +121,7 @@ void Document::clear(Project project, bool isSaved) {
     m_project = std::move(project);
     m_undoStack.clear();  // which keeps the clean state of an empty stack
     isSaved ? m_undoStack.setClean() : m_undoStack.resetClean();
-    tell({{}, true});
+    notify({{}, true});
     emit modifiedChanged(isModified());
 }
 
@@ -132,8 +132,8 @@ void Document::setUnsaved() {
     emit modifiedChanged(isModified());
 }
 
-void Document::tell(const Changes& changes) {
-    const QScopedValueRollback telling(m_isTelling, true);
+void Document::notify(const Changes& changes) {
+    const QScopedValueRollback notifying(m_isNotifying, true);
     emit changed(changes);
 }
 
@@ -141,7 +141,7 @@ void Document::apply(Edit& edit, bool isUndoOrRedo) {
     Changes changes = applyEdit(m_project, edit);
     changes.isUndoOrRedo = isUndoOrRedo;
     try {
-        tell(changes);
+        notify(changes);
     } catch (const std::bad_alloc&) {  // receivers after the one without memory have missed it
         m_repeat.start(0);
         emit memoryRanOut();

@@ -63,14 +63,14 @@ private:
     bool isLastStep(const Command* command) const;
     void takeBackPushed();
     void clear(Project project, bool isSaved);
-    void tell(const Changes& changes);
+    void notify(const Changes& changes);
 
     Project m_project;
     QUndoStack m_undoStack;
     Command* m_pushed = nullptr;  // while it is pushed; null once it is deleted
-    QTimer m_repeat;              // tells again what receivers had no memory for
+    QTimer m_repeat;              // notifies again of what receivers had no memory for
     quint64 m_lastMergeKey = 0;
-    bool m_isTelling = false;  // of a change
+    bool m_isNotifying = false;  // of a change
 };
 
 }  // namespace rubble

@@ -24,7 +24,7 @@ std::span<const EventRef> EventCourse::breaks(std::uint64_t last) const {
 EventReport EventCourse::reportOf(const LoggedStep& step) {
     EventReport report{.omitted = step.omitted, .restEnergy = step.restEnergy};
     for (const PlayEvent& event : step.events) {
-        if (event.isTold) report.records.push_back(event.record);
+        if (event.isReported) report.records.push_back(event.record);
     }
     return report;
 }

@@ -28,7 +28,7 @@ public:
     const std::array<OmittedEvents, kEventKinds>& omitted() const { return m_omitted; }
     /// J: what contacts took without an impact that is listed or counted.
     double restEnergy() const { return m_restEnergy; }
-    /// What the session told of a step.
+    /// What the session reported of a step.
     static EventReport reportOf(const LoggedStep& step);
 
     /// Appends a later step.

@@ -24,7 +24,7 @@ Result<std::string> eventsText(std::span<const EventRef> events, EventsFormat fo
     EventsText text(format);
     for (const EventRef& event : events) {
         if (task.isCancelled()) return TaskContext::cancelled();
-        if (event->isTold) text.add(event->record.step, EventReport{.records = {event->record}});
+        if (event->isReported) text.add(event->record.step, EventReport{.records = {event->record}});
     }
     return std::move(text).finished();
 }

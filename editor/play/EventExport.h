@@ -13,7 +13,7 @@ namespace rubble {
 /// Errors: those of startOf() and eventStream().
 Result<std::string> eventsText(const std::shared_ptr<const PlayScene>& scene, PlayScript script,
                                const TaskContext& task = {});
-/// The text of a file of version 1 with all that the session told in a course: the bytes that `rubble-cli simulate
+/// The text of a file of version 1 with all that the session reported in a course: the bytes that `rubble-cli simulate
 /// --events --events-version 1` writes for the same inputs, up to the step at which EventLog is full.
 ///
 /// Errors: Cancelled.

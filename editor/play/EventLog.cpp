@@ -6,7 +6,8 @@
 namespace rubble {
 namespace {
 
-constexpr double kListedRatio = 0.1;  // of the threshold: weaker impacts that the session does not tell are not listed
+constexpr double kListedRatio =
+    0.1;  // of the threshold: weaker impacts that the session does not report are not listed
 constexpr double kSameImpact = 0.25;  // s: a weaker impact this soon belongs to the one before
 
 std::string nameOf(const Session& session, std::uint32_t number) {
@@ -21,15 +22,15 @@ PlayEvent eventOf(const Session& session, EventRecord record) {
     return event;
 }
 
-/// An event that the session does not tell one by one.
-PlayEvent untoldEvent(const Session& session, EventKind kind, const PlayBody& body, Vec3 point) {
+/// An event that the session does not report one by one.
+PlayEvent unreportedEvent(const Session& session, EventKind kind, const PlayBody& body, Vec3 point) {
     PlayEvent event{.record = {.step = session.stepsDone(),
                                .kind = kind,
                                .body = body.number,
                                .instance = session.origins()[body.origin].instance,
                                .point = point},
                     .name = session.nameOf(body),
-                    .isTold = false};
+                    .isReported = false};
     if (body.asset && body.fragment != kNone) event.record.fragment = body.asset->bake->fragmentPath(body.fragment);
     return event;
 }
@@ -49,24 +50,24 @@ void addBreak(const Session& session, const PlayBreak& broken, std::vector<PlayE
     };
     auto event = std::ranges::find_if(events, isIts);
     if (event == events.end()) {
-        PlayEvent untold = untoldEvent(session, EventKind::Broken, broken.body, broken.point);
-        untold.otherName = nameOf(session, broken.impactorNumber);
-        untold.record.other = broken.impactorNumber;
-        untold.record.normal = broken.normal;
-        untold.record.impulse = broken.impact;
-        untold.record.speed = broken.approachSpeed;
-        untold.record.count = broken.fragmentCount;
-        event = events.insert(events.end(), std::move(untold));
+        PlayEvent unreported = unreportedEvent(session, EventKind::Broken, broken.body, broken.point);
+        unreported.otherName = nameOf(session, broken.impactorNumber);
+        unreported.record.other = broken.impactorNumber;
+        unreported.record.normal = broken.normal;
+        unreported.record.impulse = broken.impact;
+        unreported.record.speed = broken.approachSpeed;
+        unreported.record.count = broken.fragmentCount;
+        event = events.insert(events.end(), std::move(unreported));
     }
     event->strength = strengthOf(session, broken.body, broken.impact, broken.threshold);
     event->milliseconds = broken.milliseconds;
 }
 
-/// The told impact that this was: the strongest one of the body, or else one on it, whose body has no threshold.
-PlayEvent* toldImpact(std::uint32_t body, std::vector<PlayEvent>& events) {
+/// The reported impact that this was: the strongest one of the body, or else one on it, whose body has no threshold.
+PlayEvent* reportedImpact(std::uint32_t body, std::vector<PlayEvent>& events) {
     PlayEvent* found = nullptr;
     for (PlayEvent& event : events) {
-        const bool isCandidate = event.record.kind == EventKind::Impact && event.isTold && !event.strength &&
+        const bool isCandidate = event.record.kind == EventKind::Impact && event.isReported && !event.strength &&
                                  (event.record.body == body || event.record.other == body);
         if (!isCandidate) continue;
         const auto rank = [body](const PlayEvent& one) {
@@ -77,10 +78,10 @@ PlayEvent* toldImpact(std::uint32_t body, std::vector<PlayEvent>& events) {
     return found;
 }
 
-/// Counts and sums the told events but breaks, and drops the others.
+/// Counts and sums the reported events but breaks, and drops the others.
 void keepBreaks(LoggedStep& events) {
     for (const PlayEvent& event : events.events) {
-        if (event.isBreak() || !event.isTold) continue;
+        if (event.isBreak() || !event.isReported) continue;
         OmittedEvents& omitted = events.omitted[static_cast<std::size_t>(event.record.kind)];
         ++omitted.count;
         omitted.energy += event.record.energy;
@@ -93,15 +94,15 @@ void keepBreaks(LoggedStep& events) {
 std::shared_ptr<const LoggedStep> EventLog::record(const Session& session) {
     m_steps = session.stepsDone();
     const PlayEvents& happened = session.events();
-    LoggedStep events{.step = m_steps, .omitted = happened.told.omitted, .restEnergy = happened.told.restEnergy};
-    for (const EventRecord& record : happened.told.records) events.events.push_back(eventOf(session, record));
+    LoggedStep events{.step = m_steps, .omitted = happened.report.omitted, .restEnergy = happened.report.restEnergy};
+    for (const EventRecord& record : happened.report.records) events.events.push_back(eventOf(session, record));
     for (const PlayBreak& broken : happened.breaks) addBreak(session, broken, events.events);
     for (const PlayImpact& impact : happened.impacts) addWithstood(session, impact, events);
     if (m_course.size() >= m_maxEvents) keepBreaks(events);
     std::ranges::stable_sort(events.events, {}, [](const PlayEvent& event) {
         return std::tuple(event.record.kind, event.record.body, event.record.other);
     });
-    if (events.events.empty() && happened.told.isEmpty()) return nullptr;
+    if (events.events.empty() && happened.report.isEmpty()) return nullptr;
     events.events.shrink_to_fit();
     auto recorded = std::make_shared<const LoggedStep>(std::move(events));
     m_course.append(recorded);
@@ -111,19 +112,19 @@ std::shared_ptr<const LoggedStep> EventLog::record(const Session& session) {
 void EventLog::addWithstood(const Session& session, const PlayImpact& impact, LoggedStep& events) {
     const PlayBody* body = session.body(impact.body);
     if (body == nullptr) return;  // it broke
-    PlayEvent* const told = toldImpact(impact.body, events.events);
-    if (told != nullptr) told->strength = strengthOf(session, *body, impact.damage, impact.threshold);
+    PlayEvent* const reported = reportedImpact(impact.body, events.events);
+    if (reported != nullptr) reported->strength = strengthOf(session, *body, impact.damage, impact.threshold);
     if (impact.damage < kListedRatio * impact.threshold) return;
     const auto last = m_lastWithstood.find(impact.body);
     const bool isSame =
         last != m_lastWithstood.end() && m_steps <= last->second.step + stepOf(kSameImpact, session.stepLength());
     if (isSame && impact.damage <= last->second.impact) return;
     m_lastWithstood.insert_or_assign(impact.body, Withstood{m_steps, impact.damage});
-    if (told != nullptr) return;
-    PlayEvent untold = untoldEvent(session, EventKind::Impact, *body, impact.point);
-    untold.record.impulse = impact.damage;
-    untold.strength = strengthOf(session, *body, impact.damage, impact.threshold);
-    events.events.push_back(std::move(untold));
+    if (reported != nullptr) return;
+    PlayEvent unreported = unreportedEvent(session, EventKind::Impact, *body, impact.point);
+    unreported.record.impulse = impact.damage;
+    unreported.strength = strengthOf(session, *body, impact.damage, impact.threshold);
+    events.events.push_back(std::move(unreported));
 }
 
 void EventLog::discardAfter(std::uint64_t step) {

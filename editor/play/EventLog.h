@@ -11,8 +11,8 @@ namespace rubble {
 /// 200,000 events take about 80 MB.
 inline constexpr std::size_t kMaxLoggedEvents = 200'000;
 
-/// Records the events of one course of a session: what the session tells, all breaks, and impacts that a body withstood
-/// with a tenth of its threshold or more, such as blows of a hammer, which the session does not tell.
+/// Records the events of one course of a session: what the session reports, all breaks, and impacts that a body
+/// withstood with a tenth of its threshold or more, such as blows of a hammer, which the session does not report.
 ///
 /// Beyond `maxEvents` only breaks are recorded; the rest is counted and summed.
 class EventLog {

@@ -219,8 +219,8 @@ void PlayController::hammerAlong(const Ray& ray) {
         [impulse = tools.hammerImpulse, radius, ray](PlayEngine& engine) { engine.hammerAlong(impulse, radius, ray); });
 }
 
-void PlayController::explosionAlong(const Ray& ray) {
-    post([explosion = m_toolSettings.explosion, ray](PlayEngine& engine) { engine.explosionAlong(explosion, ray); });
+void PlayController::blastAlong(const Ray& ray) {
+    post([blast = m_toolSettings.blast, ray](PlayEngine& engine) { engine.blastAlong(blast, ray); });
 }
 
 void PlayController::removeAlong(RemovalExtent removal, const Ray& ray) {

@@ -82,7 +82,7 @@ public:
     void aim(const std::optional<Ray>& ray, double charge = 0.0);
     void throwAlong(const Ray& ray, double charge = 0.0);
     void hammerAlong(const Ray& ray);
-    void explosionAlong(const Ray& ray);
+    void blastAlong(const Ray& ray);
     void removeAlong(RemovalExtent removal, const Ray& ray);
     void grabAlong(const Ray& ray);
     void dragAlong(const Ray& ray);

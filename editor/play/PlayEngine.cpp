@@ -265,8 +265,8 @@ void PlayEngine::hammerAlong(double impulse, std::optional<double> radius, const
     if (const std::optional<Hammer> blow = rubble::hammerAlong(session(), impulse, ray, radius)) fire("hammer", *blow);
 }
 
-void PlayEngine::explosionAlong(const Explosion& explosion, const Ray& ray) {
-    if (const std::optional<Explosion> blast = rubble::explosionAlong(session(), explosion, ray)) fire("blast", *blast);
+void PlayEngine::blastAlong(const Blast& blast, const Ray& ray) {
+    if (const std::optional<Blast> aimed = rubble::blastAlong(session(), blast, ray)) fire("blast", *aimed);
 }
 
 void PlayEngine::grabAlong(double force, const Ray& ray) {

@@ -62,7 +62,7 @@ public:
     /// Each acts on the first hit of a ray from the eye.
     void throwAlong(const ChargedThrow& thrown, const Ray& ray);
     void hammerAlong(double impulse, std::optional<double> radius, const Ray& ray);
-    void explosionAlong(const Explosion& explosion, const Ray& ray);
+    void blastAlong(const Blast& blast, const Ray& ray);
     /// Grabs the body hit by the ray and drags it along with later rays, at the same distance.
     void grabAlong(double force, const Ray& ray);
     void dragAlong(const Ray& ray);

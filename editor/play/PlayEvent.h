@@ -24,11 +24,12 @@ struct PlayEvent {
     std::string otherName;  // of the body that it touched; empty: none
     std::optional<ImpactStrength> strength;
     double milliseconds = 0.0;  // of a break: the wall-clock time of the swap
-    bool isTold = true;  // false: in the session it is in the sums at most; its energy, mass and materials are unknown
+    bool isReported =
+        true;  // false: in the session it is in the sums at most; its energy, mass and materials are unknown
 
     bool isBreak() const { return record.kind == EventKind::Broken || record.kind == EventKind::Bonds; }
     /// Whether it has an energy: what settles or is removed has none.
-    bool hasEnergy() const { return isTold && (record.kind == EventKind::Impact || isBreak()); }
+    bool hasEnergy() const { return isReported && (record.kind == EventKind::Impact || isBreak()); }
 };
 
 /// What happened in a step.

@@ -8,13 +8,13 @@ namespace rubble {
 struct PlayToolSettings {
     // Its places say nothing; the speed, of a tapped throw, counts only if it is not automatic.
     Throw projectile{.size = {0.7, 0.7, 0.7}, .mass = 2500.0, .speed = 40.0};
-    bool isSpeedAutomatic = true;                            // see reachingSpeed()
-    bool throwsOnClick = false;                              // else a click selects
-    double hammerImpulse = 5000.0;                           // N·s
-    bool isHammerRadiusAutomatic = true;                     // see patchRadius()
-    double hammerRadius = 0.2;                               // m, of the patch that it strikes, if not automatic
-    Explosion explosion{.impulse = 10000.0, .radius = 3.0};  // its place says nothing
-    double grabForce = 20000.0;                              // N at most
+    bool isSpeedAutomatic = true;                    // see reachingSpeed()
+    bool throwsOnClick = false;                      // else a click selects
+    double hammerImpulse = 5000.0;                   // N·s
+    bool isHammerRadiusAutomatic = true;             // see patchRadius()
+    double hammerRadius = 0.2;                       // m, of the patch that it strikes, if not automatic
+    Blast blast{.impulse = 10000.0, .radius = 3.0};  // its place says nothing
+    double grabForce = 20000.0;                      // N at most
     bool operator==(const PlayToolSettings&) const = default;
 };
 

@@ -16,7 +16,7 @@
 namespace rubble {
 namespace {
 
-/// After events that are waiting, so that one sentence tells of all that fail.
+/// After events that are waiting, so that one sentence reports all that fail.
 constexpr int kNoticeMilliseconds = 100;
 /// Of Qt and of the editor's background jobs; besides, Qt paints with one thread for each processor.
 constexpr int kThreads = 6;
@@ -36,7 +36,7 @@ Application::Application(int& argumentCount, char** arguments)
     holdMemoryReserve();
     m_notice.setSingleShot(true);
     m_notice.setInterval(kNoticeMilliseconds);
-    connect(&m_notice, &QTimer::timeout, this, &Application::tell);
+    connect(&m_notice, &QTimer::timeout, this, &Application::report);
 }
 
 std::optional<std::string> Application::startFault() {
@@ -79,11 +79,11 @@ void Application::noteOutOfMemory() noexcept {
     releaseMemoryReserve();
     try {
         if (!m_notice.isActive()) m_notice.start();
-    } catch (const std::bad_alloc&) {  // the next event that fails tells
+    } catch (const std::bad_alloc&) {  // the next event that fails reports it
     }
 }
 
-void Application::tell() {
+void Application::report() {
     emit ranOut(m_isOfThreads ? m_threadSentence : m_memorySentence);
     m_isOfThreads = false;
     holdMemoryReserve();

@@ -32,7 +32,7 @@ signals:
     void ranOut(const QString& sentence);
 
 private:
-    void tell();
+    void report();
 
     QTimer m_notice;
     QString m_memorySentence;  // made while there is memory

@@ -35,10 +35,10 @@ const std::array kNumbers{
                [](PlayToolSettings& t) -> double& { return t.hammerImpulse; }},
     ToolNumber{"hammerRadius", ProjectNumber::HammerRadius,
                [](PlayToolSettings& t) -> double& { return t.hammerRadius; }},
-    ToolNumber{"blastImpulse", ProjectNumber::ExplosionImpulse,
-               [](PlayToolSettings& t) -> double& { return t.explosion.impulse; }},
-    ToolNumber{"blastRadius", ProjectNumber::ExplosionRadius,
-               [](PlayToolSettings& t) -> double& { return t.explosion.radius; }},
+    ToolNumber{"blastImpulse", ProjectNumber::BlastImpulse,
+               [](PlayToolSettings& t) -> double& { return t.blast.impulse; }},
+    ToolNumber{"blastRadius", ProjectNumber::BlastRadius,
+               [](PlayToolSettings& t) -> double& { return t.blast.radius; }},
     ToolNumber{"grabForce", ProjectNumber::GrabForce, [](PlayToolSettings& t) -> double& { return t.grabForce; }}};
 
 }  // namespace

@@ -46,7 +46,7 @@ Project sampleProject() {
     project.instances.back().isFixed = true;
     const Vec3 middle(1.0, 0.5, 0.25);
     project.shots = {{.id = 40, .name = "blow", .action = Hammer{middle, {0.0, 0.0, -500.0}}},
-                     {.id = 41, .name = "bomb", .action = Explosion{middle, 5000.0, 1.0}},
+                     {.id = 41, .name = "bomb", .action = Blast{middle, 5000.0, 1.0}},
                      {.id = 42, .name = "box", .action = Throw{.kind = ProjectileKind::Asset, .asset = 2}}};
     return project;
 }

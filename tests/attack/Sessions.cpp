@@ -27,7 +27,7 @@ std::vector<TimedInput> sampleInputs() {
     const Throw thrown{.kind = ProjectileKind::Ball, .size = Vec3(0.3), .mass = 7.0, .speed = 5.0};
     return {{0, ShotInput{"ball", thrown}},
             {0, ShotInput{"blow", Hammer{{0, 1, 0}, {4, 5, 6}}}},
-            {3, ShotInput{"bomb", Explosion{{0, 1, 1}, 50.0, 2.0}}},
+            {3, ShotInput{"bomb", Blast{{0, 1, 1}, 50.0, 2.0}}},
             {4, ThresholdInput{2, 0, 70.5}},
             {5, MaterialInput{{.id = 1, .name = "lead", .density = 11000.0}}},
             {6, GrabInput{1, {0, 1, 0}, 500.0}},

@@ -91,7 +91,7 @@ private slots:
             QCOMPARE(run.err.contains("The gap between fragments leaves none of them"), exit == 3);
         }
     }
-    void editedScenesAreTold() {
+    void editedScenesAreReported() {
         Project project = boxProject(UniformScatter{.count = 3});
         project.instances.push_back({.id = project.nextId++, .name = "box 1", .asset = project.assets[0].id});
         const std::vector assets{project.assets[0].id};
@@ -149,13 +149,13 @@ private slots:
         write(m_packs / ".rubble-of-a-user/pack.json", "{");
         QCOMPARE(check(m_packs).exit, 1);
     }
-    void linksInPacksAreToldAndNotFollowed_data() {
+    void linksInPacksAreReportedAndNotFollowed_data() {
         QTest::addColumn<QString>("name");
         for (const char* name :
              {"wall-fragments.obj", "wall.mtl", "pack.json", "manifest.json", "wall.obj.import", "more.txt"})
             QTest::newRow(name) << name;
     }
-    void linksInPacksAreToldAndNotFollowed() {
+    void linksInPacksAreReportedAndNotFollowed() {
         QFETCH(QString, name);
         exportAsset("wall");
         const fs::path link = m_packs / "wall" / name.toStdString(), target = m_packs / "secret";
@@ -178,7 +178,7 @@ private slots:
         QCOMPARE(check(m_packs).exit, 0);
     }
     /// A prism of a disc has two corners for each of the outline's.
-    void hullsOfManyCornersAreTold() {
+    void hullsOfManyCornersAreReported() {
         const auto checkDisc = [&](int corners, const QStringList& options) {
             Project project = boxProject(UniformScatter{.count = 1});
             Ring& outline = project.assets[0].prism.outline.outer;
@@ -206,7 +206,7 @@ private slots:
         checkDisc(200, {"--strict"});
         QCOMPARE(m_check.exit, 3);
     }
-    void namesThatImportersActUponAreTold() {
+    void namesThatImportersActUponAreReported() {
         fs::create_directories(m_packs);
         write(m_packs / "leaf.mtl", "newmtl leaf_alpha\nnewmtl bark\n");
         write(m_packs / "leaf.obj",
@@ -227,7 +227,7 @@ private slots:
             QCOMPARE(run({"check", place, "--strict"}), 3);
         }
     }
-    void danglingLinksAreTold() {
+    void danglingLinksAreReported() {
         exportAsset("wall");
         fs::remove(m_packs / "wall/wall-fragments.obj");
         fs::create_symlink("nowhere", m_packs / "wall/wall-fragments.obj");

@@ -58,23 +58,23 @@ private slots:
         QProcess program;
         QByteArray out, err;
         program.start(RUBBLE_CLI, {"export", file, "--out", place.filePath("packs"), "--watch"});
-        const auto hasTold = [&](const QByteArray& text) {
+        const auto hasReported = [&](const QByteArray& text) {
             out += program.readAllStandardOutput();
             err += program.readAllStandardError();
             return (out + err).contains(text);
         };
-        QTRY_VERIFY_WITH_TIMEOUT(hasTold("10 fragments"), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(hasReported("10 fragments"), kPatience);
         QVERIFY(QFileInfo::exists(pack));
         project.assets[0].pattern = scatterOf(11, 3);
         QVERIFY(saveProject(file.toStdString(), project));
-        QTRY_VERIFY_WITH_TIMEOUT(hasTold("11 fragments"), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(hasReported("11 fragments"), kPatience);
         QFile broken(file);
         QVERIFY(broken.open(QIODevice::WriteOnly) && broken.write("{") == 1);
         broken.close();
-        QTRY_VERIFY_WITH_TIMEOUT(hasTold("is not JSON"), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(hasReported("is not JSON"), kPatience);
         project.assets[0].pattern = scatterOf(12, 3);
         QVERIFY(saveProject(file.toStdString(), project));
-        QTRY_VERIFY_WITH_TIMEOUT(hasTold("12 fragments"), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(hasReported("12 fragments"), kPatience);
         kill(static_cast<pid_t>(program.processId()), SIGINT);
         QVERIFY(program.waitForFinished(kPatience));
         QCOMPARE(program.exitStatus(), QProcess::NormalExit);

@@ -52,7 +52,7 @@ private slots:
         QVERIFY(!difference.change && difference.fields.empty() && difference.fragments.empty());
         QCOMPARE(packDifferenceText(difference, 10), m_box.pack.names.name + ": same\n");
     }
-    void changedFieldsAreTold_data() {
+    void changedFieldsAreReported_data() {
         QTest::addColumn<Change>("change");
         QTest::addColumn<std::string>("what");
         const auto row = [](const char* what, Change change) { QTest::newRow(what) << change << std::string(what); };
@@ -71,7 +71,7 @@ private slots:
         row("placement", [](Pack& pack) { pack.meshes.front().place = PartPlacement::Centred; });
         row("hash", [](Pack& pack) { pack.hash = "0123"; });
     }
-    void changedFieldsAreTold() {
+    void changedFieldsAreReported() {
         QFETCH(const Change, change);
         QFETCH(const std::string, what);
         ExportedPack changed = m_box;
@@ -83,7 +83,7 @@ private slots:
         QVERIFY(difference.fields[0].before != difference.fields[0].after);
         QVERIFY(difference.fragments.empty());
     }
-    void changesOfAFragmentAreTold_data() {
+    void changesOfAFragmentAreReported_data() {
         QTest::addColumn<BodyChange>("change");
         QTest::addColumn<std::string>("fields");
         const auto row = [](const char* fields, BodyChange change) {
@@ -104,7 +104,7 @@ private slots:
             body.mass *= 2.0;
         });
     }
-    void changesOfAFragmentAreTold() {
+    void changesOfAFragmentAreReported() {
         QFETCH(const BodyChange, change);
         QFETCH(const std::string, fields);
         ExportedPack changed = m_box;
@@ -124,7 +124,7 @@ private slots:
         }
         QVERIFY(packDifference(&m_box, &changed).fragments.empty());
     }
-    void removedAndAddedFragmentsAreTold() {
+    void removedAndAddedFragmentsAreReported() {
         ExportedPack fewer = m_box;
         fewer.pack.fragments.pop_back();
         for (PackBody& fragment : fewer.pack.fragments)

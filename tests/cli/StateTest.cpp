@@ -27,9 +27,9 @@ ShotAction randomAction(const Box2& front, Random& random) {
     switch (random.below(4)) {
         case 0: return Hammer{.at = target, .impulse = Vec3(0.0, 0.0, -random.between(2000.0, 20000.0))};
         case 1:
-            return Explosion{.at = target + Vec3(0.0, 0.0, random.between(0.5, 1.5)),
-                             .impulse = random.between(3000.0, 20000.0),
-                             .radius = random.between(1.0, 3.5)};
+            return Blast{.at = target + Vec3(0.0, 0.0, random.between(0.5, 1.5)),
+                         .impulse = random.between(3000.0, 20000.0),
+                         .radius = random.between(1.0, 3.5)};
         default:
             return Throw{.kind = random.below(2) == 0 ? ProjectileKind::Box : ProjectileKind::Ball,
                          .size = Vec3(random.between(0.3, 1.2)),

@@ -56,7 +56,7 @@ private slots:
         for (const PlayBody& body : std::vector(session.bodies())) {
             if (body.role != PlayRole::Instance) continue;
             const Vec3 at = session.world().state(body.body).centre;
-            test::addInput(session, ShotInput{"tap", Explosion{.at = at, .impulse = 2000.0, .radius = 0.3}});
+            test::addInput(session, ShotInput{"tap", Blast{.at = at, .impulse = 2000.0, .radius = 0.3}});
         }
         for (int k = 0; k < 120; ++k) session.step();
         const std::size_t lost = before - heldFragments(session);

@@ -1,4 +1,4 @@
-// Only sources add energy, and what is told of energy is what happened.
+// Only sources add energy, and what is reported of energy is what happened.
 #include "core/base/Diagnostic.h"
 #include "tests/soak/BodyHulls.h"
 
@@ -10,7 +10,7 @@ namespace rubble::soak {
 namespace {
 
 constexpr double kGrowth = 0.01;    // of the peak so far
-constexpr double kSumError = 0.01;  // the same, of what is told: sums are that exact
+constexpr double kSumError = 0.01;  // the same, of what is reported: sums are that exact
 constexpr double kOverlap = 1e-4;   // m: what overlaps deeper is pushed apart, which takes energy from nowhere
 constexpr double kSoftness = 1e-3;  // m: by which contacts give way, and lift again
 constexpr double kSlowest = 1e-3;   // m/s: motion that touching bodies may get by rounding
@@ -180,12 +180,12 @@ public:
 private:
     std::optional<Fault> faultOf(const StepFacts& step) const override {
         if (!step.events.removed.empty() || step.hasInput<RemoveInput>() || losesMass(step)) return std::nullopt;
-        const double told = m_book.before() + m_book.work() - step.events.told.energy();
+        const double reported = m_book.before() + m_book.work() - step.events.report.energy();
         const double slack =
             kGrowth * m_book.peak() + m_book.rounding() + m_book.freeFlight() + m_book.asleep() + kSmallest;
-        const double missing = m_book.after() - told;
+        const double missing = m_book.after() - reported;
         if (std::abs(missing) <= slack) return std::nullopt;
-        return Fault{"", "the energy is other than told by " + partOf(missing, m_book.peak())};
+        return Fault{"", "the energy is other than reported by " + partOf(missing, m_book.peak())};
     }
 };
 
@@ -199,13 +199,13 @@ private:
         const auto fault = [&](const char* what, double energy) {
             return Fault{"", std::string(what) + " is " + partOf(energy, m_book.peak())};
         };
-        const EventReport& told = step.events.told;
-        if (told.energy() < least) return fault("what is told of the step", told.energy());
-        if (told.restEnergy < least) return fault("restEnergy", told.restEnergy);
-        for (const OmittedEvents& omitted : told.omitted) {
+        const EventReport& reported = step.events.report;
+        if (reported.energy() < least) return fault("what is reported of the step", reported.energy());
+        if (reported.restEnergy < least) return fault("restEnergy", reported.restEnergy);
+        for (const OmittedEvents& omitted : reported.omitted) {
             if (omitted.energy < least) return fault("what is omitted", omitted.energy);
         }
-        for (const EventRecord& record : told.records) {
+        for (const EventRecord& record : reported.records) {
             if (record.energy < least) return fault("an event", record.energy);
         }
         return std::nullopt;

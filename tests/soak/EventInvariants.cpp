@@ -8,7 +8,7 @@
 namespace rubble::soak {
 namespace {
 
-constexpr double kMassTolerance = 1e-4;  // of a mass: each piece that came off was told with seven digits
+constexpr double kMassTolerance = 1e-4;  // of a mass: each piece that came off was reported with seven digits
 constexpr double kEnergyTolerance = 1e-5;
 
 /// The paths of what a body consists of, ascending as text; "": the whole.
@@ -26,12 +26,12 @@ std::vector<std::string> pathsOf(const PlayBody& body) {
 
 /// The damage of an instance as events tell it.
 rubble_pack::EventDamage toldDamage(const InstanceDamage& damage) {
-    rubble_pack::EventDamage told;
+    rubble_pack::EventDamage reported;
     for (std::uint32_t k = 0; k < damage.broken.size(); ++k)
-        if (damage.broken[k]) told.broken.push_back(k);
-    for (const auto& [bond, amount] : damage.partial) told.weakened.emplace_back(bond, amount);
-    if (damage.cut) told.cut = std::to_string(damage.cut->number);
-    return told;
+        if (damage.broken[k]) reported.broken.push_back(k);
+    for (const auto& [bond, amount] : damage.partial) reported.weakened.emplace_back(bond, amount);
+    if (damage.cut) reported.cut = std::to_string(damage.cut->number);
+    return reported;
 }
 
 class EventsTellAll : public Invariant {
@@ -76,9 +76,9 @@ private:
     }
     std::optional<std::string> faultOf(const BodyFacts& one, const StepFacts& step) {
         const std::uint32_t number = one.body.number;
-        const auto told = m_state.bodies.find(number);
-        if (told == m_state.bodies.end()) return "they do not have it";
-        const rubble_pack::EventBody& body = told->second;
+        const auto reported = m_state.bodies.find(number);
+        if (reported == m_state.bodies.end()) return "they do not have it";
+        const rubble_pack::EventBody& body = reported->second;
         if (body.fragments != pathsOf(one.body)) {
             return "of its fragments they have " + std::to_string(body.fragments.size()) + ", not " +
                    std::to_string(pathsOf(one.body).size());
@@ -95,12 +95,12 @@ private:
         return std::nullopt;
     }
     static std::optional<std::string> energyFault(double energy, const StepFacts& step) {
-        const EventReport& told = step.events.told;
-        double scale = std::abs(told.restEnergy);
-        for (const EventRecord& record : told.records) scale += std::abs(record.energy);
-        for (const OmittedEvents& one : told.omitted) scale += std::abs(one.energy);
-        if (std::abs(energy - told.energy()) <= kEnergyTolerance * scale) return std::nullopt;
-        return "they have " + textOf(energy) + " J of " + textOf(told.energy());
+        const EventReport& reported = step.events.report;
+        double scale = std::abs(reported.restEnergy);
+        for (const EventRecord& record : reported.records) scale += std::abs(record.energy);
+        for (const OmittedEvents& one : reported.omitted) scale += std::abs(one.energy);
+        if (std::abs(energy - reported.energy()) <= kEnergyTolerance * scale) return std::nullopt;
+        return "they have " + textOf(energy) + " J of " + textOf(reported.energy());
     }
     std::optional<Fault> damageFault(const StepFacts& step) {
         if (step.events.splits.empty() && step.events.breaks.empty() && step.events.impacts.empty())

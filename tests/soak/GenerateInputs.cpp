@@ -77,7 +77,7 @@ private:
                 .impulse = massOf(one) * m_scene.speed * magnitudeIn(m_random, 0.01, 2.0) * randomDirection(m_random)};
     }
 
-    Explosion randomBlast() {
+    Blast randomBlast() {
         const Instance& one = instance();
         const double perArea = massOf(one) * m_scene.speed / (m_scene.size * m_scene.size);
         return {.at = one.pose.position + near(1.5 * m_scene.size),

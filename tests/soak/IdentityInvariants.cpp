@@ -23,12 +23,12 @@ public:
         for (const BodyFacts& one : step.after.bodies) {
             if (!isFinite(one.state)) return Fault{step.session.nameOf(one.body), "its state is not finite"};
         }
-        double sum = step.session.world().events().contactLoss + step.events.told.energy();
-        for (const EventRecord& record : step.events.told.records) {
+        double sum = step.session.world().events().contactLoss + step.events.report.energy();
+        for (const EventRecord& record : step.events.report.records) {
             sum += record.impulse + record.speed + record.energy + record.area + record.mass;
             if (!isFinite(record.point) || !isFinite(record.normal)) sum = NAN;
         }
-        if (!std::isfinite(sum)) return Fault{"", "a figure that is told is not finite"};
+        if (!std::isfinite(sum)) return Fault{"", "a figure that is reported is not finite"};
         return std::nullopt;
     }
 };

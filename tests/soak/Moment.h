@@ -91,8 +91,8 @@ std::unique_ptr<Invariant> staticOverlap();    // nothing sinks into what is sta
 std::unique_ptr<Invariant> restingOverlap();   // sleeping bodies are not inside of each other
 std::unique_ptr<Invariant> nothingTunnels();   // nothing passes through what is static
 std::unique_ptr<Invariant> energyGrowth();     // only sources add energy
-std::unique_ptr<Invariant> energyBalance();    // what is told of energy is what happened
-std::unique_ptr<Invariant> energySums();       // no sum that is told is below zero
+std::unique_ptr<Invariant> energyBalance();    // what is reported of energy is what happened
+std::unique_ptr<Invariant> energySums();       // no sum that is reported is below zero
 std::unique_ptr<Invariant> freeMomentum();     // only gravity changes the momentum of what touches nothing static
 std::unique_ptr<Invariant> heldByAnchors();    // what reaches an anchor is held, and nothing else
 std::unique_ptr<Invariant> heldStays();        // what is held does not move, and nothing free becomes held

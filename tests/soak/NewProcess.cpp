@@ -48,7 +48,7 @@ int playedOn(const SoakCase& one, Session session) {
 
 }  // namespace
 
-Trace traceOf(const Session& session) { return {session.hash(), session.events().told.hash()}; }
+Trace traceOf(const Session& session) { return {session.hash(), session.events().report.hash()}; }
 
 Result<std::vector<Trace>> tracesOfNewProcess(const SoakCase& one, const std::string& state, int threads) {
     const auto folder = TemporaryFolder::create(std::filesystem::temp_directory_path());

@@ -249,7 +249,7 @@ private:
                 roundDigits(*value, digits);
         } else if (auto* blow = std::get_if<Hammer>(&shot->action)) {
             blow->at = rounded(blow->at, digits);
-        } else if (auto* blast = std::get_if<Explosion>(&shot->action)) {
+        } else if (auto* blast = std::get_if<Blast>(&shot->action)) {
             blast->at = rounded(blast->at, digits);
             roundDigits(blast->impulse, digits);
             roundDigits(blast->radius, digits);

@@ -38,7 +38,7 @@ std::optional<ShotPath> pathOfShot(const SheetRequest& request) {
         if (request.stage->shots.empty() || shot.id != request.stage->shots.front()) continue;
         if (const auto* thrown = std::get_if<Throw>(&shot.action)) return ShotPath{thrown->to, thrown->from};
         if (const auto* blow = std::get_if<Hammer>(&shot.action)) return ShotPath{blow->at, std::nullopt};
-        return ShotPath{std::get<Explosion>(shot.action).at, std::nullopt};
+        return ShotPath{std::get<Blast>(shot.action).at, std::nullopt};
     }
     return std::nullopt;
 }

@@ -12,14 +12,14 @@ constexpr std::chrono::milliseconds kBetweenLooks{200};
 }  // namespace
 
 bool FileWatch::waitForChange(const CliContext& context) {
-    const bool isFirst = m_told == Stamp();
+    const bool isFirst = m_reported == Stamp();
     Stamp last;
     while (!context.cancel.isCancelled()) {
         const Stamp now = stamp();
         const bool isAtRest = now == last || isFirst;
         last = now;
-        if (isAtRest && now != Stamp() && now != m_told) {
-            m_told = now;
+        if (isAtRest && now != Stamp() && now != m_reported) {
+            m_reported = now;
             return true;
         }
         std::this_thread::sleep_for(kBetweenLooks);

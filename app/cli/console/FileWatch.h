@@ -29,7 +29,7 @@ private:
     Stamp stamp() const;
 
     std::filesystem::path m_file;
-    Stamp m_told;
+    Stamp m_reported;
 };
 
 }  // namespace rubble

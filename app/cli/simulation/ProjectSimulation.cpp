@@ -109,7 +109,7 @@ public:
         if (plan.events == EventsFormat::Stream) {
             m_stream.emplace(session);
         } else if (plan.events) {
-            m_told.emplace(*plan.events);
+            m_reported.emplace(*plan.events);
         }
     }
 
@@ -118,7 +118,7 @@ public:
     /// Errors: Limit where a recording is too large.
     Status add(int step, const Session& session, double milliseconds) {
         m_steps.add(step, session.world(), milliseconds, m_plan.simulation.isTraced ? session.heldPotential() : 0.0);
-        if (m_told) m_told->add(session.stepsDone(), session.events().told);
+        if (m_reported) m_reported->add(session.stepsDone(), session.events().report);
         if (m_stream) m_stream->add(session);
         if (m_plan.isHeard) m_heard.add(session);
         if (m_replay) {
@@ -133,7 +133,7 @@ public:
         run.outcome.stepMilliseconds = m_steps.milliseconds();
         run.trace = std::move(m_steps).trace();
         if (m_replay) run.replay = m_replay->replay();
-        if (m_told) run.events = std::move(*m_told).finished();
+        if (m_reported) run.events = std::move(*m_reported).finished();
         if (m_stream) run.events = m_stream->take();
         if (m_tracks) run.tracks = std::move(*m_tracks).tracks();
         if (!m_plan.isHeard) return success();
@@ -151,7 +151,7 @@ private:
     SoundRecorder m_heard;
     std::optional<ReplayRecorder> m_replay;
     ReplaySize m_replaySize;
-    std::optional<EventsText> m_told;  // of version 1
+    std::optional<EventsText> m_reported;  // of version 1
     std::optional<EventStreamText> m_stream;
 };
 

@@ -48,10 +48,10 @@ Sentence actionFault(const std::string& owner, const Hammer& hammer) {
     return rangeFault(owner, {{ProjectNumber::HammerRadius, *hammer.radius}});
 }
 
-Sentence actionFault(const std::string& owner, const Explosion& explosion) {
-    if (Sentence fault = rangeFault(owner, ProjectNumber::ShotPosition, explosion.at)) return fault;
-    return rangeFault(owner, {{ProjectNumber::ExplosionImpulse, explosion.impulse},
-                              {ProjectNumber::ExplosionRadius, explosion.radius}});
+Sentence actionFault(const std::string& owner, const Blast& blast) {
+    if (Sentence fault = rangeFault(owner, ProjectNumber::ShotPosition, blast.at)) return fault;
+    return rangeFault(owner,
+                      {{ProjectNumber::BlastImpulse, blast.impulse}, {ProjectNumber::BlastRadius, blast.radius}});
 }
 
 }  // namespace

@@ -209,13 +209,13 @@ struct Hammer {
 };
 /// Pushes bodies away from a point: the surfaces that face it and are visible from it, with an impulse per area that
 /// falls linearly from `impulse` at the point to 0 at `radius`. See World::blast().
-struct Explosion {
+struct Blast {
     Vec3 at{0.0, 0.0, 0.0};   // m
     double impulse = 1000.0;  // N·s/m²
     double radius = 2.0;      // m
-    bool operator==(const Explosion&) const = default;
+    bool operator==(const Blast&) const = default;
 };
-using ShotAction = std::variant<Throw, Hammer, Explosion>;
+using ShotAction = std::variant<Throw, Hammer, Blast>;
 
 /// An action on the scene at a given time of a play-test.
 struct Shot {

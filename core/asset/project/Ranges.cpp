@@ -90,7 +90,7 @@ constexpr std::array<NumberRange, kProjectNumbers> kRanges{{
     eitherSign("impulse", "N·s", kMaxBlow, 0.0),
     aboveZero("impulse", "N·s", kMaxBlow, 1000.0, "the direction is given by the view"),
     between("radius", "m", 1e-3, 1e3, 0.1, "smaller than a nail; larger than what a tool strikes"),
-    zeroOrAbove("impulse", "N·s/m²", kMaxBlow, 1000.0, "an explosion pushes outwards"),
+    zeroOrAbove("impulse", "N·s/m²", kMaxBlow, 1000.0, "a blast pushes outwards"),
     between("radius", "m", 1e-3, kMaxCoordinate, 2.0),
     zeroOrAbove("time", "s", 1e5, 0.0, "a test starts at 0 and lasts a day at most"),
     between("duration", "s", 1e-5, 1e5, 5.0, "from the shortest step to a day"),

@@ -57,8 +57,8 @@ enum class ProjectNumber {
     HammerImpulse,  // along an axis
     HammerBlow,     // along the view
     HammerRadius,   // of the patch that a blow strikes
-    ExplosionImpulse,
-    ExplosionRadius,
+    BlastImpulse,
+    BlastRadius,
     ShotTime,
     TestDuration,
     ExpectedTime,  // see numberOf(ExpectationKind)

@@ -393,7 +393,7 @@ void EventStreamText::addSums(const Session& session) {
         ++omitted.count;
         omitted.energy += events.happened[k].energy;
     }
-    if (omitted.count == 0 && events.told.restEnergy == 0.0) return;
+    if (omitted.count == 0 && events.report.restEnergy == 0.0) return;
     addEvent(session, "sums", [&](JsonWriter& json) {
         json.openObject("omitted");
         if (omitted.count > 0) {
@@ -403,7 +403,7 @@ void EventStreamText::addSums(const Session& session) {
             json.close();
         }
         json.close();
-        writeShort(json, "restEnergy", events.told.restEnergy);
+        writeShort(json, "restEnergy", events.report.restEnergy);
     });
 }
 

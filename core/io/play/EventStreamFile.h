@@ -12,7 +12,7 @@ namespace rubble {
 
 /// The text of a file of events of version 2, which docs/formats/events.md describes: a line that introduces the
 /// session, then an object a line for each event. Which bodies there are, of which fragments, and the damage of
-/// instances are told wholly; of impacts and contacts the strongest.
+/// instances are reported wholly; of impacts and contacts the strongest.
 class EventStreamText {
 public:
     /// Introduces a session as it is.
@@ -49,7 +49,7 @@ private:
     std::map<std::uint32_t, double> m_masses;                                  // kg, by number of body
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> m_owner;  // body, by origin and fragment
     SessionDamage m_damage;                                                    // after the last step
-    std::set<std::uint32_t> m_listed;  // impacts of the last step that are told, by index in PlayEvents::happened
+    std::set<std::uint32_t> m_listed;  // impacts of the last step that are reported, by index in PlayEvents::happened
 };
 
 /// Plays a session on, with inputs (ascending step), until `steps` steps are done. Returns the text of its events.

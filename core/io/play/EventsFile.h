@@ -24,7 +24,7 @@ public:
     /// `format`: JsonLines or Csv.
     explicit EventsText(EventsFormat format);
 
-    /// Adds what a step tells; steps ascend.
+    /// Adds what a step reports; steps ascend.
     void add(std::uint64_t step, const EventReport& report);
     std::string finished() &&;
 

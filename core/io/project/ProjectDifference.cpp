@@ -195,7 +195,7 @@ Project onlyAsset(const Project& project, const Asset& asset) {
     return single;
 }
 
-void eraseTold(Json& asset) {
+void eraseReported(Json& asset) {
     for (const std::string_view key : kInRecipe) asset.erase(std::string(key));
 }
 
@@ -207,8 +207,8 @@ std::vector<RecipeChange> assetChanges(const Project& before, const Asset& earli
     const Json from = jsonOf(onlyAsset(before, earlier)), to = jsonOf(onlyAsset(after, later));
     Json fromAsset = from["assets"][0], toAsset = to["assets"][0];
     if (!changes.empty()) {
-        eraseTold(fromAsset);
-        eraseTold(toAsset);
+        eraseReported(fromAsset);
+        eraseReported(toAsset);
     }
     JsonChanges rest(from, to);
     rest.compareObjects({}, fromAsset, toAsset);

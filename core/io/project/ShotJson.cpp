@@ -55,13 +55,13 @@ Hammer readHammer(const JsonValue& value) {
     return hammer;
 }
 
-void writeAction(JsonWriter& json, const Explosion& explosion) {
-    writeVector(json, "at", explosion.at);
-    json.number("impulse", explosion.impulse);
-    json.number("radius", explosion.radius);
+void writeAction(JsonWriter& json, const Blast& blast) {
+    writeVector(json, "at", blast.at);
+    json.number("impulse", blast.impulse);
+    json.number("radius", blast.radius);
 }
 
-Explosion readExplosion(const JsonValue& value) {
+Blast readBlast(const JsonValue& value) {
     value.requireObject({"at", "impulse", "radius"});
     return {.at = readVector(value["at"]), .impulse = value["impulse"].number(), .radius = value["radius"].number()};
 }
@@ -70,7 +70,7 @@ ShotAction readAction(std::size_t kind, const JsonValue& value) {
     switch (kind) {
         case 0: return readThrow(value);
         case 1: return readHammer(value);
-        default: return readExplosion(value);
+        default: return readBlast(value);
     }
 }
 

@@ -136,10 +136,10 @@ Status World::applyImpulse(BodyId body, Vec3 impulse, Vec3 point) {
 
 Status World::explode(Vec3 point, double radius, double impulse) {
     if (!isWithin(point, kMaxCoordinate) || !(radius >= 0.0 && radius <= kMaxCoordinate)) {
-        return rangeError("The place and radius of an explosion", kMaxCoordinate, "m");
+        return rangeError("The place and radius of a blast", kMaxCoordinate, "m");
     }
     if (!isWithin(Vec3(impulse), kMaxImpulse)) {
-        return rangeError("The impulse of an explosion", kMaxImpulse, "N·s/m²");
+        return rangeError("The impulse of a blast", kMaxImpulse, "N·s/m²");
     }
     for (const BlastImpulse& one : blast(blastOrigin(point), radius, impulse)) {
         if (kind(one.body) != BodyKind::Dynamic) continue;

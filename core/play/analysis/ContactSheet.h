@@ -52,7 +52,7 @@ struct SheetEntry {
     std::shared_ptr<const Bake> bake;  // null if it cannot be fractured
     SheetFigures figures;
     std::shared_ptr<const Session> session;  // with a stage: at its step; release it after drawing
-    EventHistory history;                    // what it told until then
+    EventHistory history;                    // what it reported until then
     std::optional<std::string> fault;        // why it could not be baked or played, as a sentence
 };
 

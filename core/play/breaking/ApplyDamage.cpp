@@ -1,7 +1,7 @@
 #include "core/play/breaking/ApplyDamage.h"
 
 #include "core/base/MessageText.h"
-#include "core/play/breaking/Collapse.h"
+#include "core/play/breaking/Collapsing.h"
 #include "core/play/breaking/ImpactCutting.h"
 #include "core/play/breaking/Splitting.h"
 #include "core/play/breaking/Swap.h"

@@ -79,7 +79,7 @@ void applyBondImpulse(SessionParts& parts, const PlayBody& body, const BondStrik
     parts.state().events.energy.push_back(entry);
 }
 
-/// Adds what another hit in the same step did to a body; the stronger one is told.
+/// Adds what another hit in the same step did to a body; the stronger one is reported.
 void add(BrokenBonds one, BrokenBonds& all) {
     const double impulse = all.impulse + one.impulse;
     one.bonds.insert(one.bonds.end(), all.bonds.begin(), all.bonds.end());
@@ -179,12 +179,12 @@ void breakAllBonds(SessionParts& parts, PlayBody& body) {
     breakByLoads(parts, body, std::move(loads), parts.world().state(body.body).centre);
 }
 
-void blastBonds(SessionParts& parts, Vec3 origin, const Explosion& explosion) {
+void blastBonds(SessionParts& parts, Vec3 origin, const Blast& blast) {
     std::vector<std::uint32_t> bonded;
     for (const PlayBody& body : parts.state().bodies) {
         const Box3 box = parts.world().box(body.body);
         const double distance = glm::distance(origin, glm::clamp(origin, box.min, box.max));
-        if (body.bondedFracture() != nullptr && distance < explosion.radius) bonded.push_back(body.number);
+        if (body.bondedFracture() != nullptr && distance < blast.radius) bonded.push_back(body.number);
     }
     for (const std::uint32_t number : bonded) {
         PlayBody& body = *findBody(parts.state(), number);
@@ -194,8 +194,8 @@ void blastBonds(SessionParts& parts, Vec3 origin, const Explosion& explosion) {
         std::vector<BondLoad> loads;
         for (const std::uint32_t index : bondsOf(state, body)) {
             const Bond& bond = state.structure->graph.bonds[index];
-            const double fraction = 1.0 - glm::distance(local, bond.centroid) / explosion.radius;
-            if (fraction > 0.0) loads.push_back({index, explosion.impulse * fraction * bond.area});
+            const double fraction = 1.0 - glm::distance(local, bond.centroid) / blast.radius;
+            if (fraction > 0.0) loads.push_back({index, blast.impulse * fraction * bond.area});
         }
         breakByLoads(parts, body, std::move(loads), origin);
     }

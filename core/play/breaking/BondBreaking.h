@@ -25,6 +25,6 @@ BrokenBonds damageBonds(SessionParts& parts, PlayBody& body, std::span<const Vec
                         std::optional<ClusterLevel> level = {});
 
 /// Damages and breaks the bonds within a blast by its impulse per area there, and splits their bodies.
-void blastBonds(SessionParts& parts, Vec3 origin, const Explosion& explosion);
+void blastBonds(SessionParts& parts, Vec3 origin, const Blast& blast);
 
 }  // namespace rubble

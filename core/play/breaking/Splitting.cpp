@@ -3,7 +3,7 @@
 #include "core/base/Assert.h"
 #include "core/base/MessageText.h"
 #include "core/physics/world/Split.h"
-#include "core/play/breaking/Collapse.h"
+#include "core/play/breaking/Collapsing.h"
 #include "core/play/breaking/MortarBreaking.h"
 #include "core/play/breaking/MovingMass.h"
 #include "core/play/scene/PlayBodyShape.h"
@@ -259,7 +259,7 @@ void holdDeeperLevels(const SessionParts& parts, PlayBody& body, ClusterLevel le
     body.heldUntil = timeOf(parts.state(), parts.settings().dt) + kLevelTime - kRounding;
 }
 
-/// Splits a body whose bonds broke, and tells of it. True if any body came free.
+/// Splits a body whose bonds broke, and reports it. True if any body came free.
 bool splitBody(SessionParts& parts, BrokenBonds broken) {
     PlayBody& body = *findBody(parts.state(), broken.body);
     StructureState& state = structureOf(parts, body);

@@ -12,9 +12,9 @@ bool isKept(const EventRecord& record) {
 
 }  // namespace
 
-void EventHistory::add(std::uint64_t step, std::span<const EventRecord> told) {
+void EventHistory::add(std::uint64_t step, std::span<const EventRecord> reported) {
     std::vector<EventRecord> added;
-    std::ranges::copy_if(told, std::back_inserter(added), isKept);
+    std::ranges::copy_if(reported, std::back_inserter(added), isKept);
     const bool isKnown = step >= m_first && step <= m_last;
     if (isKnown && std::ranges::equal(added, between(step, step))) return;
     if (!isKnown && step != m_last + 1) {

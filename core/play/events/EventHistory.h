@@ -7,19 +7,19 @@
 
 namespace rubble {
 
-/// The impacts and breaks that the steps of a session have told: for what is seen for a while after it happened. A step
-/// may be added again, as after a seek; one that tells something else than before begins another course, and the steps
-/// after it are forgotten.
+/// The impacts and breaks that the steps of a session have reported: for what is seen for a while after it happened. A
+/// step may be added again, as after a seek; one that reports something else than before begins another course, and the
+/// steps after it are forgotten.
 class EventHistory {
 public:
-    /// Keeps 20 s of steps that tell 16 events each, in less than 6 MB.
+    /// Keeps 20 s of steps that report 16 events each, in less than 6 MB.
     EventHistory() = default;
     explicit EventHistory(std::size_t mostRecords) : m_mostRecords(mostRecords) {}
 
-    /// Adds what a step told. A step that neither is known nor follows the last one begins the history anew. The oldest
-    /// steps are forgotten where there are more than the most records.
-    void add(std::uint64_t step, std::span<const EventRecord> told);
-    /// The records of the steps from `first` to `last`, by step, in the order in which they were told.
+    /// Adds what a step reported. A step that neither is known nor follows the last one begins the history anew. The
+    /// oldest steps are forgotten where there are more than the most records.
+    void add(std::uint64_t step, std::span<const EventRecord> reported);
+    /// The records of the steps from `first` to `last`, by step, in the order in which they were reported.
     std::span<const EventRecord> between(std::uint64_t first, std::uint64_t last) const;
 
 private:

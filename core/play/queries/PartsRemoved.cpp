@@ -1,6 +1,6 @@
 #include "core/play/queries/PartsRemoved.h"
 
-#include "core/play/breaking/Collapse.h"
+#include "core/play/breaking/Collapsing.h"
 #include "core/play/breaking/MortarBreaking.h"
 #include "core/play/breaking/PartRemoval.h"
 #include "core/play/breaking/Splitting.h"

@@ -354,14 +354,14 @@ Result<std::vector<std::uint32_t>> fallenOf(const Session& session, QueryEffort 
 
 /// The island of a moment in terms of the session that it is of.
 FallingIsland islandIn(const Session& session, const PartsRemoved& after, const FallingIsland& island) {
-    FallingIsland told{.mass = island.mass};
+    FallingIsland reported{.mass = island.mass};
     std::map<std::uint32_t, std::vector<std::uint32_t>> parts;  // fragments, by body
     for (const std::uint32_t place : island.bodies) {
         const PlayBody& body = after.bodies[place];
         const std::size_t present = session.bodies().size();
         const std::uint32_t number = place < present ? body.number : after.splitOff[place - present];
         if (!std::ranges::binary_search(after.reduced, number)) {
-            told.bodies.push_back(number);
+            reported.bodies.push_back(number);
         } else if (body.nodes.empty()) {
             parts[number].push_back(body.fragment);
         } else {
@@ -370,9 +370,9 @@ FallingIsland islandIn(const Session& session, const PartsRemoved& after, const 
     }
     for (auto& [number, fragments] : parts) {
         makeSet(fragments);
-        told.parts.push_back({number, std::move(fragments)});
+        reported.parts.push_back({number, std::move(fragments)});
     }
-    return told;
+    return reported;
 }
 
 }  // namespace

@@ -37,8 +37,8 @@ enum class QueryEffort {
 /// whole. Fragments of what breaks do not come apart.
 ///
 /// A quick query ends once 6,000 steps of single bodies were simulated: what is on its way then falls, what would rock
-/// for longer is not told. Where more than 160 bodies are connected by contacts, it simulates those that rest on the
-/// removed ones and what touches these, for 0.15 s in coarse steps, and holds the rest in place: bodies that only
+/// for longer is not reported. Where more than 160 bodies are connected by contacts, it simulates those that rest on
+/// the removed ones and what touches these, for 0.15 s in coarse steps, and holds the rest in place: bodies that only
 /// leaned on them, and what slides later, are missing.
 ///
 /// A bonded body that anchors hold stays, as in play: it is anchored to places, also where a body was that is removed.

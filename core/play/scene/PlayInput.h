@@ -6,7 +6,7 @@
 
 namespace rubble {
 
-/// Throws a projectile, strikes with a hammer, or sets off an explosion.
+/// Throws a projectile, strikes with a hammer, or sets off a blast.
 struct ShotInput {
     std::string name;
     ShotAction action;

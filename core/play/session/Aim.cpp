@@ -12,7 +12,7 @@ constexpr double kMaxDistance = 1000.0;    // m: farther hits are ignored
 constexpr double kDefaultDistance = 30.0;  // m: of the target without a hit
 constexpr double kReachingTime = 0.4;      // s, of the flight: short enough to see where it goes
 constexpr double kBreakMargin = 3.0;       // since most impacts are not central
-constexpr double kStandOff = 0.1;          // of the radius of an explosion: one in a surface has no effect on it
+constexpr double kStandOff = 0.1;          // of the radius of a blast: one in a surface has no effect on it
 constexpr double kMinReachingSpeed = 1.0, kMaxReachingSpeed = 100.0;  // m/s
 
 /// The mass of a projectile, kg; 0 if its asset is not in the scene.
@@ -61,14 +61,14 @@ std::optional<Hammer> hammerAlong(const Session& session, double impulse, const 
     return Hammer{hit->point, impulse * ray.direction, radius};
 }
 
-std::optional<Explosion> explosionAlong(const Session& session, Explosion explosion, const Ray& ray) {
+std::optional<Blast> blastAlong(const Session& session, Blast blast, const Ray& ray) {
     const std::optional<CastHit> hit = firstHit(session.world(), ray);
     if (!hit) return std::nullopt;
-    const double standOff = kStandOff * explosion.radius;
+    const double standOff = kStandOff * blast.radius;
     const std::optional<CastHit> opposite =
         session.world().castRay(hit->point, hit->point + 2.0 * standOff * hit->normal);
-    explosion.at = hit->point + (opposite ? opposite->fraction : 1.0) * standOff * hit->normal;
-    return explosion;
+    blast.at = hit->point + (opposite ? opposite->fraction : 1.0) * standOff * hit->normal;
+    return blast;
 }
 
 /// The trajectory time t to displacement d at speed v under gravity g solves g²/4 t⁴ - (d·g + v²) t² + d² = 0.

@@ -22,9 +22,9 @@ Throw throwAlong(const Session& session, Throw thrown, const Ray& ray);
 /// without a hit.
 std::optional<Hammer> hammerAlong(const Session& session, double impulse, const Ray& ray,
                                   std::optional<double> radius = std::nullopt);
-/// An explosion at the first hit of a ray, off the surface by a tenth of its radius, or in the middle of a narrower
+/// A blast at the first hit of a ray, off the surface by a tenth of its radius, or in the middle of a narrower
 /// gap; nothing without a hit.
-std::optional<Explosion> explosionAlong(const Session& session, Explosion explosion, const Ray& ray);
+std::optional<Blast> blastAlong(const Session& session, Blast blast, const Ray& ray);
 
 /// A throw whose trajectory under constant gravity, m/s², passes through a point, on the lower of the two possible
 /// arcs. If it is too slow to reach the point, it is thrown straight at it.

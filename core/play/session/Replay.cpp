@@ -35,18 +35,18 @@ ReplayStep stepOf(const Session& session) {
         const BodyState state = session.world().state(body.body);
         if (!state.asleep) step.moved.push_back({body.number, checkOf(state), rounded(state.velocity)});
     }
-    step.events = session.events().told.hash();
+    step.events = session.events().report.hash();
     return step;
 }
 
-bool tellsOther(const ReplayStep& recorded, const ReplayStep& now) {
+bool reportsOther(const ReplayStep& recorded, const ReplayStep& now) {
     return recorded.events && recorded.events != now.events;
 }
 
 bool differs(const ReplayStep& recorded, const ReplayStep& now) {
     const auto isSame = [](const BodyCheck& a, const BodyCheck& b) { return a.body == b.body && a.check == b.check; };
     return recorded.hash != now.hash || !std::ranges::equal(recorded.moved, now.moved, isSame) ||
-           tellsOther(recorded, now);
+           reportsOther(recorded, now);
 }
 
 /// A body by which two steps differ.
@@ -217,7 +217,7 @@ void ReplayPlayer::compare() {
         if (body != nullptr) m_divergence->place = placeOf(*body);
         m_divergence->kind = largest->kind;
         m_divergence->difference = largest->size;
-    } else if (tellsOther(recorded, now)) {
+    } else if (reportsOther(recorded, now)) {
         m_divergence->kind = DivergenceKind::Events;
     }
     compare();

@@ -88,7 +88,7 @@ enum class DivergenceKind {
     Broke,        // it broke, but not in the recording
     DidNotBreak,  // it broke in the recording only
     Velocity,
-    Events,  // all bodies are the same, but what the step tells of them is not
+    Events,  // all bodies are the same, but what the step reports of them is not
 };
 
 /// The first difference between a replay and its recording.

@@ -12,7 +12,7 @@
 #include "core/play/breaking/Splitting.h"
 #include "core/play/breaking/Swap.h"
 #include "core/play/scene/Projectile.h"
-#include "core/play/session/Blast.h"
+#include "core/play/session/ApplyBlast.h"
 #include "core/play/state/InputDiagnostics.h"
 #include "core/play/state/SessionBodies.h"
 
@@ -156,9 +156,7 @@ void applyAction(SessionParts& parts, const std::string& name, const Throw& thro
 
 void applyAction(SessionParts& parts, const std::string& name, const Hammer& hammer) { applyBlow(parts, name, hammer); }
 
-void applyAction(SessionParts& parts, const std::string& name, const Explosion& explosion) {
-    applyBlast(parts, name, explosion);
-}
+void applyAction(SessionParts& parts, const std::string& name, const Blast& blast) { applyBlast(parts, name, blast); }
 
 void applyInput(SessionParts& parts, const ShotInput& shot) {
     std::visit([&](const auto& action) { applyAction(parts, shot.name, action); }, shot.action);

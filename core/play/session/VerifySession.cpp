@@ -263,16 +263,16 @@ Fault verifyPending(const PlayScene& scene, const SessionState& state) {
     return std::nullopt;
 }
 
-Fault verifyToldImpacts(const SessionState& state) {
-    for (std::size_t k = 0; k < state.toldImpacts.size(); ++k) {
-        const ToldImpact& one = state.toldImpacts[k];
-        const auto isBefore = [](const ToldImpact& a, const ToldImpact& b) {
+Fault verifyReportedImpacts(const SessionState& state) {
+    for (std::size_t k = 0; k < state.reportedImpacts.size(); ++k) {
+        const ReportedImpact& one = state.reportedImpacts[k];
+        const auto isBefore = [](const ReportedImpact& a, const ReportedImpact& b) {
             return std::pair(a.first, a.second) < std::pair(b.first, b.second);
         };
-        const bool isAscending = k == 0 || isBefore(state.toldImpacts[k - 1], one);
-        if (!isAscending || one.first >= one.second) return elementOf("toldImpacts", k, " is not in order");
-        if (one.apartSince != ToldImpact::kTouching && one.apartSince > state.step) {
-            return elementOf("toldImpacts", k, ".apartSince is wrong");
+        const bool isAscending = k == 0 || isBefore(state.reportedImpacts[k - 1], one);
+        if (!isAscending || one.first >= one.second) return elementOf("reportedImpacts", k, " is not in order");
+        if (one.apartSince != ReportedImpact::kTouching && one.apartSince > state.step) {
+            return elementOf("reportedImpacts", k, ".apartSince is wrong");
         }
     }
     return std::nullopt;
@@ -288,7 +288,7 @@ Fault completeState(const PlayScene& scene, SessionState& state) {
     if (Fault fault = prepareDamage(scene, state, assets)) return fault;
     if (Fault fault = completeStructures(scene, state)) return fault;
     if (Fault fault = completeBodies(scene, assets, state)) return fault;
-    if (Fault fault = verifyToldImpacts(state)) return fault;
+    if (Fault fault = verifyReportedImpacts(state)) return fault;
     return verifyPending(scene, state);
 }
 

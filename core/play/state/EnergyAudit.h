@@ -11,7 +11,7 @@ namespace rubble {
 enum class EnergyChange : std::uint8_t {
     Throw,         // a source: a projectile was created
     Blow,          // a source: the work of a hammer
-    Blast,         // a source: the work of an explosion
+    Blast,         // a source: the work of a blast
     BreakImpulse,  // between a body that breaks and its impactor
     Swap,          // of a body for its fragments
     Cut,           // of a body for fragments cut at the point of impact

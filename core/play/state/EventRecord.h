@@ -11,7 +11,7 @@
 
 namespace rubble {
 
-/// The kinds of events, in the order in which a step tells them.
+/// The kinds of events, in the order in which a step reports them.
 enum class EventKind : std::uint8_t {
     Impact,    // two bodies hit each other
     Bonds,     // bonds of a body broke
@@ -59,14 +59,14 @@ struct EventRecord {
     bool operator==(const EventRecord&) const = default;
 };
 
-/// Events of a kind that happened and are not told one by one.
+/// Events of a kind that happened and are not reported one by one.
 struct OmittedEvents {
     std::uint32_t count = 0;
     double energy = 0.0;  // J, their sum
     bool operator==(const OmittedEvents&) const = default;
 };
 
-/// What is told of a step.
+/// What is reported of a step.
 struct EventReport {
     std::vector<EventRecord> records;                  // by kind, then body, then other
     std::array<OmittedEvents, kEventKinds> omitted{};  // by kind

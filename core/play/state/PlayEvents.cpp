@@ -14,7 +14,7 @@ void move(std::vector<Element>& from, std::vector<Element>& to) {
 }  // namespace
 
 void append(PlayEvents&& interval, PlayEvents& step) {
-    auto& [inputs, breaks, splits, impacts, born, removed, taken, diagnostics, energy, happened, weakImpacts, told] =
+    auto& [inputs, breaks, splits, impacts, born, removed, taken, diagnostics, energy, happened, weakImpacts, report] =
         interval;
     move(inputs, step.inputs);
     move(breaks, step.breaks);
@@ -28,12 +28,12 @@ void append(PlayEvents&& interval, PlayEvents& step) {
     move(happened, step.happened);
     step.weakImpacts.count += weakImpacts.count;
     step.weakImpacts.energy += weakImpacts.energy;
-    move(told.records, step.told.records);
+    move(report.records, step.report.records);
     for (std::size_t kind = 0; kind < kEventKinds; ++kind) {
-        step.told.omitted[kind].count += told.omitted[kind].count;
-        step.told.omitted[kind].energy += told.omitted[kind].energy;
+        step.report.omitted[kind].count += report.omitted[kind].count;
+        step.report.omitted[kind].energy += report.omitted[kind].energy;
     }
-    step.told.restEnergy += told.restEnergy;
+    step.report.restEnergy += report.restEnergy;
 }
 
 }  // namespace rubble

@@ -19,7 +19,7 @@ struct PlayBreak {
     double threshold = 0.0;  // N·s
     Vec3 point{0.0, 0.0, 0.0};
     Vec3 normal{0.0, 0.0, 0.0};            // from the impactor into the body
-    BodyId impactor;                       // index 0 for hammers, explosions and BreakInput
+    BodyId impactor;                       // index 0 for hammers, blasts and BreakInput
     std::uint32_t impactorNumber = kNone;  // kNone without one
     double approachSpeed = 0.0;            // m/s, of the impactor
     std::uint32_t firstFragment = 0;       // number of its first fragment; the others follow, and those left out count
@@ -81,7 +81,7 @@ struct PlayEvents {
     /// All that happened, and what contacts did, in that order: without the step and the names of fragments.
     std::vector<EventRecord> happened;
     OmittedEvents weakImpacts;  // below the least energy, which are not among them
-    EventReport told;           // the strongest of it
+    EventReport report;         // the strongest of it
 };
 
 /// Adds what happened in an interval of a step to what happened in it before.

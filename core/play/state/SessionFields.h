@@ -41,7 +41,7 @@ void visitFields(Self& self, Visit& visit) {
     visit("radius", radius);
 }
 
-template <FieldsOf<Explosion> Self, class Visit>
+template <FieldsOf<Blast> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
     auto& [at, impulse, radius] = self;
     visit("at", at);
@@ -204,7 +204,7 @@ void visitFields(Self& self, Visit& visit) {
     visit("thrown", thrown);
 }
 
-template <FieldsOf<ToldImpact> Self, class Visit>
+template <FieldsOf<ReportedImpact> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
     auto& [first, second, apartSince] = self;
     visit("first", first);
@@ -216,7 +216,7 @@ template <FieldsOf<SessionState> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
     [[maybe_unused]] auto& [step, elapsed, dividedUntil, hasDestruction, bodies, nextNumber, origins, damage,
                             structures, pending, materials, assetThresholds, instanceThresholds, lowest, events,
-                            toldImpacts] = self;
+                            reportedImpacts] = self;
     visit("step", step);
     visit("dividedUntil", dividedUntil);
     visit("hasDestruction", hasDestruction);
@@ -230,7 +230,7 @@ void visitFields(Self& self, Visit& visit) {
     visit("assetThresholds", assetThresholds);
     visit("instanceThresholds", instanceThresholds);
     visit("lowest", lowest);
-    visit("toldImpacts", toldImpacts);
+    visit("reportedImpacts", reportedImpacts);
 }
 
 }  // namespace rubble

@@ -11,9 +11,9 @@ std::size_t byteCount(const SessionState& state) {
     for (const PlayBody& body : state.bodies) damage += elementBytes(body.nodes);
     for (const StructureState& one : state.structures) damage += sizeof(one) + elementBytes(one.damage, one.bodyOfNode);
     return sizeof(SessionState) + damage +
-           elementBytes(state.bodies, state.origins, state.pending, state.materials, state.toldImpacts) +
+           elementBytes(state.bodies, state.origins, state.pending, state.materials, state.reportedImpacts) +
            elementBytes(events.inputs, events.breaks, events.impacts, events.born, events.removed, events.taken,
-                        events.diagnostics, events.happened, events.told.records);
+                        events.diagnostics, events.happened, events.report.records);
 }
 
 }  // namespace rubble

@@ -20,8 +20,8 @@ struct SessionSettings {
     bool operator==(const SessionSettings&) const = default;
 };
 
-/// An impact that was told: while its bodies go on touching, their next ones are not.
-struct ToldImpact {
+/// An impact that was reported: while its bodies go on touching, their next ones are not.
+struct ReportedImpact {
     std::uint32_t first = 0;  // numbers of the bodies, first < second
     std::uint32_t second = 0;
     std::uint64_t apartSince = kTouching;  // step after which they no longer touched
@@ -45,7 +45,7 @@ struct SessionState {
     std::map<Id, double> instanceThresholds;  // of instances with their own
     double lowest = 0.0;                      // m: bodies below it have left the world
     PlayEvents events;
-    std::vector<ToldImpact> toldImpacts;  // ascending bodies
+    std::vector<ReportedImpact> reportedImpacts;  // ascending bodies
 };
 
 struct SessionSnapshot {

@@ -53,7 +53,7 @@ SoundCue breakCue(const Session& session, const EventRecord& broken) {
 
 std::vector<SoundCue> cuesOf(const Session& session) {
     std::vector<SoundCue> cues;
-    for (const EventRecord& record : session.events().told.records) {
+    for (const EventRecord& record : session.events().report.records) {
         const bool isImpact = record.kind == EventKind::Impact;
         if (!isImpact && record.kind != EventKind::Bonds && record.kind != EventKind::Broken) continue;
         cues.push_back(isImpact ? impactCue(session, record) : breakCue(session, record));

@@ -7,7 +7,7 @@
 
 namespace rubble {
 
-/// What is heard of a session's last step, at the time after it: the impacts and breaks that it tells.
+/// What is heard of a session's last step, at the time after it: the impacts and breaks that it reports.
 std::vector<SoundCue> cuesOf(const Session& session);
 
 /// In front of the instances, towards +z, as far away as they are large, and 3 m at least.

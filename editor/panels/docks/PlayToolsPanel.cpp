@@ -43,11 +43,11 @@ PlayToolsPanel::PlayToolsPanel(const Document& document, PlayController& control
     rows->addWidget(m_hammer);
     auto* blast = new Section("blast", tr("Blast (X)"));
     addField(*blast, tr("Impulse"), tr("Impulse per square metre at the centre, falling to 0 at the radius"),
-             Units::impulsesPerArea(), ProjectNumber::ExplosionImpulse,
-             [](PlayToolSettings& tools) -> double& { return tools.explosion.impulse; });
+             Units::impulsesPerArea(), ProjectNumber::BlastImpulse,
+             [](PlayToolSettings& tools) -> double& { return tools.blast.impulse; });
     m_lengths << addField(*blast, tr("Radius"), tr("Radius of the blast"), Units().lengths(),
-                          ProjectNumber::ExplosionRadius,
-                          [](PlayToolSettings& tools) -> double& { return tools.explosion.radius; });
+                          ProjectNumber::BlastRadius,
+                          [](PlayToolSettings& tools) -> double& { return tools.blast.radius; });
     rows->addWidget(blast);
     auto* grip = new Section("grip", tr("Grab (drag)"));
     addField(*grip, tr("Force"), tr("Maximum force on a grabbed body"), Units::forces(), ProjectNumber::GrabForce,

@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t kMaxInsertedSingly = 64;  // more are sorted in anew: each moves all rows after it
 
-/// The order in which events are told.
+/// The order in which events are reported.
 auto timeOf(const PlayEvent& event) {
     const EventRecord& record = event.record;
     return std::tuple(record.step, record.kind, record.body, record.other);
@@ -239,7 +239,7 @@ QString EventModel::toolTip(const PlayEvent& event) const {
                           localizedQuantity(QuantityKind::Impulse, event.strength->threshold));
     }
     if (event.record.step > m_displayedStep) lines << tr("Happens after the displayed time");
-    if (!event.isTold) lines << tr("Listed for its threshold: its energy is not known, and it is not exported");
+    if (!event.isReported) lines << tr("Listed for its threshold: its energy is not known, and it is not exported");
     lines << tr("Double-click to go to the place and time of the event");
     return toolTipText(lines.join('\n'));
 }
@@ -252,7 +252,8 @@ QVariant EventModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::TextAlignmentRole && isNumeric(index.column())) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::ToolTipRole) return toolTip(shown);
     const bool isLater = shown.record.step > m_displayedStep;
-    if (role == Qt::ForegroundRole && (isLater || !shown.isTold)) return QGuiApplication::palette().placeholderText();
+    if (role == Qt::ForegroundRole && (isLater || !shown.isReported))
+        return QGuiApplication::palette().placeholderText();
     if (role == Qt::FontRole && isLater) return italicFont();
     return {};
 }

@@ -66,7 +66,7 @@ void PlayTool::hammerAtPointer() {
 }
 
 void PlayTool::explodeAtPointer() {
-    if (m_controller.isInPlay()) m_controller.explosionAlong(ray());
+    if (m_controller.isInPlay()) m_controller.blastAlong(ray());
 }
 
 void PlayTool::updateAim() {
@@ -105,8 +105,8 @@ QAction* PlayTool::actionOf(const QKeyEvent& event) const {
 bool PlayTool::wheel(const QWheelEvent& event) {
     if (!m_controller.isInPlay() || !event.modifiers().testFlag(Qt::ControlModifier)) return false;
     PlayToolSettings settings = m_controller.toolSettings();
-    double& radius = settings.explosion.radius;
-    const NumberRange& range = rangeOf(ProjectNumber::ExplosionRadius);
+    double& radius = settings.blast.radius;
+    const NumberRange& range = rangeOf(ProjectNumber::BlastRadius);
     radius *= std::pow(kRadiusPerNotch, event.angleDelta().y() / double{QWheelEvent::DefaultDeltasPerStep});
     radius = std::clamp(radius, kMinRadius, range.max);
     m_controller.setToolSettings(settings);

@@ -16,7 +16,7 @@ class PlayController;
 class ViewportWidget;
 
 /// The tool of play: F throws at the pointer, harder if it is held, and so does a click if that is set; H hits with a
-/// hammer, X sets off an explosion, dragging with the left button grabs a body; Escape stops. Inactive unless the
+/// hammer, X sets off a blast, dragging with the left button grabs a body; Escape stops. Inactive unless the
 /// controller is in play.
 class PlayTool : public ViewportTool {
     Q_OBJECT

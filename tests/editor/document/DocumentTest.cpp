@@ -77,7 +77,7 @@ private slots:
         QVERIFY(!document.isModified());
     }
     /// As by a field that loses the focus, with a value typed into it, because an undo hides it.
-    void nothingIsPushedWhileAChangeIsTold() {
+    void nothingIsPushedWhileAChangeIsNotified() {
         Document document(starterProject());
         document.push(thresholdEdit(document, 7.0));
         document.push(thresholdEdit(document, 8.0));

@@ -64,7 +64,7 @@ Edit extremeEdit(const Project& project, Random& random) {
         case 11: return instance.pose.orientation.w = number, changeOf(instance);
         case 12: return shot.time = number, changeOf(shot);
         case 13: return shot.action = Throw{.from = {number, 0.0, 0.0}, .to = {0.0, number, 0.0}}, changeOf(shot);
-        case 14: return shot.action = Explosion{.impulse = number}, changeOf(shot);
+        case 14: return shot.action = Blast{.impulse = number}, changeOf(shot);
         case 15: return scene.ground.height = number, Edit{.text = "Scene", .replacements = {scene}};
         case 16: return scene.gravity[axis] = number, Edit{.text = "Scene", .replacements = {scene}};
         case 17: return scene.debris.lifetime = number, Edit{.text = "Scene", .replacements = {scene}};

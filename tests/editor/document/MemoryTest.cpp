@@ -82,7 +82,7 @@ private slots:
             });
         });
     }
-    void receiversAreToldAgain() {
+    void receiversAreNotifiedAgain() {
         Document document(starterProject());
         int told = 0;
         bool isEverything = false;

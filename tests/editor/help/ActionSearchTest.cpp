@@ -39,7 +39,7 @@ private slots:
         QCOMPARE(found("picture"), QStringList({"Screen&shot of Seeds"}));
         for (int k = 0; k < 2; ++k) delete m_actions.takeLast();
     }
-    void unmatchedQueryIsTold() {
+    void unmatchedQueryIsReported() {
         QWidget window;
         ActionSearch search({m_actions.front()}, &window);
         search.show();

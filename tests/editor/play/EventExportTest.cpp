@@ -27,7 +27,7 @@ std::string toldBy(const Project& project, EventsFormat format) {
     EventsText text(format);
     for (int k = 0; k < kSteps; ++k) {
         session.step();
-        text.add(session.stepsDone(), session.events().told);
+        text.add(session.stepsDone(), session.events().report);
     }
     return std::move(text).finished();
 }
@@ -78,9 +78,9 @@ private slots:
         QVERIFY(text.find("\"kind\":\"broken\"") != std::string::npos);
         QVERIFY(text.find("sums") == std::string::npos && text.find("impact\"") == std::string::npos);
     }
-    void whatIsNotToldIsNotExported() {
-        const auto untold = std::make_shared<const PlayEvent>(PlayEvent{.name = "block", .isTold = false});
-        QVERIFY(eventsText(std::vector<EventRef>{untold}, EventsFormat::JsonLines).value().empty());
+    void whatIsNotReportedIsNotExported() {
+        const auto unreported = std::make_shared<const PlayEvent>(PlayEvent{.name = "block", .isReported = false});
+        QVERIFY(eventsText(std::vector<EventRef>{unreported}, EventsFormat::JsonLines).value().empty());
     }
     void canBeCancelled() {
         const auto event = std::make_shared<const PlayEvent>();

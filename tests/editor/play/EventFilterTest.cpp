@@ -55,9 +55,9 @@ private slots:
         QVERIFY(EventFilter{.leastEnergy = 12.5}.accepts(kImpact));
         QVERIFY(!EventFilter{.leastEnergy = 12.6}.accepts(kImpact));
         QVERIFY(!EventFilter{.leastEnergy = 0.1}.accepts(kSettled));
-        PlayEvent untold = kImpact;
-        untold.isTold = false;
-        QVERIFY(!EventFilter{.leastEnergy = 0.1}.accepts(untold));
+        PlayEvent unreported = kImpact;
+        unreported.isReported = false;
+        QVERIFY(!EventFilter{.leastEnergy = 0.1}.accepts(unreported));
     }
     void materialIsOneOfBoth() {
         QVERIFY(EventFilter{.material = 3}.accepts(kImpact));

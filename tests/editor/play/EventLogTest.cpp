@@ -53,7 +53,7 @@ private slots:
         const std::vector<EventRef> impacts = fall.eventsOf(EventKind::Impact);
         QVERIFY(!impacts.empty());
         const PlayEvent& impact = *impacts.front();
-        QVERIFY(impact.isTold && impact.record.energy > 1000.0);
+        QVERIFY(impact.isReported && impact.record.energy > 1000.0);
         QCOMPARE(impact.name, "block");
         QCOMPARE(impact.otherName, "ground");
         QCOMPARE(impact.strength->threshold, 1e6);
@@ -66,13 +66,13 @@ private slots:
         fall.play(240);
         QCOMPARE(fall.log.course().breaks().size(), 1u);
         const PlayEvent& broken = *fall.log.course().breaks().front();
-        QVERIFY(broken.isTold && broken.strength->ratio() > 1.0);
+        QVERIFY(broken.isReported && broken.strength->ratio() > 1.0);
         QCOMPARE(broken.name, "block");  // which is gone by then
         QCOMPARE(broken.record.count, 5u);
         QVERIFY(fall.log.course().breaks(broken.record.step - 1).empty());
         QCOMPARE(fall.log.course().breaks(broken.record.step).size(), 1u);
     }
-    /// A hammer is no body: the session tells no impact.
+    /// A hammer is no body: the session reports no impact.
     void blowsThatBreakNothingAreListed() {
         Project project = test::floatingBlock();
         project.assets[0].threshold = 1000.0;
@@ -88,11 +88,11 @@ private slots:
         strike(300.0);
         QCOMPARE(log.course().size(), 1u);
         const PlayEvent& blow = log.course().steps().back()->events.front();
-        QVERIFY(!blow.isTold && !blow.hasEnergy());
+        QVERIFY(!blow.isReported && !blow.hasEnergy());
         QVERIFY(blow.strength->ratio() > 0.1);
         QVERIFY(EventCourse::reportOf(*log.course().steps().back()).records.empty());
     }
-    /// At most 16 events of a step are told; the list has all breaks.
+    /// At most 16 events of a step are reported; the list has all breaks.
     void allBreaksAreListed() {
         Project project = test::floatingBlock(2);
         const Id asset = project.assets[0].id;
@@ -107,16 +107,17 @@ private slots:
         session.step();
         log.record(session);
         QCOMPARE(log.course().breaks().size(), 40u);
-        const auto told = std::ranges::count_if(log.course().breaks(), [](const EventRef& one) { return one->isTold; });
-        QVERIFY(told < 40);
-        QCOMPARE(EventCourse::reportOf(*log.course().steps().back()), session.events().told);
+        const auto reported =
+            std::ranges::count_if(log.course().breaks(), [](const EventRef& one) { return one->isReported; });
+        QVERIFY(reported < 40);
+        QCOMPARE(EventCourse::reportOf(*log.course().steps().back()), session.events().report);
     }
     void reportsAreThoseOfTheSession() {
         Fall fall(100.0);
-        std::vector<EventReport> told;
+        std::vector<EventReport> reported;
         for (int k = 0; k < 240; ++k) {
             fall.play(1);
-            if (!fall.session.events().told.isEmpty()) told.push_back(fall.session.events().told);
+            if (!fall.session.events().report.isEmpty()) reported.push_back(fall.session.events().report);
         }
         std::vector<EventReport> logged;
         OmittedEvents impacts;
@@ -124,7 +125,7 @@ private slots:
             logged.push_back(EventCourse::reportOf(*step));
             impacts.count += step->omitted[0].count;
         }
-        QCOMPARE(logged, told);
+        QCOMPARE(logged, reported);
         QCOMPARE(fall.log.course().omitted()[0].count, impacts.count);
     }
     void discardingForgetsTheRest() {

@@ -78,10 +78,10 @@ private slots:
         test::Stage stage;
         stage.controller.setToolSettings(test::heavyBox());
         stage.start();
-        const QSignalSpy told(&stage.controller, &PlayController::eventsChanged);
+        const QSignalSpy reported(&stage.controller, &PlayController::eventsChanged);
         stage.controller.throwAlong(test::kAtBlock);
         stage.advance(20);
-        QVERIFY(!told.isEmpty());
+        QVERIFY(!reported.isEmpty());
         QCOMPARE(stage.controller.events().breaks().size(), 1u);
         const PlayEvent& broken = *stage.controller.events().breaks().front();
         QCOMPARE(broken.name, "block");
@@ -150,11 +150,11 @@ private slots:
     }
     void replayWithoutDestructionSetsTheSwitch() {
         test::Stage stage;
-        const QSignalSpy told(&stage.controller, &PlayController::settingsChanged);
+        const QSignalSpy reported(&stage.controller, &PlayController::settingsChanged);
         stage.controller.replay({.settings = {.hasDestruction = false}, .steps = 10});
         stage.settle();
         QVERIFY(!stage.controller.hasDestruction());
-        QCOMPARE(told.size(), 1);
+        QCOMPARE(reported.size(), 1);
         stage.controller.setDestruction(true);
         stage.controller.fire({.name = "box", .action = test::throwAtBlock(3.0, 80.0)});
         stage.advance(20);

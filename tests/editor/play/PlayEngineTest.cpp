@@ -12,12 +12,12 @@ using namespace rubble;
 class PlayEngineTest : public QObject {
     Q_OBJECT
 private slots:
-    void mortarThatHoldsNothingIsTold_data() {
+    void mortarThatHoldsNothingIsReported_data() {
         QTest::addColumn<bool>("isAnchored");
         QTest::newRow("anchored") << true;
         QTest::newRow("not anchored") << false;
     }
-    void mortarThatHoldsNothingIsTold() {
+    void mortarThatHoldsNothingIsReported() {
         QFETCH(const bool, isAnchored);
         Project project = test::mortarPortal();
         if (!isAnchored) {

@@ -171,12 +171,12 @@ private slots:
         QVERIFY(!turn(1, Qt::ControlModifier));  // nothing is simulated
         stage.start();
         QVERIFY(!turn(1, {}));  // zooms
-        const double before = stage.controller.toolSettings().explosion.radius;
+        const double before = stage.controller.toolSettings().blast.radius;
         QVERIFY(turn(2, Qt::ControlModifier));
-        QCOMPARE(stage.controller.toolSettings().explosion.radius, before * 1.1 * 1.1);
+        QCOMPARE(stage.controller.toolSettings().blast.radius, before * 1.1 * 1.1);
         QVERIFY(turn(-10000, Qt::ControlModifier));
         QVERIFY(turn(1, Qt::ControlModifier));
-        QCOMPARE(stage.controller.toolSettings().explosion.radius, 0.011);
+        QCOMPARE(stage.controller.toolSettings().blast.radius, 0.011);
     }
 };
 

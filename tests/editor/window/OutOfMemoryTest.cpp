@@ -38,7 +38,7 @@ private slots:
         openFile(pathOf("wall.rubble"));
         QTRY_VERIFY_WITH_TIMEOUT(bakes().areCurrent(project()), kPatience);
     }
-    void eventsThatFailAreTold() {
+    void eventsThatFailAreReported() {
         auto& application = dynamic_cast<Application&>(*QCoreApplication::instance());
         const QSignalSpy told(&application, &Application::ranOut);
         for (int k = 0; k < 5; ++k)

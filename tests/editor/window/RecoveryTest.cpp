@@ -418,7 +418,7 @@ private slots:
         QVERIFY(window.fileActions().save());
         QCOMPARE(heightIn(m_path), kEditedHeight);
     }
-    void deletionIsToldAsDeletion() {
+    void deletionIsReportedAsDeletion() {
         MainWindow& window = *editedWindow();
         answer("Keep Current Version");
         QVERIFY(QFile::remove(m_path));

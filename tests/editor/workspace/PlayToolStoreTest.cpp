@@ -30,7 +30,7 @@ private slots:
         tools.projectile.mass = 7.0;
         tools.isSpeedAutomatic = false;
         tools.hammerRadius = 0.5;
-        tools.explosion.radius = 1.5;
+        tools.blast.radius = 1.5;
         tools.grabForce = 300.0;
         writePlayTools(tools, kProject, settings);
         QVERIFY(readPlayTools(settings, kProject) == tools);

@@ -53,7 +53,7 @@ inline Project arcade() {
         addAsset(project, asset, {BlueNoise{.minimumDistance = 0.22, .count = 420}, LloydRelaxation{.rounds = 2}});
     addInstance(project, id, "arcade", {.position = {0.0, 0.0, 0.0}});
     project.instances[0].isAnchored = true;
-    addShot(project, "blast at a pier", 0.5, Explosion{.at = {-1.875, 0.9, 0.7}, .impulse = 3000.0, .radius = 1.6});
+    addShot(project, "blast at a pier", 0.5, Blast{.at = {-1.875, 0.9, 0.7}, .impulse = 3000.0, .radius = 1.6});
     addShot(project, "ball at a spandrel", 0.5,
             Throw{.kind = ProjectileKind::Ball,
                   .size = Vec3(0.5),

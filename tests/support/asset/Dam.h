@@ -39,7 +39,7 @@ inline void addDamShots(Project& project) {
                   .from = {-3.2, 1.1, 10.0},
                   .to = {-3.2, 0.8, 0.0},
                   .speed = 22.0});
-    addShot(project, "blast at the foot", 0.5, Explosion{.at = {0.0, 0.9, 1.2}, .impulse = 30000.0, .radius = 3.5});
+    addShot(project, "blast at the foot", 0.5, Blast{.at = {0.0, 0.9, 1.2}, .impulse = 30000.0, .radius = 3.5});
 }
 
 inline void addDamTests(Project& project) {

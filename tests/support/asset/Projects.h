@@ -102,7 +102,7 @@ inline std::vector<Shot> everyShot() {
         {.id = 30, .name = "box", .time = 0.5, .action = Throw{.size = {1.0, 2.0, 3.0}, .mass = 5.0, .speed = 12.0}},
         {.id = 31, .name = "pane", .action = Throw{.kind = ProjectileKind::Asset, .asset = 11}},
         {.id = 32, .name = "hammer", .action = Hammer{{1.0, 2.0, 3.0}, {0.0, -5.0, 0.0}, 0.25}},
-        {.id = 33, .name = "bomb", .action = Explosion{{4.0, 5.0, 6.0}, 250.0, 3.5}}};
+        {.id = 33, .name = "bomb", .action = Blast{{4.0, 5.0, 6.0}, 250.0, 3.5}}};
 }
 
 inline std::vector<PlayTest> everyPlayTest() {

@@ -36,7 +36,7 @@ inline Project rockFace() {
                   .from = {4.2, 14.0, 0.0},
                   .to = {4.2, 4.0, 0.0},
                   .speed = 16.0});
-    addShot(project, "blast at the foot", 0.5, Explosion{.at = {-2.0, 1.0, 0.9}, .impulse = 6000.0, .radius = 2.0});
+    addShot(project, "blast at the foot", 0.5, Blast{.at = {-2.0, 1.0, 0.9}, .impulse = 6000.0, .radius = 2.0});
     addPlayTest(project, {.name = "stands",
                           .duration = 3.0,
                           .expectations = {{.kind = ExpectationKind::StandsUntouched, .value = 3.0}}});

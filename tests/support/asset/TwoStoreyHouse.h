@@ -163,7 +163,7 @@ inline void addHouseShots(Project& project) {
                   .from = {6.0, 16.0, 5.0},
                   .to = {2.0, 6.7, 0.0},
                   .speed = 25.0});
-    addShot(project, "blast in the porch", kTime, Explosion{.at = {1.0, 1.2, 1.5}, .impulse = 8000.0, .radius = 4.0});
+    addShot(project, "blast in the porch", kTime, Blast{.at = {1.0, 1.2, 1.5}, .impulse = 8000.0, .radius = 4.0});
 }
 
 inline void addHouseTests(Project& project) {

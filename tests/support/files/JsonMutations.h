@@ -154,7 +154,7 @@ inline std::string changedText(nlohmann::json document, const std::string& point
 /// all is well. `faultOf` reads a text and returns its error. It gets the whole document; the schema gets a reduced
 /// one, because validation is slow and none of our schemas relates elements of an array. `isOpen`: places that the
 /// schema leaves to the reader; none if null.
-inline std::string untoldMutation(
+inline std::string unreportedMutation(
     const nlohmann::json& document, const Schema& schema,
     const std::function<bool(const std::string& place, const nlohmann::json& value)>& fits,
     const std::function<std::string(std::string_view)>& faultOf,
@@ -162,9 +162,9 @@ inline std::string untoldMutation(
     nlohmann::json changed = document;
     nlohmann::json::json_pointer last;
     mutation::Placed near{document, last};
-    std::string untold;
+    std::string unreported;
     mutation::forEachMutation(document, fits, [&](const auto& at, const std::string& what, nlohmann::json value) {
-        if (!untold.empty()) return;
+        if (!unreported.empty()) return;
         if (at != last) {
             near = mutation::around(document, last = at);
             if (!schema.fault(near.document).empty()) near = {document, at};  // an array must not be that short
@@ -174,13 +174,13 @@ inline std::string untoldMutation(
         near.document[near.at] = changed[at];
         const std::string place = mutation::placeOf(at, document);
         if (!fault.starts_with(place + ": ")) {
-            untold = at.to_string() + what + " gives: " + fault;
+            unreported = at.to_string() + what + " gives: " + fault;
         } else if (!(isOpen && isOpen(place)) && schema.fault(near.document).empty()) {
-            untold = at.to_string() + what + " fits the schema";
+            unreported = at.to_string() + what + " fits the schema";
         }
         std::swap(changed[at], value);
     });
-    return untold;
+    return unreported;
 }
 
 }  // namespace rubble::test

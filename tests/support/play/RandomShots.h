@@ -12,7 +12,7 @@ inline ShotInput randomShot(const Project& project, Random& random) {
     const Vec3 side(random.between(-2.0, 2.0), random.between(0.2, 3.0), random.below(2) == 0 ? 4.0 : -4.0);
     switch (random.below(5)) {
         case 0: return {"blow", Hammer{.at = target, .impulse = Vec3(0.0, 0.0, random.between(500.0, 5000.0))}};
-        case 1: return {"blast", Explosion{.at = target + 0.2 * side, .impulse = 3000.0, .radius = 2.0}};
+        case 1: return {"blast", Blast{.at = target + 0.2 * side, .impulse = 3000.0, .radius = 2.0}};
         default:
             return {"throw", Throw{.kind = random.below(2) == 0 ? ProjectileKind::Box : ProjectileKind::Ball,
                                    .size = Vec3(random.between(0.1, 0.6)),

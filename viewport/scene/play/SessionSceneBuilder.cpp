@@ -208,11 +208,11 @@ void SessionSceneBuilder::recordImpacts(const Session& session) {
 }
 
 void SessionSceneBuilder::record(const Session& session) {
-    m_history.add(session.stepsDone(), session.events().told.records);
+    m_history.add(session.stepsDone(), session.events().report.records);
 }
 
-/// Adds what flies after the events that were told.
-void SessionSceneBuilder::addToldDust(const Session& session, RenderScene& scene) const {
+/// Adds what flies after the events that were reported.
+void SessionSceneBuilder::addReportedDust(const Session& session, RenderScene& scene) const {
     const DustMoment moment{session.stepsDone(), session.stepLength(), session.world().gravity()};
     const std::uint64_t first = moment.step - std::min(moment.step, stepOf(kDustTime, moment.stepLength));
     addDust(scene, m_scene->project, m_history.between(first, moment.step), moment);
@@ -229,7 +229,7 @@ void SessionSceneBuilder::addOverlays(const Session& session, RenderScene& scene
     scene.boxes.clear();
     scene.particles.clear();
     record(session);
-    addToldDust(session, scene);
+    addReportedDust(session, scene);
     recordImpacts(session);
     addStructureLines(session, scene);
     if (m_overlays.hasContacts || m_overlays.hasNormals || m_overlays.hasImpulses) {

@@ -35,10 +35,10 @@ public:
     /// a seek) these are empty; called again at the same step, it returns the same content.
     std::shared_ptr<const RenderScene> sceneOf(const Session& session);
 
-    /// Records what the session's last step told, of which the following scenes show the dust. Must be called after
+    /// Records what the session's last step reported, of which the following scenes show the dust. Must be called after
     /// each step, also those that are played again to seek; sceneOf() does it for the step that it shows.
     void record(const Session& session);
-    /// Sets what was told before the first scene, where the session was played without this.
+    /// Sets what was reported before the first scene, where the session was played without this.
     void setHistory(EventHistory history) { m_history = std::move(history); }
 
     /// Sets the overlays of the following scenes. Switching hulls rebuilds the geometry; all else is cheap.
@@ -69,7 +69,7 @@ private:
     bool writePoses(const Session& session, RenderScene& scene) const;
     void addOverlays(const Session& session, RenderScene& scene);
     void addStructureLines(const Session& session, RenderScene& scene);
-    void addToldDust(const Session& session, RenderScene& scene) const;
+    void addReportedDust(const Session& session, RenderScene& scene) const;
     std::vector<BodyTint> tintsOf(const Session& session) const;
     void recordImpacts(const Session& session);
     void makeModels();

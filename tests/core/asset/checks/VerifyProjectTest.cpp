@@ -209,7 +209,7 @@ private slots:
             p.shots[0].action = Hammer{.impulse = {0.0, 0.0, kNan}};
         });
         row("Saved throw 7 \"box\": the radius is 0, but it must be from 0.001 to 100000.",
-            [](Project& p) { p.shots[0].action = Explosion{.radius = 0.0}; });
+            [](Project& p) { p.shots[0].action = Blast{.radius = 0.0}; });
         row("The project: the gravity is (0, 10000000, 0), but it must be from -1000 to 1000.",
             [](Project& p) { p.gravity.y = 1e7; });
         row("Material 1 \"brick\": the friction is 1e+20, but it must be from 0 to 1000.",
@@ -233,7 +233,7 @@ private slots:
         row("Saved throw 7 \"box\": the size in x is 1e-12, but it must be from 0.001 to 1000.",
             [](Project& p) { p.shots[0].action = Throw{.kind = ProjectileKind::Ball, .size = Vec3(1e-12)}; });
         row("Saved throw 7 \"box\": the impulse is 1e+300, but it must be from 0 to 1e+15.",
-            [](Project& p) { p.shots[0].action = Explosion{.impulse = 1e300}; });
+            [](Project& p) { p.shots[0].action = Blast{.impulse = 1e300}; });
         row("Saved throw 7 \"box\": the time is 1e+300, but it must be from 0 to 100000.",
             [](Project& p) { p.shots[0].time = 1e300; });
         row("Test 8 \"stands\": the duration is 1e+300, but it must be from 0.00001 to 100000.",

@@ -51,7 +51,7 @@ private slots:
                                    "fragments that never break: 3.1, 3.4, was none\n"
                                    "clusters of fragments: 1 of level 0, 1 of level 1, was none\n"));
     }
-    void differencesThatTheirTextsDoNotShowAreTold() {
+    void differencesThatTheirTextsDoNotShowAreReported() {
         QCOMPARE(changesAfter([](Asset& box) { box.bonding.strokes[0].radius = 0.3; }),
                  std::string("strokes of bond brushes: 3, changed, was 3\n"));
         QCOMPARE(changesAfter([](Asset& box) {

@@ -91,7 +91,7 @@ private slots:
         QCOMPARE(importFault(sceneOf({wall})),
                  "\"Wall\": the position is (200011, 0.5, 0), but it must be from -100000 to 100000.");
     }
-    void farMeshesAreToldWithTheirPlace() {
+    void farMeshesAreReportedWithTheirPlace() {
         const auto fault = [&](Vec3 at, double scale) {
             SourceObject wall = objectOf("Wall", wallMesh());
             for (Vec3& point : wall.points) point = scale * point + at;

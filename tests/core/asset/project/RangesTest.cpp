@@ -54,8 +54,8 @@ private slots:
         QCOMPARE(defaultOf(ProjectNumber::ProjectileSize), Throw().size.x);
         QCOMPARE(defaultOf(ProjectNumber::Mass), Throw().mass);
         QCOMPARE(defaultOf(ProjectNumber::ProjectileSpeed), Throw().speed);
-        QCOMPARE(defaultOf(ProjectNumber::ExplosionImpulse), Explosion().impulse);
-        QCOMPARE(defaultOf(ProjectNumber::ExplosionRadius), Explosion().radius);
+        QCOMPARE(defaultOf(ProjectNumber::BlastImpulse), Blast().impulse);
+        QCOMPARE(defaultOf(ProjectNumber::BlastRadius), Blast().radius);
         QCOMPARE(defaultOf(ProjectNumber::ShotTime), Shot().time);
         QCOMPARE(defaultOf(ProjectNumber::TestDuration), PlayTest().duration);
         QCOMPARE(defaultOf(ProjectNumber::InstanceVariant), static_cast<double>(Instance().variant));

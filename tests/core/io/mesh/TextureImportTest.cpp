@@ -93,7 +93,7 @@ private slots:
             QVERIFY(textureOf(outcome)->name.ends_with("brick.png"));
         }
     }
-    void imagesThatAreNotReadAreTold_data() {
+    void imagesThatAreNotReadAreReported_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("note");
         QTest::newRow("missing") << "none.png"
@@ -115,7 +115,7 @@ private slots:
         QTest::newRow("large") << "large.png"
                                << "refers to \"large.png\", which is too large to be read";
     }
-    void imagesThatAreNotReadAreTold() {
+    void imagesThatAreNotReadAreReported() {
         QFETCH(QString, name);
         QFETCH(QString, note);
         const TexturedMesh mesh("map_Kd " + name.toStdString());
@@ -130,7 +130,7 @@ private slots:
         QVERIFY(!textureOf(outcome));
         QVERIFY2(notesOf(outcome).contains(note), qPrintable(notesOf(outcome)));
     }
-    void damagedGltfImagesAreTold() {
+    void damagedGltfImagesAreReported() {
         for (const char* image : {"{\"uri\":\"data:image/png;base64,***\"}", "{\"bufferView\":9}", "{}",
                                   "{\"uri\":\"data:image/png;base64,QUJD\"}"}) {
             const TexturedMesh mesh("");

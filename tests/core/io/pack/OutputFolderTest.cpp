@@ -180,7 +180,7 @@ private slots:
         QVERIFY(refused && !refused->packs[0].status && refused->renamed.empty());
         QVERIFY(fs::exists(request.folder / "facade") && fs::exists(request.folder / "wall" / "mine.txt"));
     }
-    void foldersOfDeletedAssetsAreTold() {
+    void foldersOfDeletedAssetsAreReported() {
         const QTemporaryDir place;
         OutputRequest request = requestFor(place);
         Project project = starterProject();

@@ -104,14 +104,14 @@ private slots:
     void everyWrongTypeIsReportedWithItsPath() {
         const test::Schema schema("pack.schema.json");
         const nlohmann::json json = nlohmann::json::parse(packOf(halvedBox()));
-        const std::string untold = test::untoldMutation(json, schema, isOptionalIndex, readingFault);
-        QVERIFY2(untold.empty(), untold.c_str());
+        const std::string unreported = test::unreportedMutation(json, schema, isOptionalIndex, readingFault);
+        QVERIFY2(unreported.empty(), unreported.c_str());
         Asset bonded = halvedBox();
         bonded.breakAs = BreakAs::Bonded;
         bonded.bonding.strokes = {{.points = {{0.1, 0.1}}}};
         const nlohmann::json bonds = nlohmann::json::parse(packOf(bonded));
         QCOMPARE(bonds["bonding"]["anchored"].size(), std::size_t{1});
-        const std::string untoldBond = test::untoldMutation(bonds, schema, isOptionalBondValue, readingFault);
+        const std::string untoldBond = test::unreportedMutation(bonds, schema, isOptionalBondValue, readingFault);
         QVERIFY2(untoldBond.empty(), untoldBond.c_str());
     }
     void wrongValuesAreReported_data() {

@@ -1,4 +1,4 @@
-// Tests core/play/session/Blast.cpp and core/physics/world/Blast.cpp with the projects of tests/corpus/Blast.
+// Tests core/play/session/ApplyBlast.cpp and core/physics/world/Blast.cpp with the projects of tests/corpus/Blast.
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"

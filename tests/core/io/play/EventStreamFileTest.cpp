@@ -76,7 +76,7 @@ private slots:
         const Result<std::string> text = eventStream(std::move(session), std::move(inputs), 60);
         QVERIFY(text.hasValue() && *text == eventsOf(project, 60));
     }
-    void slidingBlockIsTold() {
+    void slidingBlockIsReported() {
         // A block of 100 kg, slid over the ground at 3 m/s with the friction of both.
         Project project = demo("house.rubble");
         project.instances.clear();

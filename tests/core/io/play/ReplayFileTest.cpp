@@ -16,7 +16,7 @@ Replay replayOfAll() {
     const Throw thrown{.kind = ProjectileKind::Ball, .size = Vec3(0.3), .mass = 7.0, .speed = 0.1};
     replay.inputs = {{0, ShotInput{"a \"ball\"", thrown}},
                      {0, ShotInput{"blow", Hammer{{1, 2, 3}, {4, 5, 6}}}},
-                     {3, ShotInput{"bomb", Explosion{{1, 2, 3}, 50.0, 2.0}}},
+                     {3, ShotInput{"bomb", Blast{{1, 2, 3}, 50.0, 2.0}}},
                      {4, ThresholdInput{2, 9, 70.5}},
                      {5, MaterialInput{{.id = 4, .name = "lead", .density = 11000.0}}},
                      {6, BreakInput{12}},

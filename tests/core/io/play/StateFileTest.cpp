@@ -151,7 +151,7 @@ private slots:
     void sceneOutlivesThrowsAndTests() {
         Project project = test::threeBlocks();
         const ContentHash hash = sceneHash(project);
-        project.shots.push_back({.id = project.nextId++, .name = "later", .action = Explosion{}});
+        project.shots.push_back({.id = project.nextId++, .name = "later", .action = Blast{}});
         project.playTests.push_back({.id = project.nextId++, .name = "later", .state = "now.rubblestate"});
         project.events.maxRecords = 3;
         project.assets[0].requirements.push_back({.event = DropRequirement{}});
@@ -276,7 +276,7 @@ private slots:
             QVERIFY(now.asleep || loaded->world().kind(after.body) == BodyKind::Static);
             QVERIFY(glm::distance(now.centre, session.world().state(before.body).centre) < 1e-3);
         }
-        test::addInput(*loaded, ShotInput{"blast", Explosion{.at = {2.0, 0.2, 0.0}, .impulse = 3000.0}});
+        test::addInput(*loaded, ShotInput{"blast", Blast{.at = {2.0, 0.2, 0.0}, .impulse = 3000.0}});
         loaded->step();
         QVERIFY(std::ranges::any_of(loaded->bodies(),
                                     [&](const PlayBody& body) { return !loaded->world().state(body.body).asleep; }));

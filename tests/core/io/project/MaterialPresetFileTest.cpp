@@ -59,12 +59,12 @@ std::string sourceFault(const PresetFigure& figure) {
     if (!source.startsWith("Typical") && !source.contains(year)) return "no year";
     if (!figure.range) return "";
     for (const double end : {figure.range->first, figure.range->second}) {
-        bool isTold = false;
-        for (auto match = number.globalMatch(source); match.hasNext() && !isTold;) {
+        bool isReported = false;
+        for (auto match = number.globalMatch(source); match.hasNext() && !isReported;) {
             const double told = match.next().captured().toDouble();
-            for (const double unit : {1.0, 1e3, 1e6, 1e9}) isTold |= qFuzzyCompare(told * unit, end);
+            for (const double unit : {1.0, 1e3, 1e6, 1e9}) isReported |= qFuzzyCompare(told * unit, end);
         }
-        if (!isTold) return "not told: " + messageText(end);
+        if (!isReported) return "not told: " + messageText(end);
     }
     return "";
 }
@@ -275,7 +275,7 @@ private slots:
     }
     void everyWrongTypeIsReportedWithItsPath() {
         const test::Schema schema("material.schema.json");
-        QCOMPARE(test::untoldMutation(barestJson(), schema, noneFits, presetFault), std::string());
+        QCOMPARE(test::unreportedMutation(barestJson(), schema, noneFits, presetFault), std::string());
     }
     void wrongValuesAreReported_data() {
         test::addWrongValueColumns();

@@ -115,7 +115,7 @@ private slots:
         }
         QVERIFY(QFile::exists(m_path));
     }
-    void placeThatCannotBeWrittenIsTold() {
+    void placeThatCannotBeWrittenIsReported() {
         const auto reasonAt = [](const QString& path) { return lockFile(path.toStdString()).reason; };
         QCOMPARE(reasonAt(m_folder->filePath("none/lock")), std::string("No such file or directory"));
         QVERIFY(QFile::setPermissions(m_folder->path(),

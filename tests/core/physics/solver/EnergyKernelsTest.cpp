@@ -110,7 +110,7 @@ private slots:
             }
         }
     }
-    void bodiesThatFlyFreelyAreTold() {
+    void bodiesThatFlyFreelyAreReported() {
         std::vector<StartMotion> starts(3);
         std::vector<BodyMotion> motions(3);
         std::vector<BodyPose> poses(3);

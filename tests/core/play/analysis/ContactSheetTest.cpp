@@ -55,8 +55,8 @@ private slots:
             QVERIFY(entry.session && entry.session->stepsDone() == 30);
             QVERIFY(entry.figures.breakImpact && *entry.figures.breakImpact >= 100.0);  // its threshold
             QVERIFY(entry.figures.debrisHeight && *entry.figures.debrisHeight > 5.0);
-            const std::span<const EventRecord> told = entry.history.between(0, 30);
-            QVERIFY(std::ranges::count(told, EventKind::Broken, &EventRecord::kind) >= 1);
+            const std::span<const EventRecord> reported = entry.history.between(0, 30);
+            QVERIFY(std::ranges::count(reported, EventKind::Broken, &EventRecord::kind) >= 1);
         }
     }
     void variantsOfBondedAssetsBreakAlongTheirBonds() {
@@ -65,8 +65,8 @@ private slots:
         project.assets[0].bonding.impulsePerArea = 10.0;
         for (const SheetEntry& entry : entriesOf(orderOf(project, 3, true))) {
             QVERIFY(entry.session && !entry.fault);
-            const std::span<const EventRecord> told = entry.history.between(0, 30);
-            QVERIFY(std::ranges::count(told, EventKind::Bonds, &EventRecord::kind) > 0);
+            const std::span<const EventRecord> reported = entry.history.between(0, 30);
+            QVERIFY(std::ranges::count(reported, EventKind::Bonds, &EventRecord::kind) > 0);
         }
     }
     void firstVariantPlaysAsTheProject() {

@@ -175,8 +175,9 @@ private slots:
             std::set<std::uint32_t> broken;
             for (const PlayBreak& one : test::breaksWithin(session, 480)) broken.insert(one.body.number);
             for (std::uint32_t number = 1; number <= 77; ++number) {
-                const auto told = std::ranges::find(bodies, number, &BodyForecast::body);
-                const bool isShown = told != bodies.end() && told->largest >= 1.0, isBroken = broken.contains(number);
+                const auto reported = std::ranges::find(bodies, number, &BodyForecast::body);
+                const bool isShown = reported != bodies.end() && reported->largest >= 1.0,
+                           isBroken = broken.contains(number);
                 (isShown ? breaking : safe).count(isBroken == isShown);
                 if (number == target) targets.count(isBroken == isShown);
             }

@@ -107,7 +107,7 @@ private slots:
     }
     void explosionBreaksTheBondsAroundIt() {
         Session session = test::sessionOf(test::bondedWall());
-        test::addInput(session, ShotInput{"blast", Explosion{.at = {0.0, 1.5, 0.3}, .impulse = 400.0, .radius = 1.0}});
+        test::addInput(session, ShotInput{"blast", Blast{.at = {0.0, 1.5, 0.3}, .impulse = 400.0, .radius = 1.0}});
         session.step();
         QVERIFY(brokenBonds(session) > 20);
         const PlayStructure& structure = *session.scene().structures.begin()->second;

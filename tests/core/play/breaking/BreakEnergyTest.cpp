@@ -66,8 +66,7 @@ PlayInput randomSource(Random& random, const Session& session, int round) {
         }
         case 2:
             return ShotInput{
-                "blast",
-                Explosion{.at = aim + 0.6 * front, .impulse = mass * speed / (size * size), .radius = 4.0 * size}};
+                "blast", Blast{.at = aim + 0.6 * front, .impulse = mass * speed / (size * size), .radius = 4.0 * size}};
         default: return BreakInput{session.bodies().back().number};
     }
 }
@@ -106,7 +105,7 @@ EnergyRound playedRound(Random& random, int round) {
     const double initial = mechanicalEnergyOf(session), fall = -project.ground.height;
     const PlayInput source = randomSource(random, session, round);
     const auto* shot = std::get_if<ShotInput>(&source);
-    const bool isBlast = shot != nullptr && std::holds_alternative<Explosion>(shot->action);
+    const bool isBlast = shot != nullptr && std::holds_alternative<Blast>(shot->action);
     test::addInput(session, source);
     EnergyRound played;
     double given = 0.0;

@@ -134,7 +134,7 @@ private slots:
         QCOMPARE(bondsOfLevel(session, 2).second, std::size_t{0});
     }
     void blastBreaksBondsBetweenClustersOnly() {
-        const Explosion blast{.at = {0.0, 1.5, 0.3}, .impulse = 400.0, .radius = 1.0};
+        const Blast blast{.at = {0.0, 1.5, 0.3}, .impulse = 400.0, .radius = 1.0};
         const Session session = thrownAt(test::clusteredWall(), blast, 1);
         const PlayStructure& structure = *session.scene().structures.begin()->second;
         const InstanceDamage damage = session.damage().begin()->second;
@@ -154,7 +154,7 @@ private slots:
         asset.bonding.clusters = ClusterEditing(asset, baked, 0, 0).propose({ClusterTarget::Measure::Size, 4});
         Session session = test::sessionOf(project);
         QVERIFY(areClustersWhole(session, 0));
-        test::addInput(session, ShotInput{"blast", Explosion{.at = {-1.75, 0.2, 0.0}, .impulse = 2e5, .radius = 0.7}});
+        test::addInput(session, ShotInput{"blast", Blast{.at = {-1.75, 0.2, 0.0}, .impulse = 2e5, .radius = 0.7}});
         session.step();
         const std::size_t standing = test::wallOf(session).nodes.size();
         for (int k = 0; k < 14; ++k) session.step();

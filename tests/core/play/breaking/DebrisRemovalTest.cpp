@@ -9,7 +9,7 @@ using namespace rubble;
 
 namespace {
 
-/// A block that breaks into ten when it is told to, over a ground.
+/// A block that breaks into ten when it is reported to, over a ground.
 Session brokenBlock(const Debris& debris, double height = 0.5) {
     Project project = test::floatingBlock(10);
     project.instances[0].pose.position.y = height;

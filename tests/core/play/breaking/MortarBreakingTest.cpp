@@ -212,9 +212,9 @@ private slots:
             Session session = started(project);
             for (int blast = 0; blast < 3; ++blast) {
                 const Vec3 at(random.between(-2.0, 2.0), random.between(0.0, 4.0), random.between(-1.0, 1.0));
-                addInput(session, ShotInput{"blast", Explosion{.at = at,
-                                                               .impulse = random.between(100.0, 2000.0),
-                                                               .radius = random.between(0.5, 3.0)}});
+                addInput(session, ShotInput{"blast", Blast{.at = at,
+                                                           .impulse = random.between(100.0, 2000.0),
+                                                           .radius = random.between(0.5, 3.0)}});
                 for (int k = 0; k < 20; ++k) {
                     session.step();
                     const QString fault = faultOfMortar(session);

@@ -80,8 +80,7 @@ private slots:
         project.instances[0].pose.position.y = 20.0;
         Session session = test::sessionOf(project);
         for (const double x : {-1.5, 0.0, 1.5}) {
-            test::addInput(session,
-                           ShotInput{"blast", Explosion{.at = {x, 20.0, 0.5}, .impulse = 900.0, .radius = 1.5}});
+            test::addInput(session, ShotInput{"blast", Blast{.at = {x, 20.0, 0.5}, .impulse = 900.0, .radius = 1.5}});
             for (int k = 0; k < 10; ++k) session.step();
         }
         QVERIFY(session.bodies().size() > 5);

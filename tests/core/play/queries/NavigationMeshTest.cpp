@@ -98,7 +98,7 @@ private:
             test::addInput(session, BreakInput{block.number});
         }
         const double z = kApart * (kAlong / 4 * quarter + kAlong / 8 - kAlong / 2);
-        test::addInput(session, ShotInput{"blast", Explosion{.at = {1.0, 0.5, z}, .impulse = 500.0, .radius = 4.0}});
+        test::addInput(session, ShotInput{"blast", Blast{.at = {1.0, 0.5, z}, .impulse = 500.0, .radius = 4.0}});
     }
 };
 

@@ -298,7 +298,7 @@ private slots:
         QCOMPARE(collapse.islands.size(), 1u);
         QCOMPARE(collapse.islands[0].bodies, std::vector<std::uint32_t>{3});
     }
-    /// Of a beam with a short span, the part over the removed pier is told as fragments.
+    /// Of a beam with a short span, the part over the removed pier is reported as fragments.
     void spanOfJoinedInstancesIsCounted() {
         Project project = test::mortarPortal();
         project.assets[1].bonding.span = 0.6;

@@ -99,21 +99,21 @@ private slots:
         const std::optional<Hammer> blow = hammerAlong(session, 7.0, ray);
         QVERIFY(blow && std::abs(blow->at.z - 0.25) < 1e-5);
         QCOMPARE(blow->impulse, Vec3(0.0, 0.0, -7.0));
-        const std::optional<Explosion> blast = explosionAlong(session, {.impulse = 5.0, .radius = 3.0}, ray);
+        const std::optional<Blast> blast = blastAlong(session, {.impulse = 5.0, .radius = 3.0}, ray);
         QVERIFY(blast && blast->radius == 3.0);
         QVERIFY(glm::distance(blast->at, blow->at + Vec3(0.0, 0.0, 0.3)) < 1e-5);
-        QVERIFY(!hammerAlong(session, 7.0, past) && !explosionAlong(session, {}, past));
+        QVERIFY(!hammerAlong(session, 7.0, past) && !blastAlong(session, {}, past));
     }
     void blastGoesOffInTheMiddleOfAGap() {
         Project project = test::floatingBlock();
         test::addInstance(project, project.assets[0].id, "opposite", {.position = {0.0, 5.0, 0.7}});  // gap of 0.2 m
         const Ray down{{0.1, 9.0, 0.35}, {0.0, -1.0, 0.0}}, across{{0.1, 5.0, 0.3}, {0.0, 0.0, -1.0}};
         const Session session = test::sessionOf(project);
-        const std::optional<Explosion> narrow = explosionAlong(session, {.radius = 3.0}, across);
+        const std::optional<Blast> narrow = blastAlong(session, {.radius = 3.0}, across);
         QVERIFY(narrow && glm::distance(narrow->at, Vec3(0.1, 5.0, 0.35)) < 1e-5);
-        const std::optional<Explosion> wide = explosionAlong(session, {.radius = 0.5}, across);
+        const std::optional<Blast> wide = blastAlong(session, {.radius = 0.5}, across);
         QVERIFY(wide && glm::distance(wide->at, Vec3(0.1, 5.0, 0.3)) < 1e-5);
-        const std::optional<Explosion> ground = explosionAlong(session, {.radius = 2.0}, down);
+        const std::optional<Blast> ground = blastAlong(session, {.radius = 2.0}, down);
         QVERIFY(ground && glm::distance(ground->at, Vec3(0.1, 0.2, 0.35)) < 1e-4);
     }
     void reachesTheTargetInFourTenthsOfASecond() {

@@ -67,7 +67,7 @@ const std::vector<Setter>& setters() {
         {N::Gravity, [](Project& p, double v) { p.gravity.x = v; }},
         {N::DebrisFade, [](Project& p, double v) { p.debris.fade = v; }},
         {N::ShotPosition, [](Project& p, double v) { action<Throw>(p).from.z = v; }},
-        {N::ShotPosition, [](Project& p, double v) { action<Explosion>(p).at.x = v; }},
+        {N::ShotPosition, [](Project& p, double v) { action<Blast>(p).at.x = v; }},
         {N::ProjectileSize, [](Project& p, double v) { action<Throw>(p).size = Vec3(v); }},
         {N::ProjectileSize,
          [](Project& p, double v) {
@@ -78,8 +78,8 @@ const std::vector<Setter>& setters() {
         {N::ProjectileSpeed, [](Project& p, double v) { action<Throw>(p).speed = v; }},
         {N::HammerImpulse, [](Project& p, double v) { action<Hammer>(p).impulse.z = v; }},
         {N::HammerRadius, [](Project& p, double v) { action<Hammer>(p).radius = v; }},
-        {N::ExplosionImpulse, [](Project& p, double v) { action<Explosion>(p).impulse = v; }},
-        {N::ExplosionRadius, [](Project& p, double v) { action<Explosion>(p).radius = v; }},
+        {N::BlastImpulse, [](Project& p, double v) { action<Blast>(p).impulse = v; }},
+        {N::BlastRadius, [](Project& p, double v) { action<Blast>(p).radius = v; }},
         {N::ShotTime, [](Project& p, double v) { p.shots[0].time = v; }},
         {N::TestDuration, [](Project& p, double v) { p.playTests[0].duration = v; }},
     };
@@ -97,7 +97,7 @@ Project smallProject() {
     };
     add("box", 0.0, Throw{.size = Vec3(0.2), .mass = 50.0, .from = {0.5, 5.5, 2.0}, .to = {0.5, 5.5, 0.1}});
     add("blow", 0.3, Hammer{.at = {0.5, 5.3, 0.25}, .impulse = {0.0, 0.0, -150.0}});
-    add("bomb", 0.6, Explosion{.at = {0.5, 5.0, 0.0}, .impulse = 500.0, .radius = 3.0});
+    add("bomb", 0.6, Blast{.at = {0.5, 5.0, 0.0}, .impulse = 500.0, .radius = 3.0});
     project.playTests = {{.id = project.nextId++, .name = "test"}};
     return project;
 }
@@ -158,18 +158,18 @@ std::string playFault(const Project& project) {
         const std::size_t before = session->bodies().size();
         session->step();
         const PlayEvents& events = session->events();
-        std::size_t told = 0, left = 0;
+        std::size_t reported = 0, left = 0;
         for (const Diagnostic& one : events.diagnostics) {
             if (!isReadable(one.message)) return one.message;
             if (one.code == DiagnosticCode::LeftWorld)
-                ++(one.message.find("left out") == std::string::npos ? told : left);
+                ++(one.message.find("left out") == std::string::npos ? reported : left);
         }
-        if (told != events.removed.size()) return "A body was removed without a word.";
+        if (reported != events.removed.size()) return "A body was removed without a word.";
         std::size_t fragments = 0;
         for (const PlayBreak& broken : events.breaks) fragments += broken.fragmentCount;
         std::size_t thrown = 0;
         for (const PlayBody& body : events.born) thrown += body.role == PlayRole::Projectile ? 1 : 0;
-        if (session->bodies().size() + told + left + events.breaks.size() != before + fragments + thrown)
+        if (session->bodies().size() + reported + left + events.breaks.size() != before + fragments + thrown)
             return "A body was lost.";
         for (const PlayBody& body : session->bodies()) {
             const BodyState state = session->world().state(body.body);
@@ -199,7 +199,7 @@ private slots:
             QCOMPARE(rangeOf(number).max, kMaxSpeed);
         }
         for (const ProjectNumber number :
-             {ProjectNumber::HammerImpulse, ProjectNumber::ExplosionImpulse, ProjectNumber::GrabForce}) {
+             {ProjectNumber::HammerImpulse, ProjectNumber::BlastImpulse, ProjectNumber::GrabForce}) {
             QVERIFY(rangeOf(number).max <= kMaxImpulse);
         }
         QVERIFY(rangeOf(ProjectNumber::Gravity).max <= kMaxSpeed);

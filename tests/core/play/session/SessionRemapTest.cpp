@@ -29,7 +29,7 @@ private slots:
         QVERIFY(other.apply(same->damage));
         QVERIFY(other.damage() == session.damage());
     }
-    /// The first block breaks into the fragments of the new bake; what does not exist any more is told.
+    /// The first block breaks into the fragments of the new bake; what does not exist any more is reported.
     void changedSeedsKeepWhatTheyCan() {
         Project project = test::threeBlocks();
         Session session = broken(project);

@@ -20,10 +20,10 @@ private slots:
         }
         session.step();
         QCOMPARE(test::countOf(session, PlayRole::Projectile), 64u);
-        const std::vector<Diagnostic>& told = session.events().diagnostics;
-        QCOMPARE(told.size(), std::size_t{236});
-        QVERIFY2(told[0].message.find("64 bodies are in its place already") != std::string::npos,
-                 told[0].message.c_str());
+        const std::vector<Diagnostic>& reported = session.events().diagnostics;
+        QCOMPARE(reported.size(), std::size_t{236});
+        QVERIFY2(reported[0].message.find("64 bodies are in its place already") != std::string::npos,
+                 reported[0].message.c_str());
     }
     void sessionIsAtRestUntilTheNextInput() {
         Project project = test::floatingBlock();

@@ -142,7 +142,7 @@ private slots:
         project.instances[0].isUnbreakable = isUnbreakable;
         const ShotInput shots[] = {{"box", throwAtBlock(200.0, 12.0)},
                                    {"hammer", Hammer{{0.0, 5.0, 0.25}, {0.0, 0.0, -500.0}}},
-                                   {"blast", Explosion{{0.0, 5.0, 1.0}, 1e4, 3.0}}};
+                                   {"blast", Blast{{0.0, 5.0, 1.0}, 1e4, 3.0}}};
         for (const ShotInput& shot : shots) {
             Session session = sessionOf(project);
             addInput(session, shot);
@@ -321,7 +321,7 @@ private slots:
         QCOMPARE(struck.events().diagnostics[0].code, DiagnosticCode::UnappliedInput);
 
         Session blown = sessionOf(project);
-        addInput(blown, ShotInput{"bomb", Explosion{.at = {0.0, 5.0, 2.0}, .impulse = 2000.0, .radius = 5.0}});
+        addInput(blown, ShotInput{"bomb", Blast{.at = {0.0, 5.0, 2.0}, .impulse = 2000.0, .radius = 5.0}});
         QCOMPARE(test::breaksWithin(blown, 1).size(), 1u);
         QVERIFY(blown.world().momenta().linear.z < -100.0);
     }
@@ -330,29 +330,29 @@ private slots:
         Project project = floatingBlock();
         for (const double beside : {0.0, 1e-6}) {
             Session session = sessionOf(project);
-            addInput(session, ShotInput{"bomb", Explosion{.at = {beside, 5.0, 0.0}, .impulse = 2000.0, .radius = 5.0}});
+            addInput(session, ShotInput{"bomb", Blast{.at = {beside, 5.0, 0.0}, .impulse = 2000.0, .radius = 5.0}});
             QCOMPARE(test::breaksWithin(session, 1).size(), 1u);
         }
     }
 
     void bodiesThatLeaveTheWorldAreNamed() {
         Session session = sessionOf(floatingBlock());
-        addInput(session, ShotInput{"bomb", Explosion{.at = {0.0, 4.0, 0.0}, .impulse = 1e15, .radius = 5.0}});
-        std::vector<Diagnostic> told;
+        addInput(session, ShotInput{"bomb", Blast{.at = {0.0, 4.0, 0.0}, .impulse = 1e15, .radius = 5.0}});
+        std::vector<Diagnostic> reported;
         for (int step = 0; step < 60; ++step) {
             session.step();
-            for (const Diagnostic& one : session.events().diagnostics) told.push_back(one);
+            for (const Diagnostic& one : session.events().diagnostics) reported.push_back(one);
             for (const PlayBody& body : session.bodies()) QVERIFY(session.world().isWithinBounds(body.body));
         }
-        QVERIFY(told.size() >= 4u);  // the fragments that the blast sees, and those that they push
-        for (const Diagnostic& one : told) {
+        QVERIFY(reported.size() >= 4u);  // the fragments that the blast sees, and those that they push
+        for (const Diagnostic& one : reported) {
             QCOMPARE(one.code, DiagnosticCode::LeftWorld);
             QCOMPARE(one.place.asset, 2u);
             QVERIFY2(one.message.starts_with("\"block/3.") &&
                          one.message.ends_with(" it is farther than 2000 m from the origin."),
                      one.message.c_str());
         }
-        QCOMPARE(session.bodies().size(), 6u - told.size());  // the ground and a fragment that others shadow
+        QCOMPARE(session.bodies().size(), 6u - reported.size());  // the ground and a fragment that others shadow
     }
 
     void fastestBodiesBreakIntoAllFragments() {

@@ -74,7 +74,7 @@ private slots:
             play(*timeline, 30);
             QVERIFY(timeline->add(throwIt(30.0)).hasValue());
         }
-        seek(scrubbed, 5);  // the throw was told, and never came to pass
+        seek(scrubbed, 5);  // the throw was reported, and never came to pass
         QVERIFY(!scrubbed.isAtEnd());
         QCOMPARE(scrubbed.length(), 30u);
         play(straight, 60);

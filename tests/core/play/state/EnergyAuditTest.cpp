@@ -77,7 +77,7 @@ private slots:
                  (std::vector{EnergyChange::Blow, EnergyChange::Cut, EnergyChange::Blow}));
     }
     void blastIsWhatItsBodiesGain() {
-        const ShotInput bomb{"bomb", Explosion{.at = {0.0, 5.0, 2.0}, .impulse = 2000.0, .radius = 5.0}};
+        const ShotInput bomb{"bomb", Blast{.at = {0.0, 5.0, 2.0}, .impulse = 2000.0, .radius = 5.0}};
         const Session session = steppedOnce(test::floatingBlock(), bomb);
         QCOMPARE(changesOf(session), (std::vector{EnergyChange::Swap, EnergyChange::Blast}));
         QVERIFY(session.events().energy[1].given > 0.0);

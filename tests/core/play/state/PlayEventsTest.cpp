@@ -17,8 +17,8 @@ PlayEvents eventsOf(std::uint32_t number) {
     events.born.push_back({.number = number});
     events.removed.push_back({.body = {.number = number}});
     events.energy.push_back({.body = number});
-    events.told.restEnergy = number;
-    events.told.omitted[0] = {.count = number, .energy = 0.5 * number};
+    events.report.restEnergy = number;
+    events.report.omitted[0] = {.count = number, .energy = 0.5 * number};
     return events;
 }
 
@@ -45,9 +45,9 @@ private slots:
         PlayEvents step;
         append(eventsOf(1), step);
         append(eventsOf(2), step);
-        QCOMPARE(step.told.restEnergy, 3.0);
-        QCOMPARE(step.told.omitted[0].count, 3u);
-        QCOMPARE(step.told.omitted[0].energy, 1.5);
+        QCOMPARE(step.report.restEnergy, 3.0);
+        QCOMPARE(step.report.omitted[0].count, 3u);
+        QCOMPARE(step.report.omitted[0].energy, 1.5);
     }
 };
 

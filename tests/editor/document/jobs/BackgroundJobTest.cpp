@@ -173,7 +173,7 @@ private slots:
         QTRY_COMPARE(results, (std::vector{1, 2, 3}));
         QVERIFY(!job.isRunning());
     }
-    void runningOutOfMemoryIsTold() {
+    void runningOutOfMemoryIsReported() {
         BackgroundJob job;
         const QSignalSpy failed(&job, &BackgroundJob::failed);
         bool isDelivered = false;

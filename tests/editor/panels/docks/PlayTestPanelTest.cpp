@@ -28,7 +28,7 @@ Project testedBlock() {
     Project project = test::floatingBlock();
     const Id block = project.instances[0].id;
     project.shots = {{.id = project.nextId++, .name = "ball", .action = Throw{}},
-                     {.id = project.nextId++, .name = "blast", .action = Explosion{}}};
+                     {.id = project.nextId++, .name = "blast", .action = Blast{}}};
     project.playTests = {{.id = project.nextId++,
                           .name = "stands",
                           .duration = 0.5,

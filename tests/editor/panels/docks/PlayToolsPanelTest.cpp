@@ -25,7 +25,7 @@ private slots:
         row("Mass", ProjectNumber::Mass);
         row("Speed", ProjectNumber::ProjectileSpeed);
         row("Head Radius", ProjectNumber::HammerRadius);
-        row("Radius", ProjectNumber::ExplosionRadius);
+        row("Radius", ProjectNumber::BlastRadius);
         row("Force", ProjectNumber::GrabForce);
     }
     void fieldsHaveTheRangesOfShots() {

@@ -141,7 +141,7 @@ private slots:
         desk.undoAll();
         QCOMPARE(desk.mortars(), test::mortarPortal().mortars);
     }
-    void jointsAreTold() {
+    void jointsAreReported() {
         MortarDesk desk;
         desk.clickRow(0);
         QVERIFY(desk.joints().startsWith("Finding"));

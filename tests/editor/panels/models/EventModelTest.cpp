@@ -36,7 +36,7 @@ const EventRef kRemoved =
 const EventRef kUntold = ref({.record = {.step = 95, .kind = EventKind::Impact, .impulse = 60.0},
                               .name = "door",
                               .strength = ImpactStrength{.name = "door", .impact = 60.0, .threshold = 80.0},
-                              .isTold = false});
+                              .isReported = false});
 
 constexpr double kStep = 1.0 / 60.0;
 
@@ -139,7 +139,7 @@ private slots:
         QCOMPARE(model.event(0)->record.step, 230u);
         QCOMPARE(model.event(200), kBreak);
     }
-    void whatIsNotToldIsFaint() {
+    void whatIsNotReportedIsFaint() {
         EventModel model;
         model.setEvents({kBreak, kUntold}, kStep);
         QVERIFY(!model.data(model.index(0, 0), Qt::ForegroundRole).isValid());

@@ -117,11 +117,11 @@ private slots:
     }
     void controlAndWheelChangeTheRadiusOfTheBlast() {
         m_stage->start();
-        const double before = m_stage->controller.toolSettings().explosion.radius;
+        const double before = m_stage->controller.toolSettings().blast.radius;
         const QSignalSpy messages(m_tool.get(), &PlayTool::statusMessage);
         QVERIFY(!m_tool->wheel(wheel(Qt::NoModifier)));
         QVERIFY(m_tool->wheel(wheel(Qt::ControlModifier)));
-        QVERIFY(std::abs(m_stage->controller.toolSettings().explosion.radius - 1.1 * before) < 1e-12);
+        QVERIFY(std::abs(m_stage->controller.toolSettings().blast.radius - 1.1 * before) < 1e-12);
         QCOMPARE(messages.count(), 1);
     }
     void clickThrowsIfThatIsSet() {

@@ -17,23 +17,23 @@ namespace {
 
 constexpr double kStep = 1.0 / 60.0;  // s
 
-/// Something that the steps of a session told, and the materials that it names.
+/// Something that the steps of a session reported, and the materials that it names.
 struct Told {
     Project project;
     std::vector<EventRecord> events;
 };
 
 /// What flies at a step, without gravity unless given.
-std::vector<Particle> particlesAt(const Told& told, std::uint64_t step, Vec3 gravity = Vec3(0.0)) {
-    RenderScene scene{.hasGround = told.project.ground.isOn};
-    addDust(scene, told.project, told.events, {step, kStep, gravity});
+std::vector<Particle> particlesAt(const Told& reported, std::uint64_t step, Vec3 gravity = Vec3(0.0)) {
+    RenderScene scene{.hasGround = reported.project.ground.isOn};
+    addDust(scene, reported.project, reported.events, {step, kStep, gravity});
     return scene.particles;
 }
 
 /// A block of 1 x 1 x 0.5 m at (0, 5, 0) that broke in step 1 of a blow from +z.
 Told brokenBlock(double energy = 100.0, Material material = {}) {
-    Told told;
-    const Id id = test::addMaterial(told.project, material);
+    Told reported;
+    const Id id = test::addMaterial(reported.project, material);
     EventRecord broken{.step = 1,
                        .kind = EventKind::Broken,
                        .body = 1,
@@ -46,22 +46,22 @@ Told brokenBlock(double energy = 100.0, Material material = {}) {
                        .count = 5,
                        .materials = {id, id}};
     broken.box = {{-0.5, 4.5, -0.25}, {0.5, 5.5, 0.25}};
-    told.events = {broken};
-    return told;
+    reported.events = {broken};
+    return reported;
 }
 
 /// A body that hit the ground at the origin in step 1.
 Told impactOnGround(double energy, Material material = {}) {
-    Told told;
-    const Id id = test::addMaterial(told.project, material);
-    told.events = {{.step = 1,
-                    .body = 1,
-                    .other = 0,
-                    .normal = {0.0, 1.0, 0.0},
-                    .speed = 5.0,
-                    .energy = energy,
-                    .materials = {id, 0}}};
-    return told;
+    Told reported;
+    const Id id = test::addMaterial(reported.project, material);
+    reported.events = {{.step = 1,
+                        .body = 1,
+                        .other = 0,
+                        .normal = {0.0, 1.0, 0.0},
+                        .speed = 5.0,
+                        .energy = energy,
+                        .materials = {id, 0}}};
+    return reported;
 }
 
 Material materialOf(double opacity, double density, std::optional<double> toughness) {
@@ -105,17 +105,17 @@ private slots:
         }
     }
     void dustDriftsGrowsAndFades() {
-        const Told told = brokenBlock();
-        const auto dustAt = [&](std::uint64_t step) { return only(particlesAt(told, step), ParticleKind::Dust); };
+        const Told reported = brokenBlock();
+        const auto dustAt = [&](std::uint64_t step) { return only(particlesAt(reported, step), ParticleKind::Dust); };
         const std::vector<Particle> early = dustAt(6), late = dustAt(16);
         QCOMPARE(late.size(), early.size());
         for (std::size_t k = 0; k < late.size(); ++k) {
             QVERIFY(late[k].position.w > early[k].position.w && late[k].previousOffset.w < early[k].previousOffset.w);
             QVERIFY(glm::distance(late[k].position, early[k].position) > 0.05f);
         }
-        QVERIFY(dustAt(43).empty());             // 0.7 s
-        QVERIFY(particlesAt(told, 61).empty());  // nothing lies longer than a second
-        QVERIFY(particlesAt(told, 0).empty());   // nor before it happened
+        QVERIFY(dustAt(43).empty());                 // 0.7 s
+        QVERIFY(particlesAt(reported, 61).empty());  // nothing lies longer than a second
+        QVERIFY(particlesAt(reported, 0).empty());   // nor before it happened
     }
     void dustHasTheColourOfTheInside() {
         const Colour clay{0.55, 0.30, 0.20};
@@ -125,21 +125,21 @@ private slots:
         }
     }
     void glassSplintersAndMakesHardlyAnyDust() {
-        const Told told = brokenBlock(100.0, kGlass);
+        const Told reported = brokenBlock(100.0, kGlass);
         const Vec3 gravity(0.0, -9.81, 0.0);
-        const std::vector<Particle> early = particlesAt(told, 2, gravity);
+        const std::vector<Particle> early = particlesAt(reported, 2, gravity);
         const std::size_t splinters = countOf(early, ParticleKind::Splinter);
         QVERIFY(splinters >= 50 && early.size() - splinters <= 4);
         for (const Particle& one : early) {
             QVERIFY(one.kind() == ParticleKind::Splinter ? one.position.w < 0.021f : one.previousOffset.w < 0.15f);
         }
-        const std::vector<Particle> late = particlesAt(told, 22, gravity);
+        const std::vector<Particle> late = particlesAt(reported, 22, gravity);
         QCOMPARE(countOf(late, ParticleKind::Splinter), late.size());
         QVERIFY(meanHeight(late) < meanHeight(early) - 0.2f);  // they fall
         QVERIFY(!std::ranges::equal(
             only(early, ParticleKind::Splinter), late, {}, [](const Particle& one) { return one.colour.w; },
             [](const Particle& one) { return one.colour.w; }));  // and rotate
-        QVERIFY(particlesAt(told, 57, gravity).empty());
+        QVERIFY(particlesAt(reported, 57, gravity).empty());
     }
     void metalMakesSparksWhereItIsHitHard() {
         const std::vector<Particle> particles = particlesAt(impactOnGround(2000.0, kSteel), 1);
@@ -170,66 +170,67 @@ private slots:
         for (const double energy : {1e9, 1e300}) QVERIFY(particlesAt(impactOnGround(energy), 1).size() <= 40);
     }
     void impactOnTheGroundFliesAlongItAndNotBelow() {
-        const Told told = impactOnGround(500.0);
+        const Told reported = impactOnGround(500.0);
         for (const std::uint64_t step : {1u, 10u, 30u}) {
-            for (const Particle& one : particlesAt(told, step, {0.0, -9.81, 0.0})) {
+            for (const Particle& one : particlesAt(reported, step, {0.0, -9.81, 0.0})) {
                 if (one.kind() == ParticleKind::Chip) QVERIFY(one.position.y >= 0.0f);
             }
         }
         float wide = 0.0f;
-        for (const Particle& one : particlesAt(told, 10)) wide = std::max(wide, std::abs(one.position.x));
+        for (const Particle& one : particlesAt(reported, 10)) wide = std::max(wide, std::abs(one.position.x));
         QVERIFY(wide > 0.2f);
     }
     /// A pane of 8 m makes no clouds that hide it.
     void cloudsOfLargeBodiesAreSmall() {
-        Told told = brokenBlock();
-        told.events[0].box = {{-4.0, 1.0, -0.25}, {4.0, 9.0, 0.25}};
-        for (const Particle& one : particlesAt(told, 20)) QVERIFY(one.position.w < 0.8f);
+        Told reported = brokenBlock();
+        reported.events[0].box = {{-4.0, 1.0, -0.25}, {4.0, 9.0, 0.25}};
+        for (const Particle& one : particlesAt(reported, 20)) QVERIFY(one.position.w < 0.8f);
     }
     /// The box of a wall that stands at 45 degrees to the axes is as deep as it is wide; its dust starts at its faces.
     void dustOfAnObliqueWallStartsAtItsFaces() {
-        Told told = brokenBlock();
-        EventRecord& broken = told.events[0];
+        Told reported = brokenBlock();
+        EventRecord& broken = reported.events[0];
         const double half = 2.0 * std::sqrt(0.5);
         broken.normal = {-std::sqrt(0.5), 0.0, -std::sqrt(0.5)};
         broken.point = {0.07, 1.0, 0.07};  // of 4 x 2 x 0.2 m
         broken.box = {{-half, 0.0, -half}, {half, 2.0, half}};
-        broken.mass = 1.6 * told.project.materials[0].density;
-        for (const Particle& one : only(particlesAt(told, 1), ParticleKind::Dust)) {
+        broken.mass = 1.6 * reported.project.materials[0].density;
+        for (const Particle& one : only(particlesAt(reported, 1), ParticleKind::Dust)) {
             const double depth = glm::dot(Vec3(glm::vec3(one.position)) - broken.point, broken.normal);
             QVERIFY2(std::min(std::abs(depth), std::abs(depth - 0.2)) < 0.06, qPrintable(QString::number(depth)));
         }
     }
     void particlesAreBoundedAndTheLatestWin() {
-        Told told;
+        Told reported;
         for (std::uint64_t step = 1; step <= 50; ++step) {
             for (std::uint32_t body = 0; body < 16; ++body) {
-                told.events.push_back(brokenBlock(1e5).events[0]);
-                told.events.back().step = step;
-                told.events.back().body = body;
+                reported.events.push_back(brokenBlock(1e5).events[0]);
+                reported.events.back().step = step;
+                reported.events.back().body = body;
             }
         }
-        told.project = brokenBlock().project;
-        QCOMPARE(particlesAt(told, 50).size(), std::size_t{2000});
-        const std::vector<EventRecord> latest(told.events.end() - 16, told.events.end());
-        const std::vector<Particle> some = particlesAt({told.project, latest}, 50), all = particlesAt(told, 50);
+        reported.project = brokenBlock().project;
+        QCOMPARE(particlesAt(reported, 50).size(), std::size_t{2000});
+        const std::vector<EventRecord> latest(reported.events.end() - 16, reported.events.end());
+        const std::vector<Particle> some = particlesAt({reported.project, latest}, 50), all = particlesAt(reported, 50);
         QVERIFY(std::equal(some.begin(), some.end(), all.begin()));
     }
     void sameEventsGiveTheSameParticlesAndOthersDiffer() {
-        Told told = brokenBlock();
-        const std::vector<Particle> particles = particlesAt(told, 5);
-        QVERIFY(particlesAt(told, 5) == particles);
-        told.events[0].body = 2;
-        QVERIFY(particlesAt(told, 5) != particles);
+        Told reported = brokenBlock();
+        const std::vector<Particle> particles = particlesAt(reported, 5);
+        QVERIFY(particlesAt(reported, 5) == particles);
+        reported.events[0].body = 2;
+        QVERIFY(particlesAt(reported, 5) != particles);
     }
     void previousOffsetMatchesThePreviousScene() {
-        for (const Told& told : {brokenBlock(), brokenBlock(100.0, kGlass), impactOnGround(500.0, kSteel)}) {
+        for (const Told& reported : {brokenBlock(), brokenBlock(100.0, kGlass), impactOnGround(500.0, kSteel)}) {
             const auto flying = [](const std::vector<Particle>& all) {
                 std::vector<Particle> some = all;
                 std::erase_if(some, [](const Particle& one) { return one.kind() >= ParticleKind::Spark; });
                 return some;
             };
-            const std::vector<Particle> before = flying(particlesAt(told, 5)), now = flying(particlesAt(told, 6));
+            const std::vector<Particle> before = flying(particlesAt(reported, 5)),
+                                        now = flying(particlesAt(reported, 6));
             QCOMPARE(now.size(), before.size());
             for (std::size_t k = 0; k < now.size(); ++k) {
                 const glm::vec3 earlier = glm::vec3(now[k].position + now[k].previousOffset);

@@ -52,7 +52,7 @@ private slots:
         const auto first = playback.sceneAtStep(5);
         QCOMPARE((*playback.sceneAtStep(5))->poses, (*first)->poses);
     }
-    void eachStepIsToldOnceItIsDone() {
+    void eachStepIsReportedOnceItIsDone() {
         SessionPlayback playback = playbackOf({{0, kThrow}});
         std::vector<std::uint64_t> steps;
         playback.setAfterStep([&](const Session& session) { steps.push_back(session.stepsDone()); });

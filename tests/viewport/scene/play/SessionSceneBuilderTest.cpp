@@ -265,8 +265,9 @@ private slots:
         const auto isFound = [](const RenderScene& moment) {
             RenderScene anew = moment;
             anew.summary.reset();
-            const Box3 told = boundsOf(moment), found = boundsOf(anew);
-            return moment.summary && glm::distance(told.min, found.min) + glm::distance(told.max, found.max) < 0.05;
+            const Box3 reported = boundsOf(moment), found = boundsOf(anew);
+            return moment.summary &&
+                   glm::distance(reported.min, found.min) + glm::distance(reported.max, found.max) < 0.05;
         };
         for (int k = 0; k < 20; ++k) {
             QVERIFY(isFound(*drawn.sceneAtStep(1)));
@@ -338,12 +339,12 @@ private slots:
         EventHistory history;
         for (int step = 0; step < 5; ++step) {
             session.step();
-            history.add(session.stepsDone(), session.events().told.records);
+            history.add(session.stepsDone(), session.events().report.records);
         }
-        SessionSceneBuilder ignorant(test::sharedScene(session)), told(test::sharedScene(session));
-        told.setHistory(history);
+        SessionSceneBuilder ignorant(test::sharedScene(session)), reported(test::sharedScene(session));
+        reported.setHistory(history);
         QVERIFY(ignorant.sceneOf(session)->particles.empty());
-        QVERIFY(told.sceneOf(session)->particles.size() > 10);
+        QVERIFY(reported.sceneOf(session)->particles.size() > 10);
     }
     void bodiesHaveMaterialColours() {
         Project project = floatingBlock(2);

@@ -1,4 +1,4 @@
-#include "core/play/events/EventTelling.h"
+#include "core/play/events/EventReporting.h"
 
 #include "core/base/Random.h"
 #include "tests/support/TestProgram.h"
@@ -124,17 +124,17 @@ std::string faultOf(const EventReport& report, std::size_t most) {
     const auto key = [](const EventRecord& one) { return std::tuple(one.kind, one.body, one.other); };
     if (!std::ranges::is_sorted(report.records, {}, key)) return "records not in order";
     for (std::size_t kind = 0; kind < kEventKinds; ++kind) {
-        const bool isTold = std::ranges::any_of(
+        const bool isReported = std::ranges::any_of(
             report.records, [&](const EventRecord& one) { return static_cast<std::size_t>(one.kind) == kind; });
         const bool isImpact = kind == static_cast<std::size_t>(EventKind::Impact);
-        if (!isImpact && !isTold && report.omitted[kind].count > 0) return "a kind that happened is not told";
+        if (!isImpact && !isReported && report.omitted[kind].count > 0) return "a kind that happened is not reported";
     }
     return {};
 }
 
 }  // namespace
 
-class EventTellingTest : public QObject {
+class EventReportingTest : public QObject {
     Q_OBJECT
 private slots:
     /// From 4.5 m, at 9.4 m/s, it breaks; its fragments come to rest one by one.
@@ -145,7 +145,7 @@ private slots:
         std::array<std::uint32_t, kEventKinds> counts{};
         for (int step = 0; step < 400; ++step) {
             session.step();
-            for (const EventRecord& record : session.events().told.records) {
+            for (const EventRecord& record : session.events().report.records) {
                 ++counts[static_cast<std::size_t>(record.kind)];
                 QCOMPARE(record.step, session.stepsDone());
                 QCOMPARE(record.instance, session.scene().project.instances[0].id);
@@ -172,8 +172,8 @@ private slots:
         Session session = sessionOf(stack());
         for (int step = 0; step < 120; ++step) {
             session.step();
-            QVERIFY(session.events().told.records.empty());
-            const double energy = session.events().told.energy();
+            QVERIFY(session.events().report.records.empty());
+            const double energy = session.events().report.energy();
             QVERIFY2(step < 5 || std::abs(energy) < 5.0, QByteArray::number(energy));  // it settles first
         }
     }
@@ -186,7 +186,7 @@ private slots:
         std::vector<std::uint64_t> impacts;
         for (int step = 0; step < 300; ++step) {
             session.step();
-            for (const EventRecord& record : session.events().told.records) {
+            for (const EventRecord& record : session.events().report.records) {
                 if (record.kind == EventKind::Impact) impacts.push_back(record.step);
             }
         }
@@ -200,7 +200,7 @@ private slots:
         std::uint32_t removed = 0;
         for (int step = 0; step < 90; ++step) {
             session.step();
-            const EventReport& report = session.events().told;
+            const EventReport& report = session.events().report;
             for (const EventRecord& record : report.records) {
                 if (record.kind != EventKind::Removed) continue;
                 ++removed;
@@ -211,8 +211,8 @@ private slots:
         }
         QCOMPARE(removed, 7u);
     }
-    /// Over 100 shots: what is told is the mechanical energy that contacts and breaks took; never more than k records a
-    /// step, none of them weaker than one left out; each break once.
+    /// Over 100 shots: what is reported is the mechanical energy that contacts and breaks took; never more than k
+    /// records a step, none of them weaker than one left out; each break once.
     void energyBalances() {
         constexpr int kShots = 100;
         double worst = 0.0;
@@ -224,12 +224,12 @@ private slots:
             Session& session = *started;
             addInput(session, ShotInput{"shot", randomThrow(random)});
             session.step();
-            double before = energyOf(session.world()), told = 0.0, flight = 0.0;
+            double before = energyOf(session.world()), reported = 0.0, flight = 0.0;
             std::set<std::uint32_t> broken, detached;
             for (int step = 0; step < 150; ++step) {
                 session.step();
-                const EventReport& report = session.events().told;
-                told += report.energy();
+                const EventReport& report = session.events().report;
+                reported += report.energy();
                 flight += lostInFlight(session);
                 before += gainedByDetaching(session);
                 QVERIFY2(faultOf(report, 16).empty(), faultOf(report, 16).c_str());
@@ -241,14 +241,14 @@ private slots:
                 }
             }
             const double lost = before - energyOf(session.world()) - flight;
-            const double error = std::abs(told - lost) / std::max(lost, 10.0);
+            const double error = std::abs(reported - lost) / std::max(lost, 10.0);
             worst = std::max(worst, error);
-            qInfo("%s, seed %d: %.5g J lost, %.5g told", scene.name.c_str(), 2026 + shot, lost, told);
+            qInfo("%s, seed %d: %.5g J lost, %.5g reported", scene.name.c_str(), 2026 + shot, lost, reported);
             QVERIFY2(error < 0.01, QByteArray::number(error));
         }
         qInfo("at worst %.2g of the energy", worst);
     }
-    void whatComesOffIsToldOnce() {
+    void whatComesOffIsReportedOnce() {
         Project project = test::bondedWall();
         project.events.maxRecords = 1000;
         Session session = sessionOf(project);
@@ -258,7 +258,7 @@ private slots:
             addInput(session, ShotInput{"ball", test::ballAtWall({-1.6 + 0.3 * shot, 0.6 + 0.15 * shot})});
             for (int step = 0; step < 40; ++step) {
                 session.step();
-                for (const EventRecord& record : session.events().told.records) {
+                for (const EventRecord& record : session.events().report.records) {
                     if (record.kind == EventKind::Bonds) {
                         bonds += record.count;
                         QVERIFY(record.area > 0.0 && !record.box.isEmpty());
@@ -278,7 +278,7 @@ private slots:
         std::ptrdiff_t broken = std::ranges::count(session.damage().begin()->second.broken, true);
         QCOMPARE(static_cast<std::ptrdiff_t>(bonds), broken);
     }
-    void strongestAreTold() {
+    void strongestAreReported() {
         for (const std::uint32_t most : {1u, 2u, 4u, 16u}) {
             const auto play = [&](std::uint32_t records) {
                 Project project = stack();
@@ -291,7 +291,7 @@ private slots:
                 std::vector<EventReport> reports;
                 for (int step = 0; step < 120; ++step) {
                     session.step();
-                    reports.push_back(session.events().told);
+                    reports.push_back(session.events().report);
                 }
                 return reports;
             };
@@ -305,8 +305,9 @@ private slots:
                 for (const EventRecord& one : some[step].records) {
                     for (const double energy : left[static_cast<std::size_t>(one.kind)]) QVERIFY(one.energy >= energy);
                 }
-                const double told = all[step].energy(), less = some[step].energy();
-                QVERIFY2(std::abs(told - less) < 1e-6 * (1.0 + sizeOf(all[step])), QByteArray::number(told - less));
+                const double reported = all[step].energy(), less = some[step].energy();
+                QVERIFY2(std::abs(reported - less) < 1e-6 * (1.0 + sizeOf(all[step])),
+                         QByteArray::number(reported - less));
                 QVERIFY(some[step].records.size() <= std::max<std::size_t>(most, 1));
             }
         }
@@ -319,7 +320,7 @@ private slots:
             std::vector<std::uint64_t> all;
             for (int step = 0; step < 120; ++step) {
                 session->step();
-                all.push_back(session->events().told.hash());
+                all.push_back(session->events().report.hash());
             }
             return all;
         };
@@ -330,5 +331,5 @@ private slots:
     }
 };
 
-RUBBLE_TEST(EventTellingTest)
-#include "EventTellingTest.moc"
+RUBBLE_TEST(EventReportingTest)
+#include "EventReportingTest.moc"

@@ -1,4 +1,4 @@
-#include "core/play/breaking/Collapse.h"
+#include "core/play/breaking/Collapsing.h"
 
 #include "core/play/breaking/MortarSupport.h"
 #include "core/structure/graph/Support.h"

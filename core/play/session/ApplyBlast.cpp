@@ -1,4 +1,4 @@
-#include "core/play/session/Blast.h"
+#include "core/play/session/ApplyBlast.h"
 
 #include "core/base/MessageText.h"
 #include "core/play/breaking/BondBreaking.h"
@@ -28,11 +28,11 @@ std::optional<PendingBreak> breakBy(SessionParts& parts, const BlastImpulse& pus
 
 }  // namespace
 
-void applyBlast(SessionParts& parts, const std::string& name, const Explosion& explosion) {
-    const Vec3 origin = parts.world().blastOrigin(explosion.at);
-    if (parts.state().hasDestruction) blastBonds(parts, origin, explosion);
-    const auto blast = [&] { return parts.world().blast(origin, explosion.radius, explosion.impulse); };
-    std::vector<BlastImpulse> pushes = blast();
+void applyBlast(SessionParts& parts, const std::string& name, const Blast& blast) {
+    const Vec3 origin = parts.world().blastOrigin(blast.at);
+    if (parts.state().hasDestruction) blastBonds(parts, origin, blast);
+    const auto pushesNow = [&] { return parts.world().blast(origin, blast.radius, blast.impulse); };
+    std::vector<BlastImpulse> pushes = pushesNow();
     std::vector<PendingBreak> breaks;
     for (const BlastImpulse& push : pushes) {
         if (std::optional<PendingBreak> broken = breakBy(parts, push)) breaks.push_back(std::move(*broken));
@@ -40,7 +40,7 @@ void applyBlast(SessionParts& parts, const std::string& name, const Explosion& e
     if (!breaks.empty()) {
         std::ranges::sort(breaks, {}, [](const PendingBreak& pending) { return pending.event.body.number; });
         applyBreaks(parts, std::move(breaks));
-        pushes = blast();
+        pushes = pushesNow();
     }
     EnergyEntry entry{.change = EnergyChange::Blast};
     for (const BlastImpulse& push : pushes) {

@@ -1,4 +1,4 @@
-#include "core/play/events/EventTelling.h"
+#include "core/play/events/EventReporting.h"
 
 #include "core/base/Assert.h"
 #include "core/play/state/SessionBodies.h"
@@ -33,51 +33,51 @@ EventRecord recordOf(const SessionParts& parts, EventKind kind, const PlayBody& 
             .materials = {materialIdOf(parts, body), 0}};
 }
 
-/// The impacts that were told, by their bodies.
-class ToldImpacts {
+/// The impacts that were reported, by their bodies.
+class ReportedImpacts {
 public:
-    explicit ToldImpacts(SessionParts& parts)
+    explicit ReportedImpacts(SessionParts& parts)
         : m_parts(parts), m_apartSteps(static_cast<std::uint64_t>(kApartTime / parts.settings().dt + 0.5)) {}
 
     /// Follows which of their bodies touch; forgets those that have been apart long enough, or are gone.
     void update() {
-        std::vector<ToldImpact>& told = m_parts.state().toldImpacts;
-        if (told.empty()) return;
+        std::vector<ReportedImpact>& reported = m_parts.state().reportedImpacts;
+        if (reported.empty()) return;
         for (const ContactEvent& event : m_parts.world().events().ended) {
-            ToldImpact* const found = find(event);
+            ReportedImpact* const found = find(event);
             if (found != nullptr && !m_parts.world().areTouching(event.first, event.second)) {
                 found->apartSince = m_parts.state().step;
             }
         }
-        std::erase_if(told, [&](const ToldImpact& one) { return isOver(one); });
+        std::erase_if(reported, [&](const ReportedImpact& one) { return isOver(one); });
         for (const ContactEvent& event : m_parts.world().events().began) {
-            if (ToldImpact* const found = find(event)) found->apartSince = ToldImpact::kTouching;
+            if (ReportedImpact* const found = find(event)) found->apartSince = ReportedImpact::kTouching;
         }
     }
     bool contains(std::uint32_t first, std::uint32_t second) const { return find(first, second) != nullptr; }
     void add(std::uint32_t first, std::uint32_t second) {
-        std::vector<ToldImpact>& told = m_parts.state().toldImpacts;
-        const ToldImpact added{std::min(first, second), std::max(first, second)};
-        told.insert(std::ranges::upper_bound(told, keyOf(added), {}, keyOf), added);
+        std::vector<ReportedImpact>& reported = m_parts.state().reportedImpacts;
+        const ReportedImpact added{std::min(first, second), std::max(first, second)};
+        reported.insert(std::ranges::upper_bound(reported, keyOf(added), {}, keyOf), added);
     }
 
 private:
-    static std::pair<std::uint32_t, std::uint32_t> keyOf(const ToldImpact& one) { return {one.first, one.second}; }
+    static std::pair<std::uint32_t, std::uint32_t> keyOf(const ReportedImpact& one) { return {one.first, one.second}; }
 
-    ToldImpact* find(std::uint32_t first, std::uint32_t second) const {
-        std::vector<ToldImpact>& told = m_parts.state().toldImpacts;
+    ReportedImpact* find(std::uint32_t first, std::uint32_t second) const {
+        std::vector<ReportedImpact>& reported = m_parts.state().reportedImpacts;
         const std::pair key{std::min(first, second), std::max(first, second)};
-        const auto found = std::ranges::lower_bound(told, key, {}, keyOf);
-        return found != told.end() && keyOf(*found) == key ? &*found : nullptr;
+        const auto found = std::ranges::lower_bound(reported, key, {}, keyOf);
+        return found != reported.end() && keyOf(*found) == key ? &*found : nullptr;
     }
     /// Null also if one of the bodies is gone.
-    ToldImpact* find(const ContactEvent& event) const {
+    ReportedImpact* find(const ContactEvent& event) const {
         const World& world = m_parts.world();
         if (!world.contains(event.first) || !world.contains(event.second)) return nullptr;
         return find(numberOf(world, event.first), numberOf(world, event.second));
     }
-    bool isOver(const ToldImpact& one) const {
-        if (one.apartSince != ToldImpact::kTouching) return m_parts.state().step - one.apartSince >= m_apartSteps;
+    bool isOver(const ReportedImpact& one) const {
+        if (one.apartSince != ReportedImpact::kTouching) return m_parts.state().step - one.apartSince >= m_apartSteps;
         return findBody(m_parts.state(), one.first) == nullptr || findBody(m_parts.state(), one.second) == nullptr;
     }
 
@@ -128,10 +128,10 @@ EventRecord impactRecord(const SessionParts& parts, const HitEvent& hit) {
 
 /// Adds the impacts of bodies that did not touch before; the energy of others is that of bodies at rest.
 void addImpacts(SessionParts& parts, std::vector<EventRecord>& records) {
-    ToldImpacts told(parts);
-    told.update();
+    ReportedImpacts reported(parts);
+    reported.update();
     const std::vector<HitEvent>& hits = parts.world().events().hits;
-    double& rest = parts.state().events.told.restEnergy;
+    double& rest = parts.state().events.report.restEnergy;
     rest = parts.world().events().contactLoss;
     for (auto begin = hits.begin(); begin != hits.end();) {
         const auto end = std::find_if(begin, hits.end(), [&](const HitEvent& one) {
@@ -140,10 +140,10 @@ void addImpacts(SessionParts& parts, std::vector<EventRecord>& records) {
         const HitEvent hit = joined({begin, end});
         begin = end;
         const std::uint32_t first = numberOf(parts.world(), hit.first), second = numberOf(parts.world(), hit.second);
-        if (told.contains(first, second)) continue;
+        if (reported.contains(first, second)) continue;
         records.push_back(impactRecord(parts, hit));
         rest -= records.back().energy;
-        if (hit.energy >= parts.scene().project.events.leastEnergy) told.add(first, second);
+        if (hit.energy >= parts.scene().project.events.leastEnergy) reported.add(first, second);
     }
 }
 
@@ -210,10 +210,10 @@ EventRecord detachedRecord(const SessionParts& parts, const PlayBody& freed, std
 
 /// The bonds that broke, and what came free: of a body that came off and lost fragments in the same step, both.
 void addSplits(SessionParts& parts, std::vector<EventRecord>& records) {
-    std::vector<std::uint32_t> told;
+    std::vector<std::uint32_t> reported;
     for (const PlaySplit& split : parts.state().events.splits) {
-        if (split.bonds > 0 && std::ranges::find(told, split.body.number) == told.end()) {
-            told.push_back(split.body.number);
+        if (split.bonds > 0 && std::ranges::find(reported, split.body.number) == reported.end()) {
+            reported.push_back(split.body.number);
             records.push_back(bondsRecord(parts, split.body.number));
         }
         for (const std::uint32_t number : split.freed) {
@@ -224,8 +224,8 @@ void addSplits(SessionParts& parts, std::vector<EventRecord>& records) {
     // What bonds took that hold.
     for (const EnergyEntry& entry : parts.state().events.energy) {
         if (entry.change != EnergyChange::Bonds && entry.change != EnergyChange::Split) continue;
-        if (std::ranges::find(told, entry.body) != told.end()) continue;
-        parts.state().events.told.restEnergy += entry.before - entry.after;
+        if (std::ranges::find(reported, entry.body) != reported.end()) continue;
+        parts.state().events.report.restEnergy += entry.before - entry.after;
     }
 }
 
@@ -279,7 +279,7 @@ bool isStronger(const EventRecord& a, const EventRecord& b) {
     return std::tuple(-a.energy, -a.mass, a.body, a.other) < std::tuple(-b.energy, -b.mass, b.body, b.other);
 }
 
-/// How many records of each kind are told: each kind gets one in turn, while it has any.
+/// How many records of each kind are reported: each kind gets one in turn, while it has any.
 std::array<std::size_t, kEventKinds> sharesOf(const std::array<std::vector<EventRecord>, kEventKinds>& kinds,
                                               std::size_t most) {
     std::array<std::size_t, kEventKinds> shares{};
@@ -322,7 +322,7 @@ std::vector<EventRecord> happenedEvents(SessionParts& parts) {
 }
 
 void tellEvents(SessionParts& parts) {
-    EventReport& report = parts.state().events.told;
+    EventReport& report = parts.state().events.report;
     std::vector<EventRecord>& happened = parts.state().events.happened;
     const EventSettings& settings = parts.scene().project.events;
     for (const PlayRemoval& removal : parts.state().events.removed) happened.push_back(removalRecord(parts, removal));

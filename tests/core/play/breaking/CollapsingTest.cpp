@@ -1,4 +1,4 @@
-#include "core/play/breaking/Collapse.h"
+#include "core/play/breaking/Collapsing.h"
 
 #include "core/play/session/Session.h"
 #include "tests/support/TestProgram.h"
@@ -26,7 +26,7 @@ void breakLeftFoot(Session& session) {
 
 }  // namespace
 
-class CollapseTest : public QObject {
+class CollapsingTest : public QObject {
     Q_OBJECT
 private slots:
     void portalWithoutOnePierStandsByAnyConnection() {
@@ -92,5 +92,5 @@ private slots:
     }
 };
 
-RUBBLE_TEST(CollapseTest)
-#include "CollapseTest.moc"
+RUBBLE_TEST(CollapsingTest)
+#include "CollapsingTest.moc"
