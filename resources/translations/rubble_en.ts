@@ -56,17 +56,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n asset(s) could not be exported. See the details.</source>
-        <translation>
-            <numerusform>%n asset could not be exported. See the details.</numerusform>
-            <numerusform>%n assets could not be exported. See the details.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Exported %n asset(s) to %1</source>
         <translation>
             <numerusform>Exported %n asset to %1</numerusform>
             <numerusform>Exported %n assets to %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more asset(s) could not be exported.</source>
+        <translation>
+            <numerusform>%n more asset could not be exported.</numerusform>
+            <numerusform>%n more assets could not be exported.</numerusform>
         </translation>
     </message>
 </context>
@@ -322,6 +322,16 @@
         <translation>
             <numerusform>%Ln fragment</numerusform>
             <numerusform>%Ln fragments</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rubble::MaterialDialog</name>
+    <message numerus="yes">
+        <source>Apply the fracture &amp;pattern in place of %n layer(s)</source>
+        <translation>
+            <numerusform>Apply the fracture &amp;pattern in place of %n layer</numerusform>
+            <numerusform>Apply the fracture &amp;pattern in place of %n layers</numerusform>
         </translation>
     </message>
 </context>

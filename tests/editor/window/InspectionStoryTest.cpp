@@ -48,21 +48,6 @@ private slots:
         lasso({{0.6, 0.9}, {0.6, 0.1}, {0.95, 0.1}, {0.95, 0.9}});
         QVERIFY((selection().seeds() == Selection::Seeds{{3, 2}}));
     }
-    /// Also in the 3D view, where instances are selected.
-    void allInstancesAreSelectedWhereOneIs() {
-        const Selection::Seeds seeds = selection().seeds();
-        const Id first = project().instances.front().id;
-        window().workspace().document().push(duplicateInstances(project(), std::vector{first}, {2.0, 0.0, 0.0}));
-        selection().setInstances(project(), {first});
-        QTest::keyClick(&window(), Qt::Key_A, Qt::ControlModifier);
-        QCOMPARE(selection().instances().size(), project().instances.size());
-        QVERIFY(selection().subject() == Part::Instance);
-        window().findChild<QAction*>("select-none")->trigger();
-        QVERIFY(selection().instances().empty());
-        stack().undo();
-        selection().setAsset(2);
-        selection().setSeeds(seeds);
-    }
     void shortcutsSelectNeighboursAndInvert() {
         QTest::keyClick(&window(), Qt::Key_G, Qt::ControlModifier);
         QVERIFY((selection().seeds() == Selection::Seeds{{3, 1}, {3, 2}, {3, 3}}));
@@ -233,6 +218,18 @@ private slots:
         QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(text(), m_before);
         QTRY_COMPARE_WITH_TIMEOUT(problems().view().model()->rowCount(), 2, kPatience);
+    }
+    /// Also in the 3D view, where instances are selected.
+    void allInstancesAreSelectedWhereOneIs() {
+        const Id first = project().instances.front().id;
+        window().workspace().document().push(duplicateInstances(project(), std::vector{first}, {2.0, 0.0, 0.0}));
+        selection().setInstances(project(), {first});
+        QTest::keyClick(&window(), Qt::Key_A, Qt::ControlModifier);
+        QCOMPARE(selection().instances().size(), project().instances.size());
+        QVERIFY(selection().subject() == Part::Instance);
+        window().findChild<QAction*>("select-none")->trigger();
+        QVERIFY(selection().instances().empty());
+        stack().undo();
     }
 
 private:

@@ -46,7 +46,7 @@ private slots:
         QCOMPARE(world.applyImpulse(cube, Vec3(1e25), Vec3(0.0)).error().message,
                  std::string("An impulse must be finite and at most 1e+24 N·s along each axis."));
         QCOMPARE(world.explode(Vec3(0.0), 1.0, 1e25).error().message,
-                 std::string("The impulse of an explosion must be finite and at most 1e+24 N·s/m²."));
+                 std::string("The impulse of a blast must be finite and at most 1e+24 N·s/m²."));
         QVERIFY(world.hash() == before);
     }
     void strongImpulsesAccelerateToTheLargestSpeed() {
