@@ -45,7 +45,7 @@ part >"$folder/loaded.rgb"
 act throw
 until_true is_other part "$folder/loaded.rgb" || fail 'the state does not go on'
 until_still part || fail 'the fragments do not come to rest'
-act xdotool mousemove $((X + 798)) $((Y + HEIGHT - 87)) click 1
+act xdotool mousemove $((X + 783)) $((Y + HEIGHT - 87)) click 1
 until_true is_active '^Export' || fail 'the button opened no dialog'
 confirm
 until_true test -s "$folder/house.csv" || fail 'no events were exported'
