@@ -18,6 +18,13 @@ namespace {
 
 constexpr std::chrono::milliseconds kBeat{20};
 
+/// The hash of what edits change, and undo restores: not of the identity, which the first save gives a project.
+std::string editedHash(MainWindow& window) {
+    Project project = window.workspace().project();
+    project.identity.clear();
+    return contentHash(projectText(project)).hex();
+}
+
 /// Whether a backup is being written on another thread, which may wait for processor and disk.
 bool isWritingBackup() {
     return std::ranges::any_of(QApplication::topLevelWidgets(), [](QWidget* widget) {
@@ -69,23 +76,24 @@ void Recorder::attach(MainWindow& window) {
         note(window);
         m_journal.note("file", {std::to_string(m_documents[&window].number)});
     });
-    m_documents[&window].hashes = {note(window)};
+    note(window);
+    m_documents[&window].hashes = {editedHash(window)};
 }
 
 void Recorder::noteChange(MainWindow& window, const Changes& changes) {
-    const std::string hash = note(window);
+    note(window);
     Recorded& recorded = m_documents[&window];
     recorded.step = changes.isUndoOrRedo ? Step::UndoOrRedo : Step::Edit;
     if (!changes.isEverything) return;
     recorded.step = Step::None;
-    recorded.hashes = {hash};
+    recorded.hashes = {editedHash(window)};
 }
 
 void Recorder::noteIndex(MainWindow& window) {
     Recorded& recorded = m_documents[&window];
     const Step step = std::exchange(recorded.step, Step::None);
     const auto index = static_cast<std::size_t>(window.workspace().document().undoStack().index());
-    const std::string hash = contentHash(projectText(window.workspace().project())).hex();
+    const std::string hash = editedHash(window);
     m_journal.note("index", {std::to_string(recorded.number), std::to_string(index), hash,
                              window.workspace().document().undoStack().undoText().toStdString()});
     if (step == Step::UndoOrRedo && index < recorded.hashes.size() && recorded.hashes[index] != hash) {
@@ -96,14 +104,12 @@ void Recorder::noteIndex(MainWindow& window) {
     recorded.hashes[index] = hash;
 }
 
-/// Returns the hash of the project.
-std::string Recorder::note(MainWindow& window) {
+void Recorder::note(MainWindow& window) {
     Workspace& workspace = window.workspace();
     if (const auto fault = verifyProject(workspace.project())) m_journal.fail("The project is invalid: " + *fault);
     const std::string hash = contentHash(projectText(workspace.project())).hex();
     m_journal.note("state", {std::to_string(m_documents[&window].number), hash,
                              workspace.document().isModified() ? "1" : "0", toPath(workspace.file().path()).string()});
-    return hash;
 }
 
 }  // namespace rubble::attack

@@ -36,7 +36,7 @@ private:
     void attach(MainWindow& window);
     void noteChange(MainWindow& window, const Changes& changes);
     void noteIndex(MainWindow& window);
-    std::string note(MainWindow& window);
+    void note(MainWindow& window);
 
     JournalWriter& m_journal;
     std::map<const QObject*, Recorded> m_documents;  // by window
