@@ -175,6 +175,38 @@ private slots:
         before["wall/wall.glb.import"] = "of an engine";
         checkEveryCall(exported("obj"), before, code, renames);
     }
+    /// All calls from one on fail: nothing can be moved back or removed, but the old files are somewhere.
+    void nothingIsLostWhereTheDiskIsGone() {
+        const QString project = m_place.filePath("gone.rubble");
+        makeProject(project);
+        const auto exported = [&](const char* format) {
+            return QStringList{"export", project, "--out", "{folder}", "--threads", "1", "--format", format};
+        };
+        replaceFileTree(m_folder, {});
+        QCOMPARE(runProgram(RUBBLE_CLI, inFolder(exported("glb"))).exit, 0);
+        const FileTree before = fileTree(m_folder);
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("RUBBLE_FAULT_LASTING", "1");
+        for (int call = 1;; ++call) {
+            replaceFileTree(m_folder, before);
+            const Fault fault{.folder = m_folder, .report = m_report, .call = call, .code = EIO};
+            const auto [outcome, failed] =
+                runWithFault(RUBBLE_CLI, inFolder(exported("obj")), RUBBLE_FAULTS, fault, environment);
+            if (failed.isEmpty()) {
+                QVERIFY(call > 8);
+                break;
+            }
+            const QByteArray where = "call " + QByteArray::number(call) + ", " + failed.toUtf8();
+            QVERIFY2(outcome.exit == 0 || outcome.exit == 1, where);
+            QVERIFY2((outcome.exit == 0) == outcome.error.isEmpty(), where + outcome.error.toUtf8());
+            // The next run needs no help, and leaves what an undisturbed one does.
+            const ProgramOutcome again = runProgram(RUBBLE_CLI, inFolder(exported("obj")));
+            QVERIFY2(again.exit == 0, where + ": " + again.error.toUtf8());
+            const FileTree after = fileTree(m_folder);
+            QVERIFY2(after.contains("wall/wall-fragments.obj") && !after.contains("wall/wall-fragments.glb"), where);
+            QVERIFY2(visibleOf(after).size() == after.size(), where + after.keys().join(' ').toUtf8());
+        }
+    }
     void newFoldersAreFlushed() {
         const QString project = m_place.filePath("deep.rubble");
         makeProject(project);

@@ -14,7 +14,8 @@ Result<OpenFile> lockFolder(const std::filesystem::path& folder, const TaskConte
 
 /// Gives a new folder its name in one step that survives a power cut; afterwards `replacement` holds the old one, if
 /// there was one. Where the file system cannot exchange folders, in two steps. Errors: Io; the old folder is in its
-/// place again then, unless that fails, too.
+/// place again then. Where that fails, too, the new one is, or the old one lies beside as a leftover that the next
+/// export moves back.
 Status replaceFolder(const TemporaryFolder& replacement, const std::filesystem::path& folder);
 
 }  // namespace rubble

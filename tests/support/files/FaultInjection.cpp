@@ -4,6 +4,7 @@
 // RUBBLE_FAULT_FOLDER    the folder, an absolute path
 // RUBBLE_FAULT_CALL      the number of the call, from 1
 // RUBBLE_FAULT_CODE      the value of errno; 0 kills the process instead
+// RUBBLE_FAULT_LASTING   if set, all later calls fail, too, as of a disk that is gone
 // RUBBLE_FAULT_REPORT    a file outside the folder, which receives the name of the call that failed
 // RUBBLE_FAULT_LOG       a file outside the folder, which receives the name of each call and the path that it is about
 // RUBBLE_FAULT_SYSTEM_CALL and RUBBLE_FAULT_CODE alone: the number of a system call that always fails, where it is made
@@ -81,8 +82,11 @@ bool fails(const char* call) {
     append("RUBBLE_FAULT_LOG", line);
     const char* number = std::getenv("RUBBLE_FAULT_CALL");
     const char* code = std::getenv("RUBBLE_FAULT_CODE");
-    if (number == nullptr || code == nullptr || ++callCount != std::atol(number)) return false;
-    append("RUBBLE_FAULT_REPORT", call);
+    if (number == nullptr || code == nullptr) return false;
+    const long first = std::atol(number), now = ++callCount;
+    const bool isLater = std::getenv("RUBBLE_FAULT_LASTING") != nullptr && first > 0 && now > first;
+    if (now != first && !isLater) return false;
+    if (!isLater) append("RUBBLE_FAULT_REPORT", call);
     errno = std::atoi(code);
     if (errno == 0) std::raise(SIGKILL);
     return true;
