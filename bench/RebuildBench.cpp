@@ -44,7 +44,8 @@ double repaintTime(const Asset& asset) {
     Document document(project);
     Selection selection;
     Bakes bakes;
-    PatternCanvas canvas(document, selection, bakes);
+    BondPainter painter(document, selection);
+    PatternCanvas canvas(document, selection, bakes, painter);
     selection.prune(document.project());
     PlanarFracture cut = planarFracture(recipeOf(asset), asset.prism, {}).value();
     bakes.setPattern(asset.id,

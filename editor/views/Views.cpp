@@ -1,7 +1,6 @@
 #include "editor/views/Views.h"
 
 #include "editor/background/OverlapWatch.h"
-#include "editor/canvas/tools/BondBrushTool.h"
 #include "editor/canvas/tools/OutlineTool.h"
 #include "editor/canvas/widget/PatternCanvas.h"
 #include "editor/commands/InstanceEdits.h"
@@ -72,7 +71,8 @@ Views::Views(Workspace& workspace, QMainWindow& window)
       m_window(window),
       m_docks(window),
       m_panes(new QSplitter(&window)),
-      m_canvas(new PatternCanvas(workspace.document(), workspace.selection(), workspace.bakes())),
+      m_canvas(
+          new PatternCanvas(workspace.document(), workspace.selection(), workspace.bakes(), workspace.bondPainter())),
       m_scene(new SceneView(workspace)),
       m_fragmentMenu(new QMenu(&window)) {
     m_panes->addWidget(m_canvas);
@@ -113,6 +113,7 @@ void Views::connectViews() {
     connect(&m_scene->transformTool(), &TransformTool::hintChanged, this, &Views::hintChanged);
     connect(&m_scene->measureTool(), &SurfaceMeasureTool::hintChanged, this, &Views::hintChanged);
     connect(&m_scene->placementTool(), &PlacementTool::statusMessage, this, &Views::statusMessage);
+    connect(&m_scene->bondPaintTool(), &BondPaintTool::statusMessage, this, &Views::statusMessage);
     connect(&m_scene->playView().tool(), &PlayTool::statusMessage, this, &Views::statusMessage);
     connect(&m_scene->placementTool(), &PlacementTool::hintChanged, this, &Views::hintChanged);
     connect(m_canvas, &PatternCanvas::pointerMoved, this, [this](double x, double y) {
@@ -126,21 +127,6 @@ void Views::connectViews() {
     connect(&m_workspace.file(), &DocumentFile::noted, this, &Views::addNotes);
     connect(m_scene, &SceneView::failed, this, &Views::showRefusal);
     connect(&m_scene->viewport(), &ViewportWidget::presentingChanged, this, &Views::present);
-    connectBondBrushes();
-}
-
-/// A brush of the canvas paints in the 3D view, too, with the same settings.
-void Views::connectBondBrushes() {
-    BondBrushTool& inCanvas = m_canvas->bondBrushTool();
-    BondPaintTool& inScene = m_scene->bondPaintTool();
-    connect(m_canvas, &PatternCanvas::toolKindChanged, &inScene,
-            [&inScene](CanvasToolKind kind) { inScene.setOn(isBondBrush(kind)); });
-    connect(&inCanvas, &BondBrushTool::settingsChanged, &inScene,
-            [&inCanvas, &inScene] { inScene.setSettings(inCanvas.settings()); });
-    connect(&inScene, &BondPaintTool::settingsChanged, &inCanvas,
-            [&inCanvas, &inScene] { inCanvas.setSettings(inScene.settings()); });
-    connect(&inScene, &BondPaintTool::strokeChanged, m_canvas, &PatternCanvas::showStroke);
-    connect(&inScene, &BondPaintTool::statusMessage, this, &Views::statusMessage);
 }
 
 void Views::addDocks() {

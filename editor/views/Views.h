@@ -119,7 +119,6 @@ private:
     void addDocks();
     void addProblemDock();
     void connectViews();
-    void connectBondBrushes();
     void updateBakeMessages(Id asset);
     void showOutlineTool();
     void focusUnderPointer(QWidget& view) const;

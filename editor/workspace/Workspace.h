@@ -6,14 +6,15 @@
 #include "editor/background/ProblemWatch.h"
 #include "editor/background/SwapAuditRunner.h"
 #include "editor/background/VideoExporter.h"
+#include "editor/commands/BondPainter.h"
 #include "editor/document/Autosave.h"
 #include "editor/document/DocumentFile.h"
 #include "editor/play/PlayController.h"
 
 namespace rubble {
 
-/// The model behind one window: the document with its file and backup, the selection, the bakes and diagnostics, and
-/// the simulation.
+/// The model behind one window: the document with its file and backup, the selection and the brush, the bakes and
+/// diagnostics, and the simulation.
 class Workspace : public QObject {
     Q_OBJECT
 public:
@@ -25,6 +26,7 @@ public:
     DocumentFile& file() { return m_file; }
     Autosave& autosave() { return m_autosave; }
     Selection& selection() { return m_selection; }
+    BondPainter& bondPainter() { return m_bondPainter; }
     Bakes& bakes() { return m_bakes; }
     ProblemWatch& problems() { return m_problems; }
     MortarWatch& mortars() { return m_mortars; }
@@ -42,6 +44,7 @@ private:
     DocumentFile m_file;
     Autosave m_autosave;
     Selection m_selection;
+    BondPainter m_bondPainter;
     Bakes m_bakes;
     ProblemWatch m_problems;
     MortarWatch m_mortars;

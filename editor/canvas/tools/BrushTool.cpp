@@ -4,6 +4,7 @@
 #include "core/fracture/pattern/SeedEdits.h"
 #include "core/fracture/sampling/DensityArea.h"
 #include "editor/commands/ProjectEdits.h"
+#include "editor/widgets/input/BrushRing.h"
 
 #include <algorithm>
 #include <array>
@@ -236,8 +237,8 @@ void BrushTool::paint(QPainter& painter, const CanvasColours& colours) const {
     if (!m_pointer) return;
     const bool isErasing = m_isErasing != m_pointer->modifiers.testFlag(Qt::ShiftModifier);
     for (const double part : {1.0, 0.5}) {
-        m_size.paintRing(painter, m_pointer->pixels, part, isErasing ? colours.text : colours.fault, colours.halo,
-                         isErasing);
+        paintBrushRing(painter, m_pointer->pixels, part * radiusPixels(), isErasing ? colours.text : colours.fault,
+                       colours.halo, isErasing);
     }
 }
 

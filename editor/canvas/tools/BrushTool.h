@@ -2,8 +2,8 @@
 
 #include "core/fracture/kinds/DensityImage.h"
 #include "editor/canvas/tools/CanvasTool.h"
+#include "editor/commands/BrushSize.h"
 #include "editor/commands/ImageBrush.h"
-#include "editor/widgets/input/BrushSize.h"
 
 #include <QImage>
 

@@ -30,7 +30,7 @@ std::optional<Vec2> directionOf(int key) {
 
 Pattern& CanvasState::patternIn(Asset& copy) const { return ownPattern(copy, selection.enteredFragment()); }
 
-bool CanvasState::push(Edit edit) {
+bool CanvasState::push(Edit edit) const {
     const QScopedValueRollback pushing(isPushing, true);
     return document.push(std::move(edit));
 }
@@ -54,7 +54,7 @@ QString CanvasState::placeholder() const {
     return shown && shown->fault ? QString::fromStdString(shown->fault->message) : QString();
 }
 
-void addFragmentNavigation(QMenu& menu, CanvasState& state, Vec2 point) {
+void addFragmentNavigation(QMenu& menu, const CanvasState& state, Vec2 point) {
     const std::optional<FragmentPath> fractured = state.fracturedFragmentAt(point);
     if (!fractured && !state.isInFragment()) return;
     Selection& selection = state.selection;

@@ -3,6 +3,7 @@
 #include "editor/canvas/painting/CanvasColours.h"
 #include "editor/canvas/painting/CanvasView.h"
 #include "editor/canvas/painting/DrawablePattern.h"
+#include "editor/commands/BondPainter.h"
 #include "editor/document/Bakes.h"
 #include "editor/document/Document.h"
 #include "editor/document/Selection.h"
@@ -17,20 +18,20 @@
 
 namespace rubble {
 
-/// The state shared by a canvas and its tools.
+/// What a canvas shows, for its tools. The canvas alone writes it; a tool, to which it is constant, changes the models
+/// that it names: it pushes edits, sets the selection and paints with the brush.
 struct CanvasState {
     Document& document;
     Selection& selection;
     const Bakes& bakes;
+    BondPainter& bondPainter;
     CanvasView view;
     std::shared_ptr<const DrawablePattern> pattern;  // the last baked one; may be null
     std::shared_ptr<const Asset> fragment;           // the entered one, see fragmentAsAsset(); null if not known
     Units units;                                     // of displayed quantities
     bool isSnapping = false;
-    std::optional<BondStroke> stroke;  // being painted, in the asset's plane
-    Vec2 fragmentOffset{0.0};          // of the entered fragment's frame in the asset's plane, m; 0: none is entered
-    bool showsStrengths = false;       // of bonds, as the tool needs
-    bool isPushing = false;            // an edit of a tool is being applied
+    Vec2 fragmentOffset{0.0};        // of the entered fragment's frame in the asset's plane, m; 0: none is entered
+    mutable bool isPushing = false;  // push() is applying an edit
 
     /// The active asset; null if there is none.
     const Asset* asset() const { return findAsset(document.project(), selection.asset()); }
@@ -39,7 +40,7 @@ struct CanvasState {
     /// is none.
     const Asset* displayedAsset() const { return isInFragment() ? fragment.get() : asset(); }
     /// Pushes an edit of a tool; other edits end a drag.
-    bool push(Edit edit);
+    bool push(Edit edit) const;
     /// The displayed pattern within `copy`, a copy of the active asset that is being changed.
     Pattern& patternIn(Asset& copy) const;
     /// The fractured fragment at a point, which can be entered; none if there is none.
@@ -49,7 +50,7 @@ struct CanvasState {
 };
 
 /// Adds actions that enter the fractured fragment at a point and exit the entered one to a menu, as far as possible.
-void addFragmentNavigation(QMenu& menu, CanvasState& state, Vec2 point);
+void addFragmentNavigation(QMenu& menu, const CanvasState& state, Vec2 point);
 
 /// The pointer's position with the modifier keys.
 struct CanvasPointer {
@@ -67,7 +68,7 @@ std::optional<Vec2> nudgeStep(const QKeyEvent& event, const CanvasState& state);
 class CanvasTool : public QObject {
     Q_OBJECT
 public:
-    explicit CanvasTool(CanvasState& state) : m_state(state) {}
+    explicit CanvasTool(const CanvasState& state) : m_state(state) {}
 
     virtual void press(const CanvasPointer& pointer) = 0;
     /// Also called while no button is held.
@@ -106,7 +107,7 @@ protected:
     /// The merge key of an arrow key's edit; the repeats of a held key are one undo step.
     quint64 nudgeMergeKey(bool isRepeated);
 
-    CanvasState& m_state;
+    const CanvasState& m_state;
 
 private:
     quint64 m_nudgeMergeKey = 0;

@@ -70,7 +70,7 @@ QString fragmentOutlineMessage() {
 
 }  // namespace
 
-OutlineTool::OutlineTool(CanvasState& state) : CanvasTool(state), m_drawing(state) {
+OutlineTool::OutlineTool(const CanvasState& state) : CanvasTool(state), m_drawing(state) {
     connect(&m_drawing, &CanvasTool::changed, this, &CanvasTool::changed);
     connect(&m_drawing, &CanvasTool::statusMessage, this, &CanvasTool::statusMessage);
 }

@@ -17,7 +17,7 @@ namespace rubble {
 class OutlineTool : public CanvasTool {
     Q_OBJECT
 public:
-    explicit OutlineTool(CanvasState& state);
+    explicit OutlineTool(const CanvasState& state);
 
     void press(const CanvasPointer& pointer) override;
     void move(const CanvasPointer& pointer) override;

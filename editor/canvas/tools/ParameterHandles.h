@@ -20,7 +20,7 @@ std::vector<ParameterHandle> parameterHandles(const Asset& asset);
 /// Shows parameter handles on a canvas and lets the user drag them; used by a tool before its own input.
 class ParameterHandles {
 public:
-    explicit ParameterHandles(CanvasState& state) : m_state(state) {}
+    explicit ParameterHandles(const CanvasState& state) : m_state(state) {}
 
     /// True if a handle was grabbed; it follows move() until endDrag().
     bool press(const CanvasPointer& pointer);
@@ -45,7 +45,7 @@ private:
     std::optional<ParameterHandle> handleAt(QPointF pixels) const;
     void push(const Drag& drag, Vec2 position);
 
-    CanvasState& m_state;
+    const CanvasState& m_state;
     std::optional<Drag> m_drag;
     std::optional<ParameterHandle> m_hovered;
 };

@@ -67,7 +67,7 @@ std::vector<std::uint32_t> selectedPieces(const CanvasState& state) {
     return pieces;
 }
 
-void selectPieces(CanvasState& state, const std::vector<std::uint32_t>& pieces, bool isAdding) {
+void selectPieces(const CanvasState& state, const std::vector<std::uint32_t>& pieces, bool isAdding) {
     if (!state.pattern) return state.selection.setFragments({});
     const std::shared_ptr<const Bake> bake = bakeOf(state);
     if (const auto numbers = bake ? numbersIn(*bake, state, pieces) : std::nullopt) {
@@ -86,7 +86,7 @@ void selectPieces(CanvasState& state, const std::vector<std::uint32_t>& pieces, 
     state.selection.setFragments(selectionByName(state, all));
 }
 
-void togglePiece(CanvasState& state, std::uint32_t piece) {
+void togglePiece(const CanvasState& state, std::uint32_t piece) {
     if (!isPieceSelected(state, piece)) return selectPieces(state, {piece}, true);
     const std::shared_ptr<const Bake> bake = bakeOf(state);
     if (const auto number = bake ? numbersIn(*bake, state, {piece}) : std::nullopt) {

@@ -13,9 +13,9 @@ bool isPieceSelected(const CanvasState& state, std::uint32_t piece);
 std::vector<std::uint32_t> selectedPieces(const CanvasState& state);
 
 /// Selects the fragments of some pieces of the shown pattern and nothing else, or adds them to the selection.
-void selectPieces(CanvasState& state, const std::vector<std::uint32_t>& pieces, bool isAdding = false);
+void selectPieces(const CanvasState& state, const std::vector<std::uint32_t>& pieces, bool isAdding = false);
 
 /// Selects the fragment of a piece if it was not selected, or deselects it; others keep their state.
-void togglePiece(CanvasState& state, std::uint32_t piece);
+void togglePiece(const CanvasState& state, std::uint32_t piece);
 
 }  // namespace rubble

@@ -16,7 +16,7 @@ namespace rubble {
 class SeedTool : public CanvasTool {
     Q_OBJECT
 public:
-    explicit SeedTool(CanvasState& state) : CanvasTool(state), m_handles(state) {}
+    explicit SeedTool(const CanvasState& state) : CanvasTool(state), m_handles(state) {}
 
     void press(const CanvasPointer& pointer) override;
     void move(const CanvasPointer& pointer) override;

@@ -18,7 +18,7 @@ struct AccessibleCanvasTexts {
 /// A fragment of a pattern. It is invalid once the canvas shows another pattern.
 class AccessibleFragment : public QAccessibleInterface, public QAccessibleActionInterface {
 public:
-    AccessibleFragment(QWidget& canvas, CanvasState& state, std::uint32_t piece)
+    AccessibleFragment(QWidget& canvas, const CanvasState& state, std::uint32_t piece)
         : m_canvas(canvas), m_state(state), m_pattern(state.pattern), m_piece(piece) {}
 
     std::uint32_t piece() const { return m_piece; }
@@ -80,14 +80,14 @@ public:
 
 private:
     QWidget& m_canvas;
-    CanvasState& m_state;
+    const CanvasState& m_state;
     std::weak_ptr<const DrawablePattern> m_pattern;
     std::uint32_t m_piece;
 };
 
 }  // namespace
 
-AccessibleCanvas::AccessibleCanvas(QWidget& canvas, CanvasState& state)
+AccessibleCanvas::AccessibleCanvas(QWidget& canvas, const CanvasState& state)
     : QAccessibleWidget(&canvas, QAccessible::List), m_state(state) {}
 
 AccessibleCanvas::~AccessibleCanvas() {

@@ -12,7 +12,7 @@ namespace rubble {
 class AccessibleCanvas : public QAccessibleWidget {
 public:
     /// `state` is that of the canvas and lives as long as the canvas.
-    AccessibleCanvas(QWidget& canvas, CanvasState& state);
+    AccessibleCanvas(QWidget& canvas, const CanvasState& state);
     ~AccessibleCanvas() override;
 
     QAccessible::State state() const override;
@@ -27,7 +27,7 @@ private:
     void forgetOldFragments() const;
     QAccessibleInterface* fragment(std::uint32_t piece) const;
 
-    CanvasState& m_state;
+    const CanvasState& m_state;
     // The interfaces that were asked for, by piece, and the pattern that they are of.
     mutable QHash<std::uint32_t, QAccessible::Id> m_fragments;
     mutable std::weak_ptr<const DrawablePattern> m_pattern;

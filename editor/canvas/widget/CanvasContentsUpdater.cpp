@@ -110,9 +110,11 @@ void CanvasContentsUpdater::refreshBondMarks() {
         m_bondKey.reset();
         return;
     }
+    const BondPainter& painter = m_state.bondPainter;
+    const bool paintsStrengths = painter.isOn() && painter.settings().brush == BondBrush::Strength;
     BondKey key{asset->bonding, m_bondMarker->levelStrengthIn(*asset),
-                m_contents.overlays.hasBondStrengths || m_state.showsStrengths};
-    if (m_state.stroke) key.bonding.strokes.push_back(*m_state.stroke);
+                m_contents.overlays.hasBondStrengths || paintsStrengths};
+    if (painter.stroke()) key.bonding.strokes.push_back(*painter.stroke());
     if (key == m_bondKey) return;
     Asset shown = *asset;
     shown.bonding = key.bonding;

@@ -16,7 +16,7 @@ bool isBondBrush(CanvasToolKind kind) {
 
 bool isBrush(CanvasToolKind kind) { return kind == CanvasToolKind::Brush || isBondBrush(kind); }
 
-CanvasTools::CanvasTools(CanvasState& state)
+CanvasTools::CanvasTools(const CanvasState& state)
     : m_state(state),
       m_outline(std::make_unique<OutlineTool>(state)),
       m_seeds(std::make_unique<SeedTool>(state)),
@@ -33,7 +33,7 @@ std::vector<CanvasTool*> CanvasTools::all() const {
 
 CanvasTool& CanvasTools::prepare(CanvasToolKind kind) {
     m_seeds->setPlacing(kind == CanvasToolKind::PlaceSeeds);
-    m_state.showsStrengths = kind == CanvasToolKind::StrengthBrush;
+    m_state.bondPainter.setOn(isBondBrush(kind));
     switch (kind) {
         case CanvasToolKind::Outline: return *m_outline;
         case CanvasToolKind::Seeds:
@@ -41,9 +41,11 @@ CanvasTool& CanvasTools::prepare(CanvasToolKind kind) {
         case CanvasToolKind::CrackLines: return *m_crackLines;
         case CanvasToolKind::Brush: return *m_brush;
         case CanvasToolKind::Measure: return *m_measure;
-        case CanvasToolKind::AnchorBrush: m_bondBrush->setBrush(BondBrush::Anchor); return *m_bondBrush;
-        case CanvasToolKind::StrengthBrush: m_bondBrush->setBrush(BondBrush::Strength); return *m_bondBrush;
-        case CanvasToolKind::NeverBreaksBrush: m_bondBrush->setBrush(BondBrush::NeverBreaks); return *m_bondBrush;
+        case CanvasToolKind::AnchorBrush: m_state.bondPainter.setBrush(BondBrush::Anchor); return *m_bondBrush;
+        case CanvasToolKind::StrengthBrush: m_state.bondPainter.setBrush(BondBrush::Strength); return *m_bondBrush;
+        case CanvasToolKind::NeverBreaksBrush:
+            m_state.bondPainter.setBrush(BondBrush::NeverBreaks);
+            return *m_bondBrush;
     }
     return *m_seeds;
 }

@@ -32,7 +32,7 @@ bool isBrush(CanvasToolKind kind);
 /// The tools of a canvas.
 class CanvasTools {
 public:
-    explicit CanvasTools(CanvasState& state);
+    explicit CanvasTools(const CanvasState& state);
     ~CanvasTools();
 
     OutlineTool& outline() const { return *m_outline; }
@@ -47,7 +47,7 @@ public:
     CanvasTool& prepare(CanvasToolKind kind);
 
 private:
-    CanvasState& m_state;
+    const CanvasState& m_state;
     std::unique_ptr<OutlineTool> m_outline;
     std::unique_ptr<SeedTool> m_seeds;
     std::unique_ptr<CrackLineTool> m_crackLines;

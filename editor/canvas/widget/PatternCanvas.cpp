@@ -34,9 +34,10 @@ constexpr int kBreadcrumbGap = 8;         // pixels between rulers and breadcrum
 
 }  // namespace
 
-PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bakes& bakes, QWidget* parent)
+PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bakes& bakes, BondPainter& bondPainter,
+                             QWidget* parent)
     : QWidget(parent),
-      m_state{.document = document, .selection = selection, .bakes = bakes},
+      m_state{.document = document, .selection = selection, .bakes = bakes, .bondPainter = bondPainter},
       m_updater(m_state),
       m_breadcrumb(new Breadcrumb(this)),
       m_colours(canvasColours(palette())),
@@ -169,12 +170,6 @@ void PatternCanvas::frameSelected(std::optional<Vec2> point) {
 void PatternCanvas::setCompared(std::shared_ptr<const ComparedAsset> compared) {
     m_updater.setCompared(std::move(compared));
     refit();
-    update();
-}
-
-void PatternCanvas::showStroke(const BondStroke* stroke) {
-    m_state.stroke = stroke ? std::optional(*stroke) : std::nullopt;
-    m_updater.refreshBonds();
     update();
 }
 

@@ -17,7 +17,9 @@ class Breadcrumb;
 class PatternCanvas : public QWidget {
     Q_OBJECT
 public:
-    PatternCanvas(Document& document, Selection& selection, const Bakes& bakes, QWidget* parent = nullptr);
+    /// `bondPainter`: of its document and selection.
+    PatternCanvas(Document& document, Selection& selection, const Bakes& bakes, BondPainter& bondPainter,
+                  QWidget* parent = nullptr);
     ~PatternCanvas() override;
 
     CanvasToolKind toolKind() const { return m_toolKind; }
@@ -47,9 +49,6 @@ public:
 
     /// Shows the changes since an earlier state in place of the cells' colours; null shows the colours again.
     void setCompared(std::shared_ptr<const ComparedAsset> compared);
-
-    /// Shows the marks of a stroke that is painted elsewhere, in the plane of the active asset; null: none is.
-    void showStroke(const BondStroke* stroke);
 
     /// The context menu's actions for selected fragments, in addition to those of the tool.
     void setFragmentActions(const QList<QAction*>& actions) { m_fragmentActions = actions; }

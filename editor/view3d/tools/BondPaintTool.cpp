@@ -1,11 +1,10 @@
 #include "editor/view3d/tools/BondPaintTool.h"
 
 #include "core/structure/capacity/BondCapacities.h"
+#include "editor/widgets/input/BrushRing.h"
 #include "editor/workspace/Workspace.h"
 #include "viewport/scene/SurfacePicking.h"
 #include "viewport/widget/ViewportWidget.h"
-
-#include <utility>
 
 namespace rubble {
 
@@ -55,31 +54,22 @@ void paintMark(QPainter& painter, QPointF at, const QColor& colour) {
 }  // namespace
 
 BondPaintTool::BondPaintTool(Workspace& workspace, ViewportWidget& viewport)
-    : ViewportTool(&viewport), m_workspace(workspace), m_viewport(viewport) {
-    connect(&workspace.document(), &Document::changed, this, [this](const Changes& changes) {
-        if (m_isPressed && (changes.isUndoOrRedo || changes.touches(Part::Asset))) end();
-        if (m_isOn) emit changed();
+    : ViewportTool(&viewport), m_workspace(workspace), m_viewport(viewport), m_painter(workspace.bondPainter()) {
+    connect(&m_painter, &BondPainter::changed, this, &BondPaintTool::refresh);
+    connect(&workspace.document(), &Document::changed, this, [this] {
+        if (m_painter.isOn()) emit changed();
     });
-    connect(&workspace.selection(), &Selection::assetChanged, this, [this] { end(); });
 }
 
-void BondPaintTool::setOn(bool isOn) {
-    if (isOn == m_isOn) return;
-    m_isOn = isOn;
-    m_pointer.reset();
-    end();
-}
-
-void BondPaintTool::setSettings(const BondBrushSettings& settings) {
-    if (settings == m_settings) return;
-    m_settings = settings;
+/// Follows the brush, which the canvas switches on and off.
+void BondPaintTool::refresh() {
+    if (!m_painter.isOn()) m_pointer.reset();
+    if (!m_painter.stroke()) m_drawn.clear();
     emit changed();
-    emit settingsChanged();
 }
 
 const Asset* BondPaintTool::asset() const {
-    const Asset* asset = m_isOn && !m_workspace.play().isInPlay() ? m_workspace.asset() : nullptr;
-    return asset && asset->breakAs == BreakAs::Bonded ? asset : nullptr;
+    return m_painter.isOn() && !m_workspace.play().isInPlay() ? m_painter.asset() : nullptr;
 }
 
 std::optional<SurfaceHit> BondPaintTool::hitAt(QPointF pixel) const {
@@ -101,125 +91,72 @@ std::optional<BondPaintTool::Place> BondPaintTool::placeAt(QPointF pixel) const 
     return Place{Vec2{local}, glm::distance(hit->point, there)};
 }
 
-bool BondPaintTool::erases(Qt::KeyboardModifiers modifiers) const {
-    return m_settings.isErasing != modifiers.testFlag(Qt::ShiftModifier);
-}
-
 /// Elsewhere than on the active asset, a press is for the view.
 bool BondPaintTool::press(const QMouseEvent& event) {
     if (!asset() || event.button() != Qt::LeftButton || event.modifiers().testFlag(Qt::AltModifier)) return false;
-    if (!placeAt(event.position())) return false;
-    m_isErasing = erases(event.modifiers());
-    if (m_isErasing && !hasStrokes(*asset(), m_settings.brush)) {
-        emit statusMessage(tr("There are no strokes of this brush to erase."));
+    const std::optional<Place> place = placeAt(event.position());
+    if (!place) return false;
+    if (const QString reason = m_painter.refusal(event.modifiers()); !reason.isEmpty()) {
+        emit statusMessage(reason);
         return true;
     }
-    m_isPressed = true;
-    paintTo(event.position());
+    m_painter.begin(place->point, m_painter.radiusPixels() * place->metresPerPixel, event.modifiers());
+    m_drawn.push_back(event.position());
     return true;
 }
 
-/// Leads the stroke to the point of the asset under the pointer, if there is one.
-void BondPaintTool::paintTo(QPointF pixel) {
-    const std::optional<Place> place = placeAt(pixel);
-    if (!place) return;
-    if (!m_path) {
-        BondBrushSettings settings = m_settings;
-        settings.isErasing = m_isErasing;
-        m_path.emplace(settings, radiusPixels() * place->metresPerPixel);
-    }
-    m_path->extend(place->point);
-    m_drawn.push_back(pixel);
-    emit changed();
-    emit strokeChanged(&m_path->stroke());
-}
-
+/// While it paints, the stroke is led to the point of the asset under the pointer, if there is one.
 bool BondPaintTool::move(const QMouseEvent& event) {
     if (!asset()) return false;
-    m_pointer = m_isPressed || placeAt(event.position()) ? std::optional(event.position()) : std::nullopt;
-    if (m_isPressed) paintTo(event.position());
-    emit changed();
-    return m_isPressed;
+    const std::optional<Place> place = placeAt(event.position());
+    m_pointer = isPainting() || place ? std::optional(event.position()) : std::nullopt;
+    if (isPainting() && place) {
+        m_drawn.push_back(event.position());
+        m_painter.extend(place->point);
+    } else {
+        emit changed();
+    }
+    return isPainting();
 }
 
 bool BondPaintTool::release(const QMouseEvent& event) {
-    if (!m_isPressed || event.button() != Qt::LeftButton) return false;
-    const std::optional<BondStrokePath> path = m_path;
-    end();
-    if (path && asset()) m_workspace.document().push(paintStroke(*asset(), path->stroke()));
+    if (!isPainting() || event.button() != Qt::LeftButton) return false;
+    m_painter.finish();
     return true;
 }
 
-/// Ends the stroke without a change.
-void BondPaintTool::end() {
-    const bool wasPainting = std::exchange(m_isPressed, false);
-    m_path.reset();
-    m_drawn.clear();
-    emit changed();
-    if (wasPainting) emit strokeChanged(nullptr);
-}
-
-bool BondPaintTool::cancel() {
-    if (!m_isPressed) return false;
-    end();
-    return true;
-}
+bool BondPaintTool::cancel() { return m_painter.cancel(); }
 
 void BondPaintTool::leave() {
     m_pointer.reset();
     emit changed();
 }
 
-void BondPaintTool::stepSize(double steps) {
-    m_size.step(steps);
-    emit changed();
-}
-
 bool BondPaintTool::wheel(const QWheelEvent& event) {
     if (!asset() || !event.modifiers().testFlag(Qt::ControlModifier)) return false;
-    stepSize(event.angleDelta().y() / kAnglePerWheelStep);
+    m_painter.stepSize(event.angleDelta().y() / kAnglePerWheelStep);
     return true;
 }
 
-/// The keys of the brushes in the canvas.
 bool BondPaintTool::overridesShortcut(const QKeyEvent& event) const {
     if (!asset() || event.modifiers() != Qt::NoModifier) return false;
-    switch (event.key()) {
-        case Qt::Key_BracketLeft:
-        case Qt::Key_BracketRight:
-        case Qt::Key_X: return true;
-        case Qt::Key_Comma:
-        case Qt::Key_Period: return m_settings.brush == BondBrush::Strength;
-        case Qt::Key_Escape: return m_isPressed;
-        default: return false;
-    }
+    return m_painter.handlesKey(event.key()) || (event.key() == Qt::Key_Escape && m_painter.stroke());
 }
 
 bool BondPaintTool::keyPress(const QKeyEvent& event) {
-    if (!overridesShortcut(event)) return false;
-    BondBrushSettings settings = m_settings;
-    switch (event.key()) {
-        case Qt::Key_BracketLeft: stepSize(-1.0); break;
-        case Qt::Key_BracketRight: stepSize(1.0); break;
-        case Qt::Key_Comma: settings.strength = nextBrushStrength(settings.strength, -1); break;
-        case Qt::Key_Period: settings.strength = nextBrushStrength(settings.strength, 1); break;
-        case Qt::Key_Escape: cancel(); break;
-        default: settings.isErasing = !settings.isErasing;
-    }
-    setSettings(settings);
-    return true;
+    return overridesShortcut(event) && (m_painter.key(event.key()) || cancel());
 }
 
 /// The fragments of a bake that are anchored or never break, with the stroke that is being painted.
 const std::vector<bool>& BondPaintTool::markedFragments(const std::shared_ptr<const Bake>& bake) const {
     Asset shown = *asset();
-    if (m_path) shown.bonding.strokes.push_back(m_path->stroke());
-    if (m_marks.bake == bake && m_marks.brush == m_settings.brush && m_marks.bonding == shown.bonding)
+    if (m_painter.stroke()) shown.bonding.strokes.push_back(*m_painter.stroke());
+    if (m_marks.bake == bake && m_marks.brush == m_painter.settings().brush && m_marks.bonding == shown.bonding)
         return m_marks.isMarked;
-    m_marks = {bake, m_settings.brush, shown.bonding, std::vector<bool>(bake->fragmentCount(), false)};
+    m_marks = {bake, m_painter.settings().brush, shown.bonding, std::vector<bool>(bake->fragmentCount(), false)};
     for (std::uint32_t fracture = 0; fracture < bake->fractures.size(); ++fracture) {
         const std::uint32_t first = bake->fractures[fracture].first;
-        if (m_settings.brush == BondBrush::Anchor) {
+        if (m_painter.settings().brush == BondBrush::Anchor) {
             for (const std::uint32_t k : anchoredFragments(shown, *bake, fracture)) m_marks.isMarked[first + k] = true;
         } else {
             const std::vector<bool> never = neverBreaking(shown, *bake, fracture);
@@ -232,7 +169,7 @@ const std::vector<bool>& BondPaintTool::markedFragments(const std::shared_ptr<co
 /// Marks the fragments of the base variant that are anchored or never break.
 void BondPaintTool::paintMarks(QPainter& painter) const {
     const auto baked = m_workspace.bakes().find(asset()->id);
-    if (!baked || !baked->bake || m_settings.brush == BondBrush::Strength) return;
+    if (!baked || !baked->bake || m_painter.settings().brush == BondBrush::Strength) return;
     const std::vector<bool>& isMarked = markedFragments(baked->bake);
     const RenderScene& scene = m_viewport.scene();
     for (std::uint32_t body = 0; body < scene.picks.size(); ++body) {
@@ -245,7 +182,7 @@ void BondPaintTool::paintMarks(QPainter& painter) const {
         const Vec3 along = (instance ? instance->pose.orientation : Quat(1.0, 0.0, 0.0, 0.0)) * Vec3(0.0, 0.0, 1.0);
         const auto middle = facingMiddle(m_viewport.shownCamera(), centre, along, asset()->prism.depth);
         const std::optional<QPointF> at = middle ? m_viewport.pointOf(*middle) : std::nullopt;
-        if (at) paintMark(painter, *at, colourOf(m_settings));
+        if (at) paintMark(painter, *at, colourOf(m_painter.settings()));
     }
 }
 
@@ -254,18 +191,19 @@ void BondPaintTool::paint(QPainter& painter, QSize) const {
     painter.setRenderHint(QPainter::Antialiasing);
     paintMarks(painter);
     painter.setBrush(Qt::NoBrush);
-    const bool isErasing = m_isPressed ? m_isErasing : m_settings.isErasing;
-    const QColor colour = isErasing ? kNeutralPaint : colourOf(m_settings);
+    const BondStroke* current = m_painter.stroke();
+    const bool isErasing = current ? current->isErasing : m_painter.settings().isErasing;
+    const QColor colour = isErasing ? kNeutralPaint : colourOf(m_painter.settings());
     if (!m_drawn.empty()) {
         QPolygonF line(m_drawn.begin(), m_drawn.end());
         if (line.size() == 1) line.push_back(line.front());
         QColor fill = colour;
         fill.setAlpha(kPaintAlpha);
-        painter.setPen(QPen(fill, 2.0 * radiusPixels(), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.setPen(QPen(fill, 2.0 * m_painter.radiusPixels(), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         painter.drawPolyline(line);
     }
     if (!m_pointer) return;
-    m_size.paintRing(painter, *m_pointer, 1.0, colour, kPaintUnderline, isErasing);
+    paintBrushRing(painter, *m_pointer, m_painter.radiusPixels(), colour, kPaintUnderline, isErasing);
 }
 
 }  // namespace rubble

@@ -2,12 +2,9 @@
 // window: a wall is painted, saved and loaded.
 #include "core/asset/library/StarterProject.h"
 #include "core/structure/capacity/BondCapacities.h"
-#include "editor/canvas/tools/BondBrushTool.h"
 #include "editor/commands/ProjectEdits.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/EditorStory.h"
-
-#include "editor/view3d/tools/BondPaintTool.h"
 
 #include <QToolBar>
 
@@ -100,7 +97,7 @@ private slots:
     void inThe3dViewTheSamePlaneIsPainted() {
         if (!hasView()) QSKIP("There is no OpenGL here.");
         QTest::keyClick(&canvas(), Qt::Key_A, Qt::AltModifier | Qt::ShiftModifier);
-        QVERIFY(sceneTool().isOn());
+        QVERIFY(painter().isOn());
         showOneWall();
         const std::size_t before = wall().bonding.strokes.size();
         const Vec2 from = centreOf() - Vec2(0.2, 0.0), to = centreOf() + Vec2(0.2, 0.1);
@@ -119,6 +116,29 @@ private slots:
         stack().undo();
         stack().undo();
         QCOMPARE(wall().bonding.strokes.size(), before);
+    }
+    void aStrokeIsTheSameEditInBothViews() {
+        if (!hasView()) QSKIP("There is no OpenGL here.");
+        QTest::keyClick(&viewport(), Qt::Key_1);
+        const double z = wall().prism.depth / 2.0;
+        const Vec2 from = centreOf() - Vec2(0.2, 0.1), to = centreOf() + Vec2(0.2, 0.1);
+        const PaintedStroke inCanvas = painted(canvas(), pixels(from), pixels(to));
+        // The size is shared in pixels: the same radius in metres is another number of them here. The wall is rotated
+        // about the vertical, along which lengths are as they are.
+        const QPoint start = onScreen(from, z), above = onScreen(from + Vec2(0.0, 0.2), z);
+        painter().setRadiusPixels(inCanvas.stroke.radius * QLineF(start, above).length() / 0.2);
+        const PaintedStroke inScene = painted(viewport(), start, onScreen(to, z));
+        QCOMPARE(inCanvas.text, inScene.text);
+        QCOMPARE(inCanvas.anchored, inScene.anchored);
+        QVERIFY(inCanvas.anchored.size() > 1);
+        const BondStroke &one = inCanvas.stroke, &other = inScene.stroke;
+        QVERIFY2(std::abs(one.radius / other.radius - 1.0) < 0.05, qPrintable(QString::number(other.radius)));
+        QCOMPARE(other.points.size(), std::size_t{2});
+        QVERIFY(isNear(one.points.front(), other.points.front()) && isNear(one.points.back(), other.points.back()));
+        BondStroke same = other;
+        same.radius = one.radius;
+        same.points = one.points;
+        QCOMPARE(same, one);
     }
     /// Its material would show through: the marks are on the faces that the eye sees.
     void marksDoNotShowThroughTheAsset() {
@@ -161,18 +181,20 @@ private slots:
         QTest::keyClick(&viewport(), Qt::Key_Escape);
         QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, at);
         QCOMPARE(text(), before);
-        QVERIFY(sceneTool().isOn());
+        QVERIFY(painter().isOn());
     }
     void bothViewsShareTheSettings() {
         QTest::keyClick(&viewport(), Qt::Key_X);
-        QVERIFY(canvas().bondBrushTool().settings().isErasing);
+        QVERIFY(painter().settings().isErasing);
         QTest::keyClick(&canvas(), Qt::Key_X);
-        QVERIFY(!sceneTool().settings().isErasing);
-        const double radius = sceneTool().radiusPixels();
+        QVERIFY(!painter().settings().isErasing);
+        const double radius = painter().radiusPixels();
         QTest::keyClick(&viewport(), Qt::Key_BracketRight);
-        QVERIFY(sceneTool().radiusPixels() > radius);
+        QVERIFY(painter().radiusPixels() > radius);
+        QTest::keyClick(&canvas(), Qt::Key_BracketLeft);
+        QCOMPARE(painter().radiusPixels(), radius);
         QTest::keyClick(&canvas(), Qt::Key_Q, Qt::AltModifier);
-        QVERIFY(!sceneTool().isOn());
+        QVERIFY(!painter().isOn());
     }
 
 private:
@@ -183,8 +205,21 @@ private:
         const Box2 box = boundsOf(wall().prism.outline.outer);
         return canvas().view().metres(pixels((box.min + box.max) / 2.0));
     }
-    BondPaintTool& sceneTool() { return window().views().scene().bondPaintTool(); }
+    BondPainter& painter() { return window().workspace().bondPainter(); }
     const Instance& instance() { return *std::ranges::find(project().instances, wall().id, &Instance::asset); }
+    struct PaintedStroke {
+        BondStroke stroke;
+        std::vector<std::uint32_t> anchored;
+        QString text;  // of the edit
+    };
+    /// What a stroke in a view does, which is undone again.
+    PaintedStroke painted(QWidget& view, QPoint from, QPoint to) {
+        drag(view, from, to);
+        const PaintedStroke result{wall().bonding.strokes.back(), anchoredFragments(wall(), bake(), 0),
+                                   stack().undoText()};
+        stack().undo();
+        return result;
+    }
     /// Frames one wall, rotated about the vertical.
     void showOneWall() {
         Instance rotated = instance();

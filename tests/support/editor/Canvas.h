@@ -90,7 +90,8 @@ struct CanvasBench {
     Selection selection;
     Bakes bakes;
     Baker baker{document, selection, bakes};
-    PatternCanvas canvas{document, selection, bakes};
+    BondPainter bondPainter{document, selection};
+    PatternCanvas canvas{document, selection, bakes, bondPainter};
 };
 
 }  // namespace rubble

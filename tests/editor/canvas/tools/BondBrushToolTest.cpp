@@ -41,7 +41,7 @@ struct BondBench : CanvasBench {
     std::vector<std::uint32_t> anchored() const { return anchoredFragments(asset(), *bakes.find(asset().id)->bake, 0); }
     QUndoStack& stack() { return document.undoStack(); }
     BondBrushTool& tool() { return canvas.bondBrushTool(); }
-    double radius() { return canvas.bondBrushTool().radiusPixels() / canvas.view().scale; }
+    double radius() { return bondPainter.radiusPixels() / canvas.view().scale; }
 };
 
 bool areNear(Vec2 a, Vec2 b, double tolerance) { return glm::length(a - b) <= tolerance; }
@@ -153,11 +153,11 @@ private slots:
     }
     void strengthIsThatOfTheBrush() {
         BondBench bench(CanvasToolKind::StrengthBrush);
-        QCOMPARE(bench.tool().strength(), 2.0);
+        QCOMPARE(bench.bondPainter.settings().strength, 2.0);
         bench.click({0.5, 0.25});
         bench.key(Qt::Key_Period);
         bench.click({0.5, 0.75});
-        bench.tool().setStrength(0.3);
+        bench.bondPainter.setStrength(0.3);
         bench.key(Qt::Key_Comma);
         bench.click({0.5, 0.75});
         QCOMPARE(bench.strokes()[0].strength, 2.0);
@@ -169,16 +169,16 @@ private slots:
     void strengthStaysInRange() {
         BondBench bench(CanvasToolKind::StrengthBrush);
         for (int k = 0; k < 12; ++k) bench.key(Qt::Key_Period);
-        QCOMPARE(bench.tool().strength(), 10.0);
+        QCOMPARE(bench.bondPainter.settings().strength, 10.0);
         for (int k = 0; k < 12; ++k) bench.key(Qt::Key_Comma);
-        QCOMPARE(bench.tool().strength(), 0.0);
+        QCOMPARE(bench.bondPainter.settings().strength, 0.0);
         QMenu menu;
         bench.tool().fillMenu(menu, {});
         const QList<QAction*> factors = menu.findChild<QMenu*>()->actions();
         const auto checked = std::ranges::find_if(factors, [](const QAction* factor) { return factor->isChecked(); });
         QCOMPARE((*checked)->text(), QString("0"));
         factors.back()->trigger();
-        QCOMPARE(bench.tool().strength(), 10.0);
+        QCOMPARE(bench.bondPainter.settings().strength, 10.0);
     }
     void anyStrengthCanBeTyped() {
         BondBench bench(CanvasToolKind::StrengthBrush);
@@ -189,22 +189,22 @@ private slots:
         field.selectAll();
         QTest::keyClicks(&field, "1.25");
         QVERIFY(field.commit());
-        QCOMPARE(bench.tool().strength(), 1.25);
+        QCOMPARE(bench.bondPainter.settings().strength, 1.25);
         field.selectAll();
         QTest::keyClicks(&field, "11");
         QVERIFY(!field.commit());
-        QCOMPARE(bench.tool().strength(), 1.25);
+        QCOMPARE(bench.bondPainter.settings().strength, 1.25);
     }
     void bracketsAndWheelChangeTheSize() {
         BondBench bench;
-        const double before = bench.tool().radiusPixels();
+        const double before = bench.bondPainter.radiusPixels();
         bench.key(Qt::Key_BracketRight);
-        const double larger = bench.tool().radiusPixels();
+        const double larger = bench.bondPainter.radiusPixels();
         QVERIFY(larger > before);
         const QPointF middle = QRectF(bench.canvas.rect()).center();
         QWheelEvent event(middle, middle, {}, {0, -120}, Qt::NoButton, Qt::ControlModifier, Qt::NoScrollPhase, false);
         QApplication::sendEvent(&bench.canvas, &event);
-        QCOMPARE(bench.tool().radiusPixels(), before);
+        QCOMPARE(bench.bondPainter.radiusPixels(), before);
         QVERIFY(bench.tool().overridesShortcut(Qt::Key_BracketLeft));
         QVERIFY(!bench.tool().overridesShortcut(Qt::Key_Comma));  // the factor is of the strength brush
     }

@@ -1,4 +1,4 @@
-// Tests editor/canvas/tools/BrushTool.cpp and editor/widgets/input/BrushSize.cpp.
+// Tests editor/canvas/tools/BrushTool.cpp and editor/widgets/input/BrushRing.cpp.
 #include "editor/canvas/tools/BrushTool.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/Canvas.h"

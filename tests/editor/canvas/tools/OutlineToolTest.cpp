@@ -155,7 +155,8 @@ private slots:
         Document document(Project{});
         Selection selection;
         Bakes bakes;
-        PatternCanvas canvas(document, selection, bakes);
+        BondPainter painter(document, selection);
+        PatternCanvas canvas(document, selection, bakes, painter);
         canvas.resize(400, 300);
         canvas.setTool(CanvasToolKind::Outline);
         canvas.outlineTool().beginDrawing(ShapeDrawing::Purpose::NewAsset);

@@ -20,8 +20,12 @@ struct SnappingBench {
     Document document{Project{}};
     Selection selection;
     Bakes bakes;
-    CanvasState state{
-        .document = document, .selection = selection, .bakes = bakes, .view = {.size = {400.0, 400.0}, .scale = 100.0}};
+    BondPainter painter{document, selection};
+    CanvasState state{.document = document,
+                      .selection = selection,
+                      .bakes = bakes,
+                      .bondPainter = painter,
+                      .view = {.size = {400.0, 400.0}, .scale = 100.0}};
     SnapTargets targets{.points = {{0.0, 0.0}, {1.03, 0.0}}, .edges = {{Vec2{0.0, 0.0}, Vec2{1.03, 0.0}}}};
 };
 

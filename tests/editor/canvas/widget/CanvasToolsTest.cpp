@@ -11,7 +11,9 @@ class CanvasToolsTest : public QObject {
 private slots:
     void eachKindHasItsTool() {
         CanvasBench bench(projectOf(unitSquare(), PlacedSeeds{}));
-        CanvasState state{.document = bench.document, .selection = bench.selection, .bakes = bench.bakes};
+        BondPainter painter(bench.document, bench.selection);
+        const CanvasState state{
+            .document = bench.document, .selection = bench.selection, .bakes = bench.bakes, .bondPainter = painter};
         CanvasTools tools(state);
         QCOMPARE(tools.all().size(), std::size_t{6});
         QCOMPARE(static_cast<void*>(&tools.prepare(CanvasToolKind::PlaceSeeds)), static_cast<void*>(&tools.seeds()));
@@ -20,9 +22,11 @@ private slots:
                                           std::pair(CanvasToolKind::NeverBreaksBrush, BondBrush::NeverBreaks)}) {
             QVERIFY(isBondBrush(kind) && isBrush(kind));
             QCOMPARE(static_cast<void*>(&tools.prepare(kind)), static_cast<void*>(&tools.bondBrush()));
-            QCOMPARE(tools.bondBrush().settings().brush, brush);
-            QCOMPARE(state.showsStrengths, kind == CanvasToolKind::StrengthBrush);
+            QCOMPARE(painter.settings().brush, brush);
+            QVERIFY(painter.isOn());
         }
+        tools.prepare(CanvasToolKind::Seeds);
+        QVERIFY(!painter.isOn());
         QVERIFY(isBrush(CanvasToolKind::Brush) && !isBondBrush(CanvasToolKind::Brush));
         QVERIFY(!isBrush(CanvasToolKind::Seeds));
     }

@@ -174,7 +174,8 @@ private slots:
         Document document(projectOf(unitSquare(), twoSeeds()));
         Selection selection;
         Bakes bakes;
-        auto* canvas = new PatternCanvas(document, selection, bakes);
+        BondPainter painter(document, selection);
+        auto* canvas = new PatternCanvas(document, selection, bakes, painter);
         auto* next = new QLineEdit;
         rows->addWidget(canvas);
         rows->addWidget(next);
