@@ -43,12 +43,7 @@ constexpr std::array kRadialCracksParameters{
                                       .hint = "Number of cracks from the hole to the outline",
                                       .range = {3.0, kMaxSpokes},
                                       .sliderRange = {3.0, 40.0}}),
-    parameter<&RadialCracks::exponent>(
-        {.name = "exponent",
-         .caption = "Ring spacing",
-         .hint = "1: equidistant rings; above: closer towards the centre; below: closer towards the rim",
-         .range = {0.1, 10.0},
-         .sliderRange = {0.25, 4.0, true}}),
+    parameter<&RadialCracks::exponent>(kRingSpacingParameter),
     parameter<&RadialCracks::rotation>({.name = "rotation",
                                         .caption = "Rotation",
                                         .hint = "Rotation of all cracks about the centre",

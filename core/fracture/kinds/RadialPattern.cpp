@@ -34,12 +34,7 @@ constexpr std::array kRadialPatternParameters{
                                        .hint = "Number of seeds on each ring",
                                        .range = {1.0, kMaxPairNumber},
                                        .sliderRange = {1.0, 60.0}}),
-    parameter<&RadialPattern::exponent>(
-        {.name = "exponent",
-         .caption = "Ring spacing",
-         .hint = "1: equidistant rings; above: closer towards the centre; below: closer towards the rim",
-         .range = {0.1, 10.0},
-         .sliderRange = {0.25, 4.0, true}}),
+    parameter<&RadialPattern::exponent>(kRingSpacingParameter),
     parameter<&RadialPattern::rotation>({.name = "turn",
                                          .caption = "Rotation",
                                          .hint = "Rotation of all spokes about the centre",

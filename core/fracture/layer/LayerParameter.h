@@ -143,6 +143,13 @@ inline constexpr LayerParameter kDomainParameter{.name = "domain",
                                                  .hint = "Scatter seeds in the outline or in its bounding box",
                                                  .options = kDomainOptions};
 
+inline constexpr LayerParameter kRingSpacingParameter{
+    .name = "exponent",
+    .caption = "Ring spacing",
+    .hint = "1: equidistant rings; above: closer towards the centre; below: closer towards the rim",
+    .range = {0.1, 10.0},
+    .sliderRange = {0.25, 4.0, true}};
+
 /// The fault of a parameter's value, as the end of a sentence that starts with the layer's name; nothing if it is
 /// valid.
 std::optional<std::string> parameterFault(const LayerParameter& parameter, const ParameterValue& value);

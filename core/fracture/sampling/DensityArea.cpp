@@ -1,6 +1,7 @@
 #include "core/fracture/sampling/DensityArea.h"
 
 #include "core/base/Assert.h"
+#include "core/fracture/sampling/TriangleSampling.h"
 #include "core/geometry/polygon/ConvexParts.h"
 #include "core/geometry/polygon/HalfPlaneClip.h"
 
@@ -32,13 +33,7 @@ Vec2 pointOf(const Ring& ring, Random& random) {
         if (drawn < triangle) break;
         drawn -= triangle;
     }
-    double u = random.unit();
-    double v = random.unit();
-    if (u + v > 1.0) {
-        u = 1.0 - u;
-        v = 1.0 - v;
-    }
-    return ring[0] + u * (ring[k] - ring[0]) + v * (ring[k + 1] - ring[0]);
+    return pointOfTriangle(ring[0], ring[k] - ring[0], ring[k + 1] - ring[0], random);
 }
 
 }  // namespace
@@ -113,9 +108,7 @@ void DensityArea::addRow(std::uint32_t triangle, std::uint32_t row, DenseWhere d
 
 Vec2 DensityArea::point(Random& random) const {
     RUBBLE_ASSERT(!isEmpty());
-    const double drawn = random.unit() * m_weightsUpTo.back();
-    const auto found = std::ranges::upper_bound(m_weightsUpTo, drawn) - m_weightsUpTo.begin();
-    const Part& part = m_parts[std::min(m_parts.size() - 1, static_cast<std::size_t>(found))];
+    const Part& part = m_parts[drawByWeight(m_weightsUpTo, random)];
     Ring ofRow, ofPixel;
     clipToRow(part.triangle, part.row, ofRow);
     clipToColumn(ofRow, part.column, ofPixel);

@@ -1,6 +1,7 @@
 #include "core/fracture/sampling/FalloffArea.h"
 
 #include "core/base/math/Power.h"
+#include "core/fracture/sampling/TriangleSampling.h"
 #include "core/geometry/polygon/ConvexParts.h"
 
 #include <algorithm>
@@ -79,17 +80,9 @@ void FalloffArea::add(const Corners& corners) {
 
 Vec2 FalloffArea::point(Random& random) const {
     for (;;) {
-        const double drawn = random.unit() * m_weightsUpTo.back();
-        const auto found = std::ranges::upper_bound(m_weightsUpTo, drawn) - m_weightsUpTo.begin();
-        const Part& part = m_parts[std::min(m_parts.size() - 1, static_cast<std::size_t>(found))];
+        const Part& part = m_parts[drawByWeight(m_weightsUpTo, random)];
         const auto& [corner, first, second] = part.corners;
-        double u = random.unit();
-        double v = random.unit();
-        if (u + v > 1.0) {  // the other half of the parallelogram, mirrored onto the triangle
-            u = 1.0 - u;
-            v = 1.0 - v;
-        }
-        const Vec2 point = corner + u * (first - corner) + v * (second - corner);
+        const Vec2 point = pointOfTriangle(corner, first - corner, second - corner, random);
         if (random.unit() * part.maxDensity < m_falloff.at(length(point - m_falloff.centre))) return point;
     }
 }

@@ -1,5 +1,6 @@
 #include "core/fracture/sampling/ScatterArea.h"
 
+#include "core/fracture/sampling/TriangleSampling.h"
 #include "core/geometry/polygon/ConvexParts.h"
 
 #include <algorithm>
@@ -32,17 +33,8 @@ Result<ScatterArea> ScatterArea::of(const Polygon& polygon) {
 }
 
 Vec2 ScatterArea::point(Random& random) const {
-    const double drawn = random.unit() * area();
-    const auto found = std::ranges::upper_bound(m_areasUpTo, drawn);
-    const std::size_t last = m_triangles.size() - 1;
-    const Triangle& triangle = m_triangles[std::min(last, static_cast<std::size_t>(found - m_areasUpTo.begin()))];
-    double u = random.unit();
-    double v = random.unit();
-    if (u + v > 1.0) {  // the other half of the parallelogram, mirrored onto the triangle
-        u = 1.0 - u;
-        v = 1.0 - v;
-    }
-    return triangle.corner + u * triangle.first + v * triangle.second;
+    const Triangle& triangle = m_triangles[drawByWeight(m_areasUpTo, random)];
+    return pointOfTriangle(triangle.corner, triangle.first, triangle.second, random);
 }
 
 }  // namespace rubble

@@ -56,42 +56,44 @@ struct Edges {
     std::map<std::uint32_t, std::uint32_t> outlineNext;  // from each point to the next along the outline
 };
 
-Fault collectEdges(const Partition& p, Edges& edges) {
-    for (std::uint32_t piece = 0; piece < p.pieceCount(); ++piece) {
-        for (std::uint32_t ring = p.ringsOfPiece[piece]; ring < p.ringsOfPiece[piece + 1]; ++ring) {
-            const std::uint32_t begin = p.cornersOfRing[ring], end = p.cornersOfRing[ring + 1];
-            for (std::uint32_t corner = begin; corner < end; ++corner) {
-                const std::uint32_t from = p.corners[corner], to = p.corners[corner + 1 < end ? corner + 1 : begin];
-                const bool isNew = from != to && edges.pieces.emplace(PointPair{from, to}, piece).second;
-                if (!isNew)
-                    return "Piece " + std::to_string(piece) + " repeats the edge from point " + std::to_string(from) +
-                           " to " + std::to_string(to) + ".";
-                if (p.neighbours[corner] == kNone && !edges.outlineNext.emplace(from, to).second) {
-                    return "Two edges along the outline start at point " + std::to_string(from) + ".";
-                }
-            }
-        }
+/// A directed edge of a piece, and the piece behind it.
+struct PieceEdge {
+    std::uint32_t piece, from, to, neighbour;
+
+    std::string text() const { return "edge from point " + std::to_string(from) + " to " + std::to_string(to); }
+};
+
+/// The first fault that check(edge) finds, piece by piece.
+template <class Check>
+Fault firstFaultOfEdges(const Partition& p, Check check) {
+    Fault fault;
+    for (std::uint32_t piece = 0; piece < p.pieceCount() && !fault; ++piece) {
+        forEachEdge(p, piece, [&](std::uint32_t from, std::uint32_t to, std::uint32_t neighbour) {
+            if (!fault) fault = check(PieceEdge{piece, from, to, neighbour});
+        });
     }
-    return std::nullopt;
+    return fault;
+}
+
+Fault collectEdges(const Partition& p, Edges& edges) {
+    return firstFaultOfEdges(p, [&](const PieceEdge& edge) -> Fault {
+        const auto& [piece, from, to, neighbour] = edge;
+        const bool isNew = from != to && edges.pieces.emplace(PointPair{from, to}, piece).second;
+        if (!isNew) return "Piece " + std::to_string(piece) + " repeats the " + edge.text() + ".";
+        if (neighbour == kNone && !edges.outlineNext.emplace(from, to).second)
+            return "Two edges along the outline start at point " + std::to_string(from) + ".";
+        return std::nullopt;
+    });
 }
 
 Fault verifyNeighbours(const Partition& p, const Edges& edges) {
-    for (std::uint32_t piece = 0; piece < p.pieceCount(); ++piece) {
-        for (std::uint32_t ring = p.ringsOfPiece[piece]; ring < p.ringsOfPiece[piece + 1]; ++ring) {
-            const std::uint32_t begin = p.cornersOfRing[ring], end = p.cornersOfRing[ring + 1];
-            for (std::uint32_t corner = begin; corner < end; ++corner) {
-                const std::uint32_t from = p.corners[corner], to = p.corners[corner + 1 < end ? corner + 1 : begin];
-                const auto reverse = edges.pieces.find({to, from});
-                const std::uint32_t behind = reverse == edges.pieces.end() ? kNone : reverse->second;
-                if (behind != p.neighbours[corner] || behind == piece) {
-                    return "Piece " + std::to_string(piece) +
-                           " does not have the right neighbour behind its edge from point " + std::to_string(from) +
-                           " to " + std::to_string(to) + ".";
-                }
-            }
-        }
-    }
-    return std::nullopt;
+    return firstFaultOfEdges(p, [&](const PieceEdge& edge) -> Fault {
+        const auto reverse = edges.pieces.find({edge.to, edge.from});
+        const std::uint32_t behind = reverse == edges.pieces.end() ? kNone : reverse->second;
+        if (behind == edge.neighbour && behind != edge.piece) return std::nullopt;
+        return "Piece " + std::to_string(edge.piece) + " does not have the right neighbour behind its " + edge.text() +
+               ".";
+    });
 }
 
 /// No ring touches itself.

@@ -1,5 +1,7 @@
 #include "core/geometry/polygon/IndexedCorners.h"
 
+#include "core/geometry/predicates/Predicates.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -42,6 +44,22 @@ std::vector<std::uint32_t> sweepOrder(const IndexedCorners& corners) {
         return pointA == pointB ? a < b : lexicographicLess(pointA, pointB);
     });
     return order;
+}
+
+std::vector<SweptEdge> sweptEdges(const IndexedCorners& corners) {
+    std::vector<SweptEdge> edges;
+    edges.reserve(corners.cornerCount());
+    for (std::uint32_t corner = 0; corner < corners.cornerCount(); ++corner) {
+        const Vec2 from = corners.points[corner], to = corners.points[corners.next[corner]];
+        edges.push_back(lexicographicLess(from, to) ? SweptEdge{from, to, true} : SweptEdge{to, from, false});
+    }
+    return edges;
+}
+
+bool isBelow(const SweptEdge& a, const SweptEdge& b) {
+    if (a.left == b.left) return orient2d(a.left, a.right, b.right) > 0;
+    if (lexicographicLess(a.left, b.left)) return orient2d(a.left, a.right, b.left) > 0;
+    return orient2d(b.left, b.right, a.left) < 0;
 }
 
 }  // namespace rubble

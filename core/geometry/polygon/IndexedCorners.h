@@ -26,4 +26,18 @@ IndexedCorners indexedCorners(const Polygon& polygon);
 /// The indices of all corners in sweep order: by x, then y, then index.
 std::vector<std::uint32_t> sweepOrder(const IndexedCorners& corners);
 
+/// An edge, from the end that a sweep in that order reaches first.
+struct SweptEdge {
+    Vec2 left;
+    Vec2 right;
+    bool runsRight = false;  // whether its ring runs from left to right along it
+};
+
+/// The edges of a polygon, by the corner at which they start.
+std::vector<SweptEdge> sweptEdges(const IndexedCorners& corners);
+
+/// Whether edge `a` is below `b` where the sweep line meets both, which do not cross. Edges that touch there are
+/// equivalent.
+bool isBelow(const SweptEdge& a, const SweptEdge& b);
+
 }  // namespace rubble

@@ -80,12 +80,8 @@ private:
 /// The edges directly above and below each corner, by a sweep line.
 class SweepNeighbours {
 public:
-    explicit SweepNeighbours(const IndexedCorners& corners) : m_corners(corners), m_status(IsBelow{&m_edges}) {
-        m_edges.reserve(corners.cornerCount());
-        for (std::uint32_t edge = 0; edge < corners.cornerCount(); ++edge) {
-            const Vec2 from = corners.points[edge], to = corners.points[corners.next[edge]];
-            m_edges.push_back(lexicographicLess(from, to) ? SweptEdge{from, to} : SweptEdge{to, from});
-        }
+    explicit SweepNeighbours(const IndexedCorners& corners)
+        : m_corners(corners), m_edges(sweptEdges(corners)), m_status(IsBelow{&m_edges}) {
         m_entries.resize(m_edges.size(), m_status.end());
     }
 
@@ -109,20 +105,12 @@ public:
     }
 
 private:
-    struct SweptEdge {
-        Vec2 left;
-        Vec2 right;
-    };
     /// Orders edges that do not cross from bottom to top where the sweep line is, and points among them.
     struct IsBelow {
         using is_transparent = void;
         const std::vector<SweptEdge>* edges;
         bool operator()(std::uint32_t first, std::uint32_t second) const {
-            const SweptEdge &a = (*edges)[first], &b = (*edges)[second];
-            if (first == second) return false;
-            if (a.left == b.left) return orient2d(a.left, a.right, b.right) > 0;
-            if (lexicographicLess(a.left, b.left)) return orient2d(a.left, a.right, b.left) > 0;
-            return orient2d(b.left, b.right, a.left) < 0;
+            return first != second && isBelow((*edges)[first], (*edges)[second]);
         }
         bool operator()(std::uint32_t edge, Vec2 point) const {
             return orient2d((*edges)[edge].left, (*edges)[edge].right, point) > 0;

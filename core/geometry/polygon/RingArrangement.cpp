@@ -9,13 +9,6 @@ namespace rubble {
 
 namespace {
 
-/// An edge, from the end that the sweep reaches first.
-struct SweptEdge {
-    Vec2 left;
-    Vec2 right;
-    bool runsRight = false;  // whether its ring runs from left to right along it
-};
-
 bool containsInInterior(const SweptEdge& edge, Vec2 point) {
     return lexicographicLess(edge.left, point) && lexicographicLess(point, edge.right) &&
            orient2d(edge.left, edge.right, point) == 0;
@@ -45,19 +38,14 @@ struct IsBelow {
     std::size_t* comparisons;
     bool operator()(std::uint32_t first, std::uint32_t second) const {
         ++*comparisons;
-        const SweptEdge& a = (*edges)[first];
-        const SweptEdge& b = (*edges)[second];
-        if (first == second) return false;
-        if (a.left == b.left) return orient2d(a.left, a.right, b.right) > 0;
-        if (lexicographicLess(a.left, b.left)) return orient2d(a.left, a.right, b.left) > 0;
-        return orient2d(b.left, b.right, a.left) < 0;
+        return first != second && isBelow((*edges)[first], (*edges)[second]);
     }
 };
 
 class RingSweep {
 public:
     explicit RingSweep(const IndexedCorners& corners)
-        : m_corners(corners), m_edges(edgesOf(corners)), m_status(IsBelow{&m_edges, &m_comparisons}) {
+        : m_corners(corners), m_edges(sweptEdges(corners)), m_status(IsBelow{&m_edges, &m_comparisons}) {
         m_statusEntry.resize(m_edges.size(), m_status.end());
         m_isSuspect.resize(m_edges.size(), false);
         m_isCounterClockwise.resize(corners.ringCount(), false);
@@ -84,15 +72,6 @@ public:
 private:
     using Status = std::set<std::uint32_t, IsBelow>;
     using Kind = BoundaryContact::Kind;
-
-    static std::vector<SweptEdge> edgesOf(const IndexedCorners& corners) {
-        std::vector<SweptEdge> edges(corners.points.size());
-        for (std::size_t i = 0; i < edges.size(); ++i) {
-            const Vec2 from = corners.points[i], to = corners.points[corners.next[i]];
-            edges[i] = lexicographicLess(from, to) ? SweptEdge{from, to, true} : SweptEdge{to, from, false};
-        }
-        return edges;
-    }
 
     /// Processes the corners at one point: removes the edges that end there from the status, then inserts those that
     /// start.

@@ -9,6 +9,7 @@
 #include "core/io/json/VectorJson.h"
 #include "core/io/pack/PackFormat.h"
 #include "core/io/project/BondingJson.h"
+#include "core/io/project/SceneJson.h"
 #include "core/io/project/ShotJson.h"
 
 #include <algorithm>
@@ -35,9 +36,7 @@ void writeSceneHeader(JsonWriter& json) {
 void writeSceneGround(JsonWriter& json, const Ground& ground) {
     if (!ground.isOn) return;
     json.openObject("ground");
-    json.number("height", ground.height);
-    json.number("friction", ground.friction);
-    json.number("restitution", ground.restitution);
+    writeGroundPlane(json, ground);
     json.close();
 }
 

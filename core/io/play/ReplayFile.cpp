@@ -23,18 +23,29 @@ std::uint64_t readHex(const JsonValue& value) {
     return hash.value_or(ContentHash{}).low;
 }
 
-void writeStep(JsonWriter& json, const ReplayStep& step) {
+void writeCheckVersion1(JsonWriter& json, const BodyCheck& check) {
+    json.wholeNumber({}, std::uint64_t{check.body});
+    json.wholeNumber({}, std::uint64_t{check.check});
+}
+
+void writeCheck(JsonWriter& json, const BodyCheck& check) {
+    writeCheckVersion1(json, check);
+    json.number({}, check.velocity.x);
+    json.number({}, check.velocity.y);
+    json.number({}, check.velocity.z);
+}
+
+/// Opens a step with what all versions have: its hash and, as a flat array, the bodies that moved.
+void openStep(JsonWriter& json, const ReplayStep& step, void (*write)(JsonWriter&, const BodyCheck&)) {
     json.openObject({}, JsonLayout::Inline);
     json.text("hash", hexOf(step.hash));
     json.openArray("moved", JsonLayout::Inline);
-    for (const BodyCheck& check : step.moved) {
-        json.wholeNumber({}, std::uint64_t{check.body});
-        json.wholeNumber({}, std::uint64_t{check.check});
-        json.number({}, check.velocity.x);
-        json.number({}, check.velocity.y);
-        json.number({}, check.velocity.z);
-    }
+    for (const BodyCheck& check : step.moved) write(json, check);
     json.close();
+}
+
+void writeStep(JsonWriter& json, const ReplayStep& step) {
+    openStep(json, step, writeCheck);
     json.openArray("broke", JsonLayout::Inline);
     for (const ReplayBreak& broken : step.broke) {
         json.wholeNumber({}, std::uint64_t{broken.body});
@@ -46,14 +57,7 @@ void writeStep(JsonWriter& json, const ReplayStep& step) {
 }
 
 void writeStepVersion1(JsonWriter& json, const ReplayStep& step) {
-    json.openObject({}, JsonLayout::Inline);
-    json.text("hash", hexOf(step.hash));
-    json.openArray("moved", JsonLayout::Inline);
-    for (const BodyCheck& check : step.moved) {
-        json.wholeNumber({}, std::uint64_t{check.body});
-        json.wholeNumber({}, std::uint64_t{check.check});
-    }
-    json.close();
+    openStep(json, step, writeCheckVersion1);
     json.close();
 }
 

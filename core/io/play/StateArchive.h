@@ -19,11 +19,19 @@
 
 namespace rubble {
 
-// Structs are written and read field by field, by one function each that both archives call: visitFields(struct,
-// archive), which is a static member where the fields are private.
-
 template <class T>
 concept StateNumber = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
+
+/// Writes or reads a struct field by field, by one function each that both archives call: visitFields(struct, archive),
+/// which is a static member where the fields are private. `Self` is T or const T.
+template <class T, class Self, class Archive>
+void visitAllFields(Self& self, Archive& archive) {
+    if constexpr (requires { T::visitFields(self, archive); }) {
+        T::visitFields(self, archive);
+    } else {
+        visitFields(self, archive);
+    }
+}
 
 static_assert(std::endian::native == std::endian::little);  // numbers are little-endian in files
 
@@ -97,13 +105,7 @@ private:
     }
     template <class T>
     requires std::is_class_v<T>
-    void write(const T& fields) {
-        if constexpr (requires { T::visitFields(fields, *this); }) {
-            T::visitFields(fields, *this);
-        } else {
-            visitFields(fields, *this);
-        }
-    }
+    void write(const T& fields) { visitAllFields<T>(fields, *this); }
 
     std::string m_bytes;
 };
@@ -235,13 +237,7 @@ private:
     }
     template <class T>
     requires std::is_class_v<T>
-    void read(T& fields) {
-        if constexpr (requires { T::visitFields(fields, *this); }) {
-            T::visitFields(fields, *this);
-        } else {
-            visitFields(fields, *this);
-        }
-    }
+    void read(T& fields) { visitAllFields<T>(fields, *this); }
     template <class T>
     void checkFinite(std::span<const T> values) {
         for (const T value : values) {

@@ -65,10 +65,14 @@ Instance readInstance(const JsonValue& value) {
 void writeGround(JsonWriter& json, const Ground& ground) {
     json.openObject("ground");
     json.boolean("on", ground.isOn);
+    writeGroundPlane(json, ground);
+    json.close();
+}
+
+void writeGroundPlane(JsonWriter& json, const Ground& ground) {
     json.number("height", ground.height);
     json.number("friction", ground.friction);
     json.number("restitution", ground.restitution);
-    json.close();
 }
 
 Ground readGround(const JsonValue& value) {

@@ -9,6 +9,8 @@ namespace rubble {
 /// Write an instance as an element of an array; ground, damage, debris and settings of events as members of an object.
 void writeInstance(JsonWriter& json, const Instance& instance);
 void writeGround(JsonWriter& json, const Ground& ground);
+/// The members of a ground that is on.
+void writeGroundPlane(JsonWriter& json, const Ground& ground);
 void writeDamage(JsonWriter& json, const Damage& damage);
 void writeDebris(JsonWriter& json, const Debris& debris);
 void writeEventSettings(JsonWriter& json, const EventSettings& events);

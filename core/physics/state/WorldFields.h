@@ -9,12 +9,12 @@ namespace rubble {
 
 /// The structs of a WorldState, const or not, whose fields visitFields() visits for writing and reading: visit(name,
 /// field) is called for each, in the order of their declaration. A member that is added to a struct does not compile
-/// until it is visited here. Shapes are shared and not visited, nor are the events of the last step, which the next
-/// step clears.
-template <class Self, class T>
-concept FieldsOf = std::same_as<std::remove_const_t<Self>, T>;
+/// until it is visited here. Structs with the same members share a function. Shapes are shared and not visited, nor are
+/// the events of the last step, which the next step clears.
+template <class Self, class... Ts>
+concept FieldsOf = (std::same_as<std::remove_const_t<Self>, Ts> || ...);
 
-template <FieldsOf<Quatf> Self, class Visit>
+template <FieldsOf<Quatf, QuatRow> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
     auto& [x, y, z, w] = self;
     visit("x", x);
@@ -23,7 +23,7 @@ void visitFields(Self& self, Visit& visit) {
     visit("w", w);
 }
 
-template <FieldsOf<SymMat3f> Self, class Visit>
+template <FieldsOf<SymMat3f, SymMat3Row> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
     auto& [xx, xy, xz, yy, yz, zz] = self;
     visit("xx", xx);
@@ -182,26 +182,6 @@ void visitFields(Self& self, Visit& visit) {
     visit("x", x);
     visit("y", y);
     visit("z", z);
-}
-
-template <FieldsOf<QuatRow> Self, class Visit>
-void visitFields(Self& self, Visit& visit) {
-    auto& [x, y, z, w] = self;
-    visit("x", x);
-    visit("y", y);
-    visit("z", z);
-    visit("w", w);
-}
-
-template <FieldsOf<SymMat3Row> Self, class Visit>
-void visitFields(Self& self, Visit& visit) {
-    auto& [xx, xy, xz, yy, yz, zz] = self;
-    visit("xx", xx);
-    visit("xy", xy);
-    visit("xz", xz);
-    visit("yy", yy);
-    visit("yz", yz);
-    visit("zz", zz);
 }
 
 template <FieldsOf<PointRows> Self, class Visit>

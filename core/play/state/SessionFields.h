@@ -33,15 +33,7 @@ void visitFields(Self& self, Visit& visit) {
     visit("speed", speed);
 }
 
-template <FieldsOf<Hammer> Self, class Visit>
-void visitFields(Self& self, Visit& visit) {
-    auto& [at, impulse, radius] = self;
-    visit("at", at);
-    visit("impulse", impulse);
-    visit("radius", radius);
-}
-
-template <FieldsOf<Blast> Self, class Visit>
+template <FieldsOf<Hammer, Blast> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
     auto& [at, impulse, radius] = self;
     visit("at", at);

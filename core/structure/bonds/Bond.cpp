@@ -1,6 +1,7 @@
 #include "core/structure/bonds/Bond.h"
 
 #include "core/geometry/polygon/AreaMoments.h"
+#include "core/structure/bonds/SharedEdges.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -12,8 +13,8 @@
 namespace rubble {
 namespace {
 
-/// An edge between two fragments, counter-clockwise around the first.
-struct SharedEdge {
+/// An edge of the face of a bond, counter-clockwise around the first fragment.
+struct BondEdge {
     std::uint32_t first = 0;
     std::uint32_t second = 0;
     double length = 0.0;  // m
@@ -23,27 +24,20 @@ struct SharedEdge {
 
 /// The edges between two fragments, by pair. Within a pair by length, so that their sum has the bits of
 /// Fragment::contacts().
-std::vector<SharedEdge> sharedEdges(const Fragments& fragments) {
-    const Partition& partition = fragments.partition;
-    std::vector<SharedEdge> edges;
-    for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
-        const std::uint32_t first = fragments.fragmentOfPiece[piece];
-        if (first == kNone) continue;
-        forEachEdge(partition, piece, [&](std::uint32_t from, std::uint32_t to, std::uint32_t neighbour) {
-            const std::uint32_t second = neighbour == kNone ? kNone : fragments.fragmentOfPiece[neighbour];
-            if (second == kNone || second <= first) return;
-            const Vec2 a = partition.points[from], b = partition.points[to];
-            edges.push_back({first, second, glm::distance(a, b), a, b});
-        });
+std::vector<BondEdge> bondEdges(const Fragments& fragments) {
+    std::vector<BondEdge> edges;
+    for (const SharedEdge& edge : sharedEdges(fragments)) {
+        const Vec2 from = fragments.partition.points[edge.from], to = fragments.partition.points[edge.to];
+        edges.push_back({edge.first, edge.second, glm::distance(from, to), from, to});
     }
-    std::ranges::stable_sort(edges, [](const SharedEdge& a, const SharedEdge& b) {
+    std::ranges::stable_sort(edges, [](const BondEdge& a, const BondEdge& b) {
         return std::tie(a.first, a.second, a.length) < std::tie(b.first, b.second, b.length);
     });
     return edges;
 }
 
 /// The integral of r rᵀ over a rectangle: an edge extruded along z, r from `centroid`.
-Mat3 momentsOfRectangle(const SharedEdge& edge, double depth, Vec2 centroid) {
+Mat3 momentsOfRectangle(const BondEdge& edge, double depth, Vec2 centroid) {
     const double area = edge.length * depth;
     const Vec3 along{edge.to - edge.from, 0.0}, across{0.0, 0.0, depth};
     const Vec3 arm{edge.from + (edge.to - edge.from) / 2.0 - centroid, 0.0};
@@ -52,19 +46,19 @@ Mat3 momentsOfRectangle(const SharedEdge& edge, double depth, Vec2 centroid) {
 }
 
 /// The bond of a pair without its distance; a mean normal that vanishes leads from one centre to the other.
-Bond bondOfEdges(std::span<const SharedEdge> edges, double depth, const BondedPoints& centres) {
+Bond bondOfEdges(std::span<const BondEdge> edges, double depth, const BondedPoints& centres) {
     constexpr double kVanished = 1e-9;  // of the length of the edges: the rounding of thousands of edges
     Bond bond{.first = edges[0].first, .second = edges[0].second};
     const Vec2 origin = edges[0].from;  // keeps the digits of the centroid
     double length = 0.0;
     Vec2 centroid{0.0}, normal{0.0};
-    for (const SharedEdge& edge : edges) {
+    for (const BondEdge& edge : edges) {
         length += edge.length;
         centroid += edge.length * ((edge.from - origin) + (edge.to - edge.from) / 2.0);
         normal -= perpendicular(edge.to - edge.from);
     }
     centroid = origin + centroid / length;
-    for (const SharedEdge& edge : edges) bond.moments += momentsOfRectangle(edge, depth, centroid);
+    for (const BondEdge& edge : edges) bond.moments += momentsOfRectangle(edge, depth, centroid);
     bond.area = length * depth;
     bond.centroid = Vec3{centroid, 0.0};
     const Vec3 apart = centres.second - centres.first;
@@ -107,7 +101,7 @@ std::optional<std::string> faultOfBond(const Bond& bond, std::uint32_t nodes) {
 }  // namespace
 
 std::vector<Bond> bondsOf(const Fragments& fragments, std::span<const Vec2> seeds) {
-    const std::vector<SharedEdge> edges = sharedEdges(fragments);
+    const std::vector<BondEdge> edges = bondEdges(fragments);
     const Vec3 origin = Vec3{fragments.partition.origin, 0.0} + fragments.origin;
     std::vector<Bond> bonds;
     for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {

@@ -1,5 +1,7 @@
 #include "core/structure/bonds/FaceEdges.h"
 
+#include "core/structure/bonds/SharedEdges.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -31,17 +33,11 @@ std::vector<FaceEdge> faceEdges(const Fragments& fragments, std::span<const Bond
     const Partition& partition = fragments.partition;
     const std::vector<bool> isOutside = pointsOutside(partition);
     std::vector<FaceEdge> edges;
-    for (std::uint32_t piece = 0; piece < partition.pieceCount(); ++piece) {
-        const std::uint32_t first = fragments.fragmentOfPiece[piece];
-        if (first == kNone) continue;
-        forEachEdge(partition, piece, [&](std::uint32_t from, std::uint32_t to, std::uint32_t neighbour) {
-            const std::uint32_t second = neighbour == kNone ? kNone : fragments.fragmentOfPiece[neighbour];
-            if (second == kNone || second <= first) return;  // each once
-            const std::uint32_t bond = bondBetween(bonds, first, second);
-            if (bond == kNone) return;
-            edges.push_back({bond, partition.origin + partition.points[from], partition.origin + partition.points[to],
-                             isOutside[from], isOutside[to]});
-        });
+    for (const auto& [first, second, from, to] : sharedEdges(fragments)) {
+        const std::uint32_t bond = bondBetween(bonds, first, second);
+        if (bond == kNone) continue;
+        edges.push_back({bond, partition.origin + partition.points[from], partition.origin + partition.points[to],
+                         isOutside[from], isOutside[to]});
     }
     return edges;
 }

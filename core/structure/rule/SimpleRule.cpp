@@ -152,6 +152,24 @@ BondDamage damageAfter(BondDamage damage, double utilization, double damageFrom)
     return static_cast<BondDamage>(std::min(int{kBroken}, damage + static_cast<int>(increase * kBroken)));
 }
 
+/// Raises the damage of a bond, and lists the bond as broken or damaged if that changes it. Returns the impulse that it
+/// took, N·s.
+double raiseDamage(std::uint32_t bond, double capacity, BondDamage after, std::span<BondDamage> damage,
+                   HitOutcome& outcome) {
+    const BondDamage before = damage[bond];
+    if (after == before) return 0.0;
+    damage[bond] = after;
+    (after == kBroken ? outcome.broken : outcome.damaged).push_back(bond);
+    return capacity * (after - before) / kBroken;
+}
+
+/// Sorts the bonds of an outcome and makes its utilization agree with them.
+void conclude(HitOutcome& outcome) {
+    outcome.utilization = consistentUtilization(outcome.utilization, !outcome.broken.empty());
+    std::ranges::sort(outcome.broken);
+    std::ranges::sort(outcome.damaged);
+}
+
 }  // namespace
 
 SimpleRule simpleRuleOf(const Bonding& bonding) { return {bonding.radius, bonding.falloff, bonding.damageFrom}; }
@@ -177,17 +195,12 @@ HitOutcome applyHit(const BondGraph& graph, std::span<const double> capacities, 
     for (const LoadedBond& loaded :
          loadedBonds({graph, ownerOfNode, owner, damage, hit}, capacities, rule, outcome.utilization)) {
         const double capacity = capacities[loaded.bond];
-        const BondDamage before = damage[loaded.bond];
-        const BondDamage after = damageAfter(before, utilizationOf(left * loaded.fraction, capacity), rule.damageFrom);
-        if (after == before) continue;
-        damage[loaded.bond] = after;
-        (after == kBroken ? outcome.broken : outcome.damaged).push_back(loaded.bond);
-        left = std::max(0.0, left - capacity * (after - before) / kBroken);
+        const double utilization = utilizationOf(left * loaded.fraction, capacity);
+        const BondDamage after = damageAfter(damage[loaded.bond], utilization, rule.damageFrom);
+        left = std::max(0.0, left - raiseDamage(loaded.bond, capacity, after, damage, outcome));
     }
     outcome.taken = hit.impulse - left;
-    outcome.utilization = consistentUtilization(outcome.utilization, !outcome.broken.empty());
-    std::ranges::sort(outcome.broken);
-    std::ranges::sort(outcome.damaged);
+    conclude(outcome);
     return outcome;
 }
 
@@ -202,14 +215,9 @@ HitOutcome applyLoads(std::span<const double> capacities, const SimpleRule& rule
         if (before != kBroken)
             outcome.utilization =
                 std::max(outcome.utilization, utilization / breakingUtilization(before, rule.damageFrom));
-        if (after == before) continue;
-        damage[bond] = after;
-        (after == kBroken ? outcome.broken : outcome.damaged).push_back(bond);
-        outcome.taken += capacities[bond] * (after - before) / kBroken;
+        outcome.taken += raiseDamage(bond, capacities[bond], after, damage, outcome);
     }
-    outcome.utilization = consistentUtilization(outcome.utilization, !outcome.broken.empty());
-    std::ranges::sort(outcome.broken);
-    std::ranges::sort(outcome.damaged);
+    conclude(outcome);
     return outcome;
 }
 
