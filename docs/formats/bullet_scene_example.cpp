@@ -146,8 +146,8 @@ struct Play {
             between = ",";
         }
         std::cout << "]}\n";
-        impactor.setLinearVelocity(before +
-                                   normal * btScalar(outcome.taken) * impactor.getInvMass());  // pieces take the rest
+        impactor.setLinearVelocity(before + normal * btScalar(outcome.taken) *
+                                                impactor.getInvMass());  // fragments take the rest
     }
     btRigidBody* fire(const SceneShot& shot) {
         const Vec3 path = detail::minus(shot.to, shot.from), z = detail::times(path, -1.0 / detail::length(path));

@@ -115,7 +115,7 @@ for (let k = 1; k <= seconds * RATE; ++k) {
     const {taken, broken, islands} = play.hit(body, points.map((point) => unrotated(rotation, minus(point, position))), impulse);
     if (broken.length === 0) continue;
     console.log(JSON.stringify({time: k / RATE, instance: body.structure.instance.id, taken, broken, islands}));
-    impactor.motion.v = plus(before, times(n, taken / shot.action.mass));  // the pieces take the rest
+    impactor.motion.v = plus(before, times(n, taken / shot.action.mass));  // the fragments take the rest
     break;
   }
   play.advance(k / RATE);

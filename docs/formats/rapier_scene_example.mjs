@@ -93,7 +93,7 @@ for (let step = 1; step <= seconds * RATE; ++step) {
     const {taken, broken, islands} = play.hit(body, points, impulse);
     if (broken.length === 0) continue;
     console.log(JSON.stringify({time: step / RATE, instance: body.structure.instance.id, taken, broken, islands}));
-    impactor.setLinvel(xyz(plus(before, times(n, taken * impactor.invMass()))), true);  // the pieces take the rest
+    impactor.setLinvel(xyz(plus(before, times(n, taken * impactor.invMass()))), true);  // the fragments take the rest
     break;
   }
   play.advance(step / RATE);

@@ -57,6 +57,11 @@ CommandOption CommandOption::separatedBy(char separator) const {
     return *this;
 }
 
+CommandOption CommandOption::hidden() const {
+    m_option->group("");
+    return *this;
+}
+
 CommandOption CommandOption::oneOf(const std::vector<std::string>& words) const {
     const auto check = [words](const std::string& given) {
         if (std::ranges::find(words, given) != words.end()) return std::string();
@@ -90,6 +95,14 @@ CommandOption CommandOption::check(std::function<std::string(const std::string&)
 CommandOption CommandOption::convert(std::function<std::string(std::string&)> convert) const {
     m_option->transform(CLI::Validator(std::move(convert), ""));
     return *this;
+}
+
+CommandOption CommandOption::formerWords(std::vector<std::pair<std::string, std::string>> words) const {
+    return convert([words = std::move(words)](std::string& given) {
+        const auto found = std::ranges::find(words, given, &std::pair<std::string, std::string>::first);
+        if (found != words.end()) given = found->second;
+        return std::string();
+    });
 }
 
 CommandOption CommandOption::uses(FileRole role, std::vector<std::string> extensions) const {

@@ -48,6 +48,9 @@ public:
     /// Splits a value at each `separator`.
     CommandOption separatedBy(char separator) const;
 
+    /// Keeps it out of --help and of completions.
+    CommandOption hidden() const;
+
     /// Accepts these words only.
     CommandOption oneOf(const std::vector<std::string>& words) const;
     /// Accept numbers, or whole numbers, in the range of a number only.
@@ -57,6 +60,8 @@ public:
     CommandOption wholeUpTo(std::uint32_t max) const;
     /// Accepts texts for which `check` returns no error.
     CommandOption check(std::function<std::string(const std::string& text)> check) const;
+    /// Reads words that a value had in earlier versions: pairs of the former word and the present one.
+    CommandOption formerWords(std::vector<std::pair<std::string, std::string>> words) const;
     /// Replaces the text by means of `convert`, which returns an error for an invalid one.
     CommandOption convert(std::function<std::string(std::string& text)> convert) const;
 

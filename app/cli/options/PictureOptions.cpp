@@ -28,7 +28,7 @@ constexpr OverlayWord kOverlays[] = {{"contacts", &PlayOverlays::hasContacts}, {
 
 /// The values of --colour.
 constexpr std::pair<const char*, SceneColouring> kColourings[] = {
-    {"material", SceneColouring::Material},   {"piece", SceneColouring::Fragment},
+    {"material", SceneColouring::Material},   {"fragment", SceneColouring::Fragment},
     {"level", SceneColouring::Level},         {"volume", SceneColouring::Volume},
     {"mass", SceneColouring::Mass},           {"aspect", SceneColouring::Aspect},
     {"threshold", SceneColouring::Threshold}, {"bond-strength", SceneColouring::BondStrength},
@@ -58,9 +58,10 @@ void addStyleOptions(Command& command, PictureOptions& options) {
     for (const auto& [word, colouring] : kColourings) colourings.emplace_back(word);
     command
         .option("--colour", options.colour,
-                "Colour by material (default), piece, level, volume, mass, aspect, threshold, bond-strength or "
+                "Colour by material (default), fragment, level, volume, mass, aspect, threshold, bond-strength or "
                 "cluster")
         .oneOf(colourings)
+        .formerWords({{"piece", "fragment"}})
         .valueName("BY");
     command.option("--theme", options.theme, "light (default) or dark").oneOf({"light", "dark"}).valueName("THEME");
     command.flag("--wireframe", options.isWireframe, "Draw edges only");

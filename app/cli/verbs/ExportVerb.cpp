@@ -42,7 +42,7 @@ Examples:
   rubble-cli export house.rubble --out packs
   rubble-cli export house.rubble --out packs --prune --depfile packs.d --quiet
   rubble-cli export house.rubble --out packs --watch
-  rubble-cli export house.rubble --out packs --asset wall --format obj --pieces files --place centred)";
+  rubble-cli export house.rubble --out packs --asset wall --format obj --fragments files --place centred)";
 
 struct ExportArguments {
     std::string project;
@@ -62,14 +62,14 @@ struct ExportArguments {
 };
 
 /// Adds an option whose value is one of a few words; `set` gets the number of the word.
-void addWordOption(Command& command, std::string_view name, std::string_view help,
-                   const std::vector<std::string>& words, const std::function<void(std::size_t)>& set) {
+CommandOption addWordOption(Command& command, std::string_view name, std::string_view help,
+                            const std::vector<std::string>& words, const std::function<void(std::size_t)>& set) {
     std::string label;
     for (const std::string& word : words) label += (label.empty() ? "" : "|") + word;
     const auto select = [words, set](const std::string& given) {
         set(static_cast<std::size_t>(std::ranges::find(words, given) - words.begin()));
     };
-    command.callback("--" + std::string(name), select, std::string(help)).oneOf(words).valueName(label);
+    return command.callback("--" + std::string(name), select, std::string(help)).oneOf(words).valueName(label);
 }
 
 using Names = std::vector<std::string>;
@@ -228,8 +228,17 @@ void addFormats(Command& command, ExportArguments& arguments) {
 void addOption(Command& command, const ExportOption& option, PackOptions& options) {
     std::vector<std::string> words;
     for (const ExportOption::Value& value : option.values) words.emplace_back(value.word);
-    addWordOption(command, option.word, option.help, words,
-                  [&option, &options](std::size_t value) { option.set(options, value); });
+    const auto given = std::make_shared<int>(0);  // times
+    const auto set = [&option, &options, given](std::size_t value) {
+        option.set(options, value);
+        ++*given;
+    };
+    addWordOption(command, option.word, option.help, words, set);
+    if (option.formerWord.empty()) return;
+    addWordOption(command, option.formerWord, option.help, words, set).hidden();
+    const std::string both =
+        "--" + std::string(option.formerWord) + " is the former name of --" + std::string(option.word);
+    command.requireFit([given, both] { return *given > 1 ? both + ": give one of them" : std::string(); });
 }
 
 /// Adds the options for the output folder.

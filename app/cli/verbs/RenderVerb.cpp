@@ -23,7 +23,7 @@ the start. Each sample adds directions of light; 0 renders a single pass, as for
 
 Examples:
   rubble-cli render house.rubble --out house.png
-  rubble-cli render house.rubble --out apart.png --explode 0.4 --colour piece --size 1920x1080
+  rubble-cli render house.rubble --out apart.png --explode 0.4 --colour fragment --size 1920x1080
   rubble-cli render house.rubble --out wall.png --asset wall --view 30,15 --hulls --theme dark
   rubble-cli render house.rubble --out hit.png --at 60 --shot "box at the door")";
 

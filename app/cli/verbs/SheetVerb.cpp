@@ -26,7 +26,7 @@ is the asset itself. With --shot and --at all are simulated to the same step fir
 moment in which the asset is intact. The table has one row per variant, in the order of the picture.
 
 Examples:
-  rubble-cli sheet house.rubble --asset wall --variants 12 --out sheet.png --sort smallestPiece
+  rubble-cli sheet house.rubble --asset wall --variants 12 --out sheet.png --sort smallestFragment
   rubble-cli sheet house.rubble --asset wall --shot "box at the door" --at 60 --out sheet.png --json)";
 
 struct SheetOptions {
@@ -43,10 +43,11 @@ struct SheetOptions {
     int threads = 1;
 };
 
-std::vector<std::string> measureNames() {
-    std::vector<std::string> names;
-    for (int k = 0; k < kSheetMeasures; ++k) names.emplace_back(nameOf(static_cast<SheetMeasure>(k)));
-    return names;
+/// The words of --sort and the titles of the table. In JSON, measures have the names that they had in earlier versions.
+const std::vector<std::string>& measureWords() {
+    static const std::vector<std::string> words{"number", "fragments",   "smallestFragment",
+                                                "aspect", "breakImpact", "debrisHeight"};
+    return words;
 }
 
 /// Errors: NotFound if the project has no such asset or shot; those of generateVariants().
@@ -75,7 +76,7 @@ std::string valueText(const SheetEntry& entry, SheetMeasure measure) {
 
 std::string tableOf(const std::vector<SheetEntry>& entries) {
     std::string text;
-    for (const std::string& name : measureNames()) text += (text.empty() ? "" : "\t") + name;
+    for (const std::string& word : measureWords()) text += (text.empty() ? "" : "\t") + word;
     text += '\n';
     for (const SheetEntry& entry : entries) {
         for (int k = 0; k < kSheetMeasures; ++k) {
@@ -126,8 +127,7 @@ Status sheet(const SheetOptions& options, const CliContext& context) {
         task);
     line.clear();
     if (!drawn) return drawn;
-    const std::vector<std::string> names = measureNames();
-    const auto measure = std::ranges::find(names, options.sort) - names.begin();
+    const auto measure = std::ranges::find(measureWords(), options.sort) - measureWords().begin();
     std::vector<SheetEntry> entries;
     std::vector<NumberedImage> page;
     for (const std::uint32_t k : sortedBy(static_cast<SheetMeasure>(measure), generated)) {
@@ -163,8 +163,9 @@ Verb addSheet(CLI::App& program) {
         .reads()
         .needs(shot)
         .valueName("FILE");
-    command.option("--sort", options->sort, "Sort by one of " + joinedText(measureNames()))
-        .oneOf(measureNames())
+    command.option("--sort", options->sort, "Sort by one of " + joinedText(measureWords()))
+        .oneOf(measureWords())
+        .formerWords({{"pieces", "fragments"}, {"smallestPiece", "smallestFragment"}})
         .valueName("MEASURE");
     command.option("--theme", options->theme, "light (default) or dark").oneOf({"light", "dark"}).valueName("T");
     command.flag("--json", options->isJson, "Print JSON instead of a table");

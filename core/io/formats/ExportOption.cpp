@@ -37,6 +37,12 @@ constexpr ExportOption row(std::string_view word, std::string_view help, std::st
             }};
 }
 
+/// An option that has a new word, with the one before.
+constexpr ExportOption formerly(std::string_view word, ExportOption option) {
+    option.formerWord = word;
+    return option;
+}
+
 }  // namespace
 
 constinit const ExportOption kGlbKindOption = row(
@@ -44,10 +50,11 @@ constinit const ExportOption kGlbKindOption = row(
     "Select the content of GLB files: a node per fragment; the same with rigid bodies and colliders; one skinned "
     "mesh, small and drawn at once; or with hulls called UCX_",
     kGlbKinds, [](auto& options) -> auto& { return options.meshes.glbKind; });
-constinit const ExportOption kSplitOption = row(
-    "pieces", "All fragments in a single file (default) or one file each",
-    "Frag&ments:", "Select one file for all fragments or one file per fragment", kSplits,
-    [](auto& options) -> auto& { return options.meshes.split; });
+constinit const ExportOption kSplitOption =
+    formerly("pieces", row(
+                           "fragments", "All fragments in a single file (default) or one file each",
+                           "Frag&ments:", "Select one file for all fragments or one file per fragment", kSplits,
+                           [](auto& options) -> auto& { return options.meshes.split; }));
 constinit const ExportOption kPlaceOption = row(
     "place", "Fragments in place (default) or with their centres of mass at the origin",
     "Posi&tion:", "Select the position of the fragments in the mesh files", kPlaces,

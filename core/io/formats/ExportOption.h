@@ -23,6 +23,7 @@ struct ExportOption {
     std::span<const Value> values;
     std::size_t (*get)(const PackOptions&);  // an index of `values`
     void (*set)(PackOptions&, std::size_t);
+    std::string_view formerWord = {};  // that the command line reads, too; empty: none
 };
 
 extern const ExportOption kGlbKindOption, kSplitOption, kPlaceOption, kFacesOption, kUpAxisOption, kUnitOption,

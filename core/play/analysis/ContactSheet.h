@@ -20,7 +20,7 @@ enum class SheetMeasure {
 };
 inline constexpr int kSheetMeasures = 6;
 
-/// The name of a measure, such as "smallestPiece", as written on command lines and in files.
+/// The name of a measure in files, such as "smallestPiece".
 const char* nameOf(SheetMeasure measure);
 
 /// The shots that all variants are played with, and the step at which they are compared.
