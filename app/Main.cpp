@@ -52,7 +52,7 @@ int run(int argumentCount, char** argumentList) {
 
 int main(int argumentCount, char** argumentList) {
     rubble::occupyStandardStreams();
-    std::signal(SIGXFSZ, SIG_IGN);  // writing fails instead, which is told
+    std::signal(SIGXFSZ, SIG_IGN);  // writing fails instead, which is reported
     std::set_terminate(&rubble::Application::terminate);
     if (const auto fault = rubble::Application::startFault()) {
         std::fprintf(stderr, "%s\n", fault->c_str());

@@ -39,7 +39,7 @@ int readAndWrite(const std::string& path, rubble::FileLog log) {
     return write(rubble::sourceSceneBytes(*scene));
 }
 
-/// Enters the sandbox of a mesh in the root folder and tells what the kernel supports of it.
+/// Enters the sandbox of a mesh in the root folder and prints what the kernel supports of it.
 int describeSandbox() {
     const rubble::Descriptor root(::open("/", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     return write(rubble::sandboxText(rubble::enterSandbox(root.number())));
@@ -51,7 +51,7 @@ int describeSandbox() {
 /// message to standard error. Rubble starts it with limits on memory and time.
 ///
 /// rubble-importer --log-files FILE also names each file that it opens or refuses to open on standard error.
-/// rubble-importer --sandbox tells which parts of the sandbox this kernel supports.
+/// rubble-importer --sandbox prints which parts of the sandbox this kernel supports.
 int main(int argumentCount, char** arguments) {
     const bool isLogging = argumentCount == 3 && arguments[1] == std::string_view("--log-files");
     if (argumentCount != 2 && !isLogging) {

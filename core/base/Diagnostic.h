@@ -37,7 +37,7 @@ enum class DiagnosticCode {
     GapVolume,          // mass that the gap between pieces removes
     CloseHulls,         // exported hulls are so close that other engines push them apart
     UnappliedInput,     // an input of a session, or the impulse of a hit, had no effect, or not all of it
-    PatternFallback,    // a body broke into the pieces of its pattern instead of at the impact
+    PatternFallback,    // a body broke into the fragments of its pattern instead of at the impact
     LeftWorld,          // a body was removed, or a fragment not added: it cannot be simulated where or as fast as it is
     ReplayMismatch,     // a step differs from the recording
     RepeatedPoint,      // of an outline in a file: equal to the one before, which is kept
@@ -73,7 +73,7 @@ struct DiagnosticPlace {
     std::uint32_t layer = 0;                    // id
     std::uint32_t index = kNone;                // of a seed or cut in that layer
     std::uint32_t seed = kNone;                 // index among the seeds of one fracture
-    std::uint32_t otherSeed = kNone;            // likewise: the seed that is kept, or whose piece receives another one
+    std::uint32_t otherSeed = kNone;            // the seed that is kept, or whose piece receives another one
     std::optional<Point> point;
     bool operator==(const DiagnosticPlace&) const = default;
 };

@@ -48,7 +48,7 @@ std::span<const Unit> unitsOf(QuantityKind kind) {
     return kLengths;
 }
 
-/// The SI unit itself, which zero is told in.
+/// The SI unit itself, in which zero is written.
 const Unit& baseUnit(std::span<const Unit> units) {
     for (const Unit& unit : units) {
         if (unit.size == 1.0) return unit;

@@ -38,7 +38,7 @@ int main(int count, char** arguments) {
         std::fprintf(stderr, "%s\n", fault.c_str());
         return 1;
     }
-    const double dt = log.dt > 0.0 ? log.dt : 1.0 / 60.0;  // version 1 does not tell it
+    const double dt = log.dt > 0.0 ? log.dt : 1.0 / 60.0;  // version 1 does not have it
     double loudest = 0.0;
     for (const rubble_pack::Event& event : log.events) {
         if (isHeard(event)) loudest = std::max(loudest, event.energy);

@@ -1,4 +1,4 @@
-// rubble_pack.hpp - reads the packs that Rubble exports, as JSON and binary, and the events that it tells, and breaks
+// rubble_pack.hpp - reads the packs that Rubble exports, as JSON and binary, and the events that it reports, and breaks
 // the bonds of bonded assets. One header, C++17, the standard library only, no exceptions.
 //
 //     rubble_pack::Pack pack;
@@ -440,8 +440,8 @@ inline bool parseScene(std::string_view json, Scene& scene, std::string& fault);
 inline bool loadScene(const std::string& path, Scene& scene, std::string& fault);
 
 /// Units and axes of other engines. Unity: metres, left-handed, y up, with x reversed, as its importers of glTF do.
-/// Unreal: centimetres, left-handed, z up, with y and z exchanged, likewise. Masses stay kilograms; an inertia takes
-/// 10,000 times its moments in Unreal, and an impulse 100 times.
+/// Unreal: centimetres, left-handed, z up, with y and z exchanged, as its importers do. Masses stay kilograms; an
+/// inertia takes 10,000 times its moments in Unreal, and an impulse 100 times.
 constexpr double kUnrealLength = 100.0, kUnrealImpulse = 100.0, kUnrealInertia = 10000.0;
 inline Vec3 toUnity(const Vec3& position) { return {-position.x, position.y, position.z}; }
 inline Quaternion toUnity(const Quaternion& q) { return {q.x, -q.y, -q.z, q.w}; }
@@ -651,7 +651,7 @@ struct Event {
     EventDamage damage;
 };
 
-/// Events of a kind that happened and are not told one by one.
+/// Events of a kind that happened and are not reported one by one.
 struct OmittedEvents {
     std::uint32_t count = 0;
     double energy = 0.0;  // J
@@ -692,7 +692,7 @@ struct EventLog {
     std::vector<Event> bodies;  // that are there at the beginning, as if just born
 };
 
-/// A body as events of version 2 tell of it.
+/// A body as events of version 2 report it.
 struct EventBody {
     std::string name;            // of its instance, or of what was thrown
     std::uint32_t instance = 0;  // id; 0: the ground, or thrown
@@ -2212,7 +2212,7 @@ private:
     const std::vector<Vec3>& m_points;
     std::uint32_t m_level;         // of clusters
     std::vector<bool> m_isIn;      // by number
-    std::vector<bool> m_isStruck;  // likewise
+    std::vector<bool> m_isStruck;  // by number
 };
 
 /// The little-endian number of `size` bytes from `at`.

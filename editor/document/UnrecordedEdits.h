@@ -14,7 +14,7 @@ class UnrecordedEdits {
 public:
     void note(const Changes& changes);
     bool isEmpty() const { return m_elements.empty() && !m_isEverything; }
-    /// The project was replaced: a record cannot tell that.
+    /// The project was replaced: a record cannot express that.
     bool isEverything() const { return m_isEverything; }
     /// The project was written as a whole.
     void forget(const Project& project);

@@ -112,7 +112,7 @@ public:
     void requestScript(std::function<void(PlayScript)> receive);
     /// Whether the session has been simulated from its start, so that it can be replayed.
     bool isFromStart() const { return !m_script.state; }
-    /// Calls back with the displayed moment, likewise.
+    /// Calls back with the state of the displayed moment, as requestScript() does.
     void requestState(std::function<void(std::shared_ptr<const SavedSession>)> receive);
     /// The project when play started.
     const Project& startProject() const { return m_startProject; }
@@ -159,7 +159,7 @@ private:
     double m_timeStep = SessionSettings().dt;
     bool m_hasDestruction = true;
     std::optional<bool> m_requestedDestruction;  // not in a frame yet
-    std::optional<std::uint64_t> m_soughtStep;   // likewise
+    std::optional<std::uint64_t> m_soughtStep;   // not in a frame yet
     PlayOverlays m_overlays;
     PlayToolSettings m_toolSettings;
     Project m_followedProject;  // whose edits are applied so far

@@ -28,7 +28,7 @@ public:
         std::optional<double> charge;  // in [0, 1], of a throw being charged
         QString chargeText;
         bool hasHeat = false;     // shows the legend of the heat colours
-        bool hasBonds = false;    // likewise, for the damage of bonds
+        bool hasBonds = false;    // shows that of the damage of bonds
         bool isForecast = false;  // heat is the forecast of the aimed throw
         std::vector<QLineF> trajectory;
         std::optional<QPointF> hit;    // at which the trajectory ends

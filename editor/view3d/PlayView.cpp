@@ -74,7 +74,7 @@ void PlayView::updateTimer() {
     isOn ? m_timer.start() : m_timer.stop();
 }
 
-/// Follows the view and its window, of which only the latter is told that it is minimized.
+/// Follows the view and its window, of which only the latter is notified that it is minimized.
 bool PlayView::eventFilter(QObject* watched, QEvent* event) {
     const QEvent::Type type = event->type();
     if (type != QEvent::Show && type != QEvent::Hide && type != QEvent::WindowStateChange)

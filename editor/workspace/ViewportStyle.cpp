@@ -11,7 +11,7 @@ namespace rubble {
 
 namespace {
 
-/// Sees the view's own change of palette: a parent is told before its children have the new one.
+/// Sees the view's own change of palette: a parent is notified before its children have the new one.
 class PaletteFollower : public QObject {
 public:
     explicit PaletteFollower(ViewportWidget& viewport) : QObject(&viewport), m_viewport(viewport) {

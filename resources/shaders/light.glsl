@@ -27,7 +27,7 @@ float depthSlope(float viewDepth, vec3 n, vec3 sight) {
     return jitter.w / pixelsPerMetre(viewDepth) * sqrt(1.0 - facing * facing) / facing;
 }
 
-// How much a texel tells about a surface: little across edges and steps.
+// How much a texel says about a surface: little across edges and steps.
 float likeness(vec4 texel, float viewDepth, float slope, vec3 n) {
     float apart = (texel.z - viewDepth) / (slope + 2.0 * jitter.w / pixelsPerMetre(viewDepth));
     float facing = max(dot(unpackedNormal(texel.w), n), 0.0);

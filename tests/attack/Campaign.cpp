@@ -30,7 +30,7 @@ constexpr std::uint64_t kMaxSaved = 100;
 constexpr int kOutOfMemory = 77;
 constexpr int kFaulty = 78;
 
-/// What a child process tells its parent: in shared memory, since it may crash.
+/// What a child process reports to its parent: in shared memory, since it may crash.
 struct Progress {
     std::uint64_t next = 0;  // number of the input being checked, or the end
     std::uint64_t accepted = 0;

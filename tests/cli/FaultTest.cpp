@@ -98,10 +98,10 @@ class FaultTest : public QObject {
             } else {
                 QVERIFY2(outcome.exit == 0 || outcome.exit == 1, where);
                 const bool isInPlace = outcome.exit == 0 || outcome.error.contains("cannot be flushed");
-                const auto tells = [&](const QString& what) { return outcome.error.contains(what); };
+                const auto names = [&](const QString& what) { return outcome.error.contains(what); };
                 const bool isOfIndex =
-                    outcome.exit == 1 && (isInPlace ? tells("flush") : tells(kIndex) || tells(kScene));
-                const bool isOfFolder = outcome.exit == 1 && tells('"' + m_folder + '"');
+                    outcome.exit == 1 && (isInPlace ? names("flush") : names(kIndex) || names(kScene));
+                const bool isOfFolder = outcome.exit == 1 && names('"' + m_folder + '"');
                 const FileTree visible = visibleOf(state);
                 QVERIFY2(visible == (isInPlace ? after : before) ||
                              ((isOfIndex || isOfFolder) && isBeforeIndex(visible, before, after)),

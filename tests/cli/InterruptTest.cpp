@@ -48,7 +48,8 @@ bool catchesInterrupts(qint64 process) {
 class InterruptTest : public QObject {
     Q_OBJECT
 private slots:
-    /// Each saved change is exported, and what is no project is told and waited out; Control+C ends it with status 0.
+    /// Each saved change is exported, and what is no project is reported and waited out; Control+C ends it with status
+    /// 0.
     void watchExportsAgainUntilControlC() {
         QTemporaryDir place;
         const QString file = place.filePath("wall.rubble"), pack = place.filePath("packs/wall/pack.json");

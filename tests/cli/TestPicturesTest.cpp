@@ -45,9 +45,9 @@ private slots:
         const ProgramOutcome outcome = tested(place.filePath("house.rubble"), pictures);
         QCOMPARE(outcome.error, "1 of 1 tests failed.\n");
         QCOMPARE(outcome.exit, 3);
-        const QRegularExpression told("after step (\\d+): " +
-                                      QRegularExpression::escape(pictures + "/play-test-93.png"));
-        const QRegularExpressionMatch match = told.match(outcome.output);
+        const QRegularExpression reported("after step (\\d+): " +
+                                          QRegularExpression::escape(pictures + "/play-test-93.png"));
+        const QRegularExpressionMatch match = reported.match(outcome.output);
         QVERIFY2(match.hasMatch(), qPrintable(outcome.output));
         QVERIFY(match.captured(1).toInt() > 30);  // the shot is fired after half a second
         QCOMPARE(QDir(pictures).entryList(QDir::Files | QDir::Hidden), QStringList{"play-test-93.png"});

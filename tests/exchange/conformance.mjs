@@ -25,7 +25,7 @@ function lowest(bodies) {
 const relative = (is, should) => Math.abs(is - should) / Math.abs(should);
 const largest = (values) => values.reduce((most, value) => (value > most || Number.isNaN(value) ? value : most), 0);
 
-/// How far what an engine has is from the pack: lengths in m, others relative; undefined what it does not tell.
+/// How far what an engine has is from the pack: lengths in m, others relative; undefined what it does not report.
 function errorsOf(found, bodies) {
   const over = (key, error) => {
     const known = bodies.filter((_, k) => found[k][key] !== undefined);

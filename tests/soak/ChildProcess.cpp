@@ -63,7 +63,7 @@ std::string withoutSourceFolder(std::string text) {
 
 }  // namespace
 
-/// What the child tells while it runs.
+/// What the child reports while it runs.
 struct ChildRun::Shared {
     std::uint64_t steps = 0;
     std::uint64_t breaks = 0;

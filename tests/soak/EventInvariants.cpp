@@ -1,4 +1,4 @@
-// That a file of events alone tells which bodies there are, of which fragments, what is damaged, and all energy.
+// That a file of events alone says which bodies there are, of which fragments, what is damaged, and all energy.
 #include "core/io/play/EventStreamFile.h"
 #include "docs/formats/rubble_pack.hpp"
 #include "tests/soak/Moment.h"
@@ -24,7 +24,7 @@ std::vector<std::string> pathsOf(const PlayBody& body) {
     return paths;
 }
 
-/// The damage of an instance as events tell it.
+/// The damage of an instance as events report it.
 rubble_pack::EventDamage toldDamage(const InstanceDamage& damage) {
     rubble_pack::EventDamage reported;
     for (std::uint32_t k = 0; k < damage.broken.size(); ++k)
@@ -36,7 +36,7 @@ rubble_pack::EventDamage toldDamage(const InstanceDamage& damage) {
 
 class EventsTellAll : public Invariant {
 public:
-    const char* name() const override { return "events tell all"; }
+    const char* name() const override { return "events report all"; }
     void start(const Session& session, const Moment& moment) override {
         m_text.emplace(session);
         m_log = {};

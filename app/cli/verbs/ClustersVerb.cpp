@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kClustersFooter =
     R"(Parts the fragments of an asset that breaks along bonds into connected clusters of nearly the same size, which
 come off as one and break apart afterwards, and saves the project. Replaces the clusters of --level; those of a deeper
-level stay inside of those of the next coarser one. rubble-cli check tells where clusters do not fit the fragments.
+level stay inside of those of the next coarser one. rubble-cli check reports where clusters do not fit the fragments.
 
 Examples:
   rubble-cli clusters arcade.rubble --asset arcade --count 12

@@ -22,7 +22,7 @@ constexpr const char* kQueryFooter =
                   of a bonded body, also a fragment can be removed, by its name: "wall/3.5"
   changed-boxes   where something moved, broke or came to rest since the step of --since, for navigation meshes
 
-Output of would-fall, in kg and s; bodies are bodies and fragments; first and last tell when falling ones meet what
+Output of would-fall, in kg and s; bodies are bodies and fragments; first and last are when falling ones meet what
 stays, null for never:
   {"step":N,"removed":[s,...],"islands":[{"mass":m,"bodies":[s,...]},...],"mass":m,"first":t,"last":t}
 Output of changed-boxes, in m; boxes that overlap are merged:
@@ -142,7 +142,7 @@ Verb addQuery(CLI::App& program) {
     command.option("--body", options->bodies, "The name of a body or of a bonded fragment to remove; repeatable")
         .repeatable()
         .valueName("NAME");
-    command.option("--since", options->since, "The step since which changes are told (default: 0)")
+    command.option("--since", options->since, "The step since which changes are listed (default: 0)")
         .wholeInRange(ProjectNumber::Step)
         .valueName("STEP");
     addPlayOptions(command, options->play);

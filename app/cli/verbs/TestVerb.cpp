@@ -123,9 +123,9 @@ Result<std::vector<RunTest>> runTests(const Project& project, const std::vector<
             const Result<std::string> rendered = renderFailure(*scene, test, state->get(), *outcome, options, context);
             if (!rendered) return rendered.error();
             picture = *rendered;
-            const std::string told =
+            const std::string reported =
                 "        after step " + std::to_string(outcome->failedAt()) + ": " + picture + '\n';
-            if (const Status written = printResult(told, report, context); !written) return written.error();
+            if (const Status written = printResult(reported, report, context); !written) return written.error();
         }
         done.push_back({{std::move(*outcome), passed.count()}, std::move(picture)});
     }

@@ -221,7 +221,7 @@ void removeInventedNames(SourceScene& scene) {
     }
 }
 
-/// Tells what the library reads of a file and this program does not.
+/// Reports what the library reads of a file and this program does not.
 void noteUnread(const aiScene& source, SourceScene& scene) {
     bool hasBones = false, hasMorphs = false;
     for (unsigned i = 0; i < source.mNumMeshes; ++i) {

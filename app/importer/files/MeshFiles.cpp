@@ -240,9 +240,9 @@ std::optional<std::string> MeshFiles::content(const std::string& name, std::size
         return std::nullopt;
     }
     // Messages have the name as the mesh has it.
-    const auto told = std::ranges::find(m_refused, existing, &RefusedFile::name);
-    if (told != m_refused.end()) {
-        told->name = name;
+    const auto reported = std::ranges::find(m_refused, existing, &RefusedFile::name);
+    if (reported != m_refused.end()) {
+        reported->name = name;
     } else if (name.find("://") != std::string::npos) {
         refuse(name, Refusal::Outside);
     } else {

@@ -57,7 +57,7 @@ public:
     std::string meshContent();
     /// Returns the content of the file that a mesh calls `name`: the file of that name, else the one of the name with
     /// its percent escapes decoded once, else with / for \. Nothing if it is not read, or has more than `most` bytes;
-    /// refused() tells why.
+    /// refused() says why.
     std::optional<std::string> content(const std::string& name, std::size_t most = SIZE_MAX);
 
     /// The files that were not read, in the order in which they were refused, each once.

@@ -84,7 +84,7 @@ constexpr std::array kAllowedCalls = {
 class CallFilter {
 public:
     CallFilter() : m_filter(seccomp_init(SCMP_ACT_ERRNO(EPERM))) {
-        // The kernel's own errors, which tell whether it lacks seccomp: otherwise all are ECANCELED.
+        // The kernel's own errors, which show whether it lacks seccomp: otherwise all are ECANCELED.
         m_isComplete = m_filter != nullptr && seccomp_attr_set(m_filter, SCMP_FLTATR_API_SYSRAWRC, 1) == 0;
     }
     CallFilter(const CallFilter&) = delete;

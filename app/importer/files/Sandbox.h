@@ -16,7 +16,7 @@ struct Sandbox {
 /// socket, process or thread can be created, no program executed, no other process traced or signalled, and no memory
 /// made executable.
 ///
-/// Where the kernel lacks Landlock, files outside the folder stay readable. The result tells what is in force. After a
+/// Where the kernel lacks Landlock, files outside the folder stay readable. The result says what is in force. After a
 /// failure no file may be read that is not trusted.
 Sandbox enterSandbox(int folder);
 

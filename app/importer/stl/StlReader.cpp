@@ -168,9 +168,9 @@ SourceObject binaryObject(std::string_view bytes, std::size_t count) {
 SourceScene readBinary(std::string_view bytes) {
     const std::size_t count = binaryCount(bytes);
     if (bytes.size() < kHeader + 4) fail("it has neither text nor the header of a binary file");
-    if (count == 0) fail("its header tells of no triangles");
+    if (count == 0) fail("its header counts no triangles");
     if (bytes.size() < binarySize(count))
-        fail("its header tells of " + std::to_string(count) + " triangles, and the file ends after " +
+        fail("its header counts " + std::to_string(count) + " triangles, and the file ends after " +
              std::to_string((bytes.size() - kHeader - 4) / kTriangle));
     if (count > kMaxTriangles) failTooLarge();
     SourceScene scene;

@@ -46,7 +46,7 @@ struct Bake {
     /// The id of a fragment: "asset/seed", ".k" for a part of a cut-apart cell, one more "/…" per level:
     /// "3/5.17.1/9.2". O(log fractures + log pieces) for each level.
     std::string fragmentId(std::uint32_t number) const;
-    /// Its id without the asset, likewise.
+    /// Its id without the asset: "5.17.1/9.2". O(log fractures + log pieces) for each level.
     FragmentPath fragmentPath(std::uint32_t number) const { return pathOfId(fragmentId(number)); }
     /// The fracture of a fragment (kNone: of the whole); null if it is not fractured.
     const BakedFracture* fractureOf(std::uint32_t parent) const;

@@ -13,9 +13,9 @@ namespace rubble {
 
 /// The limits from which on something is a problem.
 struct ProblemLimits {
-    double aspect = 6.0;                        // of slivers; scattered pieces seldom exceed it
-    double meanShare = 0.02;                    // of tiny pieces: their volume relative to the mean of their siblings
-    std::uint32_t hulls = 8;                    // per fragment; each costs a collision as much as another body
+    double aspect = 6.0;      // of slivers; scattered fragments seldom exceed it
+    double meanShare = 0.02;  // of tiny fragments: their volume relative to the mean of their siblings
+    std::uint32_t hulls = 8;  // per fragment; each costs a collision as much as another body
     std::size_t most = kMaxDiagnosticsPerCode;  // that are kept of each code; the others are counted
     bool operator==(const ProblemLimits&) const = default;
 };
@@ -27,9 +27,9 @@ double badness(const Diagnostic& problem);
 std::vector<Diagnostic> outlineProblems(const Asset& asset);
 
 /// The diagnostics of a bake that an artist should look at, by code, then by seed and fragment: its warnings, slivers,
-/// tiny pieces and many hulls, and Bonding::neverBreaks and clusters of missing fragments. DiagnosticPlace::index is
+/// tiny fragments and many hulls, and Bonding::neverBreaks and clusters of missing fragments. DiagnosticPlace::index is
 /// set only for seeds of the asset's own pattern: the seed concerned, or the one that a fragment of any level comes
-/// from. Of each code there are ProblemLimits::most, and one that tells how many more there would be. O(corners · log
+/// from. Of each code there are ProblemLimits::most, and one that says how many more there would be. O(corners · log
 /// corners of a piece) on task.threads; adds the number of visited diagnostics and fragments to `visited`.
 std::vector<Diagnostic> problemsOf(const Asset& asset, const Bake& bake, const ProblemLimits& limits = {},
                                    const TaskContext& task = {}, std::size_t* visited = nullptr);

@@ -180,7 +180,7 @@ struct Debris {
     bool operator==(const Debris&) const = default;
 };
 
-/// The settings for telling what happens in play.
+/// The settings of the events of play.
 struct EventSettings {
     double leastEnergy = 1.0;       // J: weaker impacts are only counted and summed
     std::uint32_t maxRecords = 16;  // a step, >= 1; at least one for each kind that happened

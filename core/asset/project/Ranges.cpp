@@ -82,7 +82,7 @@ constexpr std::array<NumberRange, kProjectNumbers> kRanges{{
     zeroOrAbove("fade", "s", 1e9, 1.0),
     {"maximum number of fragments", "", 1.0, 4294967295.0, false, 1000.0,
      "a 32-bit count; without debris use a lifetime"},
-    zeroOrAbove("least energy", "J", 1e15, 1.0, "0 tells every impact"),
+    zeroOrAbove("least energy", "J", 1e15, 1.0, "0 reports every impact"),
     {"maximum number per step", "", 1.0, 1e6, false, 16.0, "the rest of a step is counted and summed"},
     eitherSign("place", "m", kMaxCoordinate, 0.0),
     between("size", "m", 1e-3, 1e3, 0.5, "a projectile needs volume; larger ones are no projectiles"),
@@ -195,7 +195,7 @@ std::optional<std::string> prismRangeFault(const std::string& owner, const Prism
     for (std::size_t k = 0; k < outline.holes.size(); ++k) {
         if (auto fault = ringFault(outline.holes[k], "hole " + std::to_string(k))) return fault;
     }
-    if (outline.outer.size() < 3) return std::nullopt;  // told by validated()
+    if (outline.outer.size() < 3) return std::nullopt;  // reported by validated()
     const Box2 bounds = boundsOf(outline.outer);
     return rangeFault(owner, {{ProjectNumber::OutlineSize, bounds.max.x - bounds.min.x, "width of the outline"},
                               {ProjectNumber::OutlineSize, bounds.max.y - bounds.min.y, "height of the outline"}});

@@ -29,7 +29,7 @@ public:
     }
     /// Counts diagnostics that were not made.
     void addUnmade(DiagnosticCode code, std::size_t count) { m_added[indexOf(code)] += count; }
-    /// What was added, then for each code of which there was more one at `place` that tells how many.
+    /// What was added, then for each code of which there was more one at `place` that says how many.
     std::vector<Diagnostic> list(const DiagnosticPlace& place = {}) &&;
 
 private:

@@ -21,7 +21,7 @@ struct OutlineCrossing {
 struct BoundaryArc {
     std::uint32_t cell;   // site
     std::uint32_t enter;  // crossing; kNone if the whole ring lies inside the cell
-    std::uint32_t leave;  // crossing; kNone likewise
+    std::uint32_t leave;  // crossing; kNone where `enter` is
     std::uint32_t ring;
     std::uint32_t firstVertex;  // further ones follow around the ring
     std::uint32_t vertexCount;  // may be 0

@@ -61,7 +61,7 @@ struct SourceScene {
 inline constexpr std::size_t kMaxTriangles = 2'000'000;
 /// The maximum number of copies of an object.
 inline constexpr std::size_t kMaxCopies = 10'000;
-/// The maximum number of notes; the last one tells how many are left out.
+/// The maximum number of notes; the last one says how many are left out.
 inline constexpr std::size_t kMaxNotes = 1000;
 
 /// Serializes a scene, to pass it from the importer process to its parent: little-endian, with lengths before texts and

@@ -23,7 +23,7 @@ void startAtSmallest(Ring& ring) {
     std::rotate(ring.begin(), std::ranges::min_element(ring, lexicographicLess), ring.end());
 }
 
-/// A rectangle around the corners of a run, along its direction. It tells for nearly all straight runs that no corner
+/// A rectangle around the corners of a run, along its direction. It shows for nearly all straight runs that no corner
 /// is far from the line, without visiting each again for every corner that is added.
 class RunBounds {
 public:

@@ -17,7 +17,7 @@ struct GlbBody {
     std::string parent;  // the id of the body that it is a fragment of; empty: it is the whole
 };
 
-/// How the rigid bodies of a GLB file are told.
+/// How the rigid bodies of a GLB file are described.
 enum class GlbBodyForm {
     Extensions,  // KHR_physics_rigid_bodies and OMI_physics_body
     Names,       // the hulls alone, as meshes "UCX_<body>_<k>", which Unreal Engine takes for collision

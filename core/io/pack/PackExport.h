@@ -67,7 +67,7 @@ Result<std::vector<AssetExport>> exportPacks(const Project& project, std::span<c
                                              FolderLocking locking = FolderLocking::Here);
 
 /// What exportPacks() would do with each folder: whether it is unchanged, would be replaced, or is refused. Changes
-/// nothing and fractures nothing: that an asset cannot be fractured is not told.
+/// nothing and fractures nothing: that an asset cannot be fractured is not reported.
 ///
 /// Errors: NotFound and Limit as those of exportPacks(); Cancelled.
 Result<std::vector<AssetExport>> planPacks(const Project& project, std::span<const Id> assets,

@@ -18,7 +18,7 @@ using ErrorText = std::optional<std::string>;
 constexpr double kDistanceTolerance = 1e-8;  // of the parent's size: between faces that meet
 constexpr double kRounding = 1e-14;          // of coordinates
 constexpr double kAreaTolerance = 1e-5;      // of an area, and of the parent's size times its depth
-constexpr double kHiddenByGap = 4.0;         // gaps: by which the ends of a cut may be farther than the faces tell
+constexpr double kHiddenByGap = 4.0;         // gaps: by which the ends of a cut may be farther than that of the faces
 constexpr double kHiddenByInset = 16.0;      // insets: that narrow faces which vanished, at acute corners, were wide
 
 /// A box that contains a body, in the asset's frame.

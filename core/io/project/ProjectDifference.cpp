@@ -62,7 +62,7 @@ Json jsonOf(Project project) {
     }
     Json json = Json::parse(projectText(project));
     json["events"] = {{"leastEnergy", project.events.leastEnergy}, {"maxRecords", project.events.maxRecords}};
-    if (project.mortars.empty()) json["mortars"] = Json::array();  // so that each one that is added is told
+    if (project.mortars.empty()) json["mortars"] = Json::array();  // so that each one that is added is listed
     return json;
 }
 

@@ -26,7 +26,7 @@ std::string projectText(const Project& project);
 /// Errors: BadInput if the text is not JSON of this form, with the path ("assets[2].prism.depth: ..."), or if
 /// verifyProject() finds an error; Unsupported if its version is newer; Limit if it is too large.
 Result<Project> readProjectText(std::string_view json, std::vector<Diagnostic>* notes = nullptr);
-/// The same for the text of a file, whose path the errors name. An interrupted save is told as one.
+/// The same for the text of a file, whose path the errors name. An interrupted save is reported as one.
 Result<Project> readProjectText(std::string_view json, const std::filesystem::path& path,
                                 std::vector<Diagnostic>* notes = nullptr);
 
@@ -51,7 +51,7 @@ struct RecoveredProject {
 /// rejects, as they cannot be shown.
 ///
 /// With what was edited since, where there is a file `journal`, see replayed(); edits that do not fit are left out,
-/// which a fault tells.
+/// which a fault reports.
 Result<RecoveredProject> recoverProject(const std::filesystem::path& path, const std::filesystem::path& journal = {});
 
 /// Saves a project file atomically, and removes what killed programs left beside it.

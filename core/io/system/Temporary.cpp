@@ -191,13 +191,13 @@ bool isTemporaryName(const std::string& name) { return isTemporary(name, kNewSuf
 
 void removeLeftovers(const fs::path& folder) {
     const Result<std::vector<fs::directory_entry>> entries = entriesOf(folder);
-    if (!entries) return;  // what is about to be written there will tell
+    if (!entries) return;  // writing there will report the fault
     for (const fs::directory_entry& entry : *entries) {
         const std::string name = entry.path().filename().string();
         if (isTemporary(name, kOldSuffix)) removeLeftover(entry.path());
     }
     for (const fs::directory_entry& entry : *entries) {
-        std::error_code error;  // while there are old contents, their replacement tells what happened to them
+        std::error_code error;  // while there are old contents, their replacement reports what happened to them
         const bool isNeeded = fs::exists(fs::symlink_status(oldContentsOf(entry.path()), error));
         if (isTemporary(entry.path().filename().string(), kNewSuffix) && !isNeeded) removeLeftover(entry.path());
     }

@@ -16,8 +16,9 @@ struct PairScratch {
     std::vector<char> isMoved;                        // by body
     std::vector<std::vector<std::uint32_t>> leaving;  // by region: bodies that may leave their boxes
     std::vector<std::vector<std::uint32_t>> found;    // by chunk: two proxies per pair
-    std::vector<std::vector<std::uint32_t>> ahead;    // likewise, of what flies with what is in its way
-    std::vector<NearbyBoxes> near;                    // by chunk
+    std::vector<std::vector<std::uint32_t>>
+        ahead;                      // by chunk: two proxies per pair, of what flies with what is in its way
+    std::vector<NearbyBoxes> near;  // by chunk
     SortAndSweep sweep;
     SortAndSweep obstacles;                           // what something that flies is swept against
     std::vector<SortAndSweep::Scratch> sweepScratch;  // by chunk

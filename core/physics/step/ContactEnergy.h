@@ -34,9 +34,9 @@ double contactLoss(const WorldState& state, const ContactEnergyScratch& scratch)
 double contactEnergy(const WorldState& state, const ContactBlock& block, std::size_t lane,
                      const std::vector<StartMotion>& starts);
 
-/// Adds to the energies of hits what gravity did in the step with their bodies, beyond what the mean velocity tells: a
-/// body that hits the ground in the middle of a step has moved farther than that. Of several hits of a body the one
-/// with the largest impulse gets it.
+/// Adds to the energies of hits what gravity did in the step with their bodies, beyond what the mean velocity accounts
+/// for: a body that hits the ground in the middle of a step has moved farther than that. Of several hits of a body the
+/// one with the largest impulse gets it.
 void addGravity(const WorldState& state, const SolverStep& step, const std::vector<StartMotion>& starts,
                 std::vector<HitEvent>& hits);
 

@@ -44,7 +44,7 @@ std::vector<BondStrike> strikesOf(const SessionParts& parts, std::span<const Imp
     return all;
 }
 
-/// Tells a hit that changes no bond as if the weakest one got all of it.
+/// Reports a hit that changes no bond as if the weakest one got all of it.
 void tellWeakHit(SessionParts& parts, const PlayStructure& structure, const BondStrike& strike) {
     const double breaking = structure.leastImpulse / structure.rule.damageFrom;
     parts.state().events.impacts.push_back({strike.body, strike.impact.impulse(), breaking, strike.impact.point});

@@ -42,7 +42,7 @@ Status checkAssets(const PlayScene& scene) {
     for (const Shot& shot : scene.project.shots) {
         const Throw* thrown = std::get_if<Throw>(&shot.action);
         if (thrown != nullptr && thrown->kind == ProjectileKind::Asset && !scene.assets.contains({thrown->asset})) {
-            return missing(ownerText("Shot", shot.id, shot.name), thrown->asset);
+            return missing(ownerText("Saved throw", shot.id, shot.name), thrown->asset);
         }
     }
     return success();

@@ -129,7 +129,7 @@ std::string differenceText(const Divergence& divergence) {
             if (divergence.difference < 1e-6) return "diverged from the recording, in velocity by less than 1e-6 m/s";
             return "diverged most from the recording, in velocity by " +
                    quantityText(QuantityKind::Speed, divergence.difference);
-        case DivergenceKind::Events: return "tells other events than in the recording";
+        case DivergenceKind::Events: return "reports other events than in the recording";
     }
     return "diverged from the recording";
 }

@@ -44,8 +44,8 @@ struct BondedPoints {
 std::optional<double> distanceAcross(const Bond& bond, const BondedPoints& points);
 
 /// The length over which a bond is strained, m, > 0: that between the seeds along the normal, if the face lies between
-/// them. Else between the centres of mass, likewise; else that of the centres to the face's centroid together, or the
-/// root of the area if these coincide. No `seeds`: the fragments share one or have none.
+/// them. Else that between the centres of mass, if the face lies between those; else that of the centres to the face's
+/// centroid together, or the root of the area if these coincide. No `seeds`: the fragments share one or have none.
 double seedDistanceOf(const Bond& bond, const std::optional<BondedPoints>& seeds, const BondedPoints& centres);
 
 /// The same to an anchor, m, > 0: the distance of a seed or centre from the face along the normal, if the normal leads

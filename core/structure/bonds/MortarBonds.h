@@ -31,7 +31,7 @@ std::vector<Bond> mortarBonds(std::span<const MortarNode> nodes, double toleranc
                               std::size_t* budget = nullptr);
 
 /// The bonds of fragments to anchors, where they lie against solids that hold them: one per fragment,
-/// ascending. Likewise.
+/// ascending. `budget` as for mortarBonds().
 std::vector<Bond> anchorBonds(std::span<const MortarNode> nodes, std::span<const Polytope> supports, double tolerance,
                               double leastArea);
 

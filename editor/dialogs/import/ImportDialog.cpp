@@ -32,7 +32,7 @@ namespace {
 
 constexpr QSize kImportDialogSize{920, 700};
 constexpr int kRefusedLines = 5;  // shown without scrolling
-constexpr int kShownRows = 8;     // of the table, likewise
+constexpr int kShownRows = 8;     // of the table, without scrolling
 
 enum PrismColumn { kName, kSize, kDepth, kAxis, kTolerance, kColumns };
 

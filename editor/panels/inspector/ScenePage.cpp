@@ -123,7 +123,7 @@ void ScenePage::buildEvents(Section& section) {
         energy, tr("Set Least Energy of Events"), [](const SceneSettings& scene) { return scene.events.leastEnergy; },
         [](SceneSettings& scene, double entered) { scene.events.leastEnergy = entered; });
     auto* most = section.addRow(tr("Events per step"), new NumberField,
-                                tr("The strongest events of a step are told one by one, the rest counted and summed"));
+                                tr("Report the strongest events of a step one by one, count and sum the rest"));
     most->setRange(wholeFieldRange(ProjectNumber::EventRecords));
     m_form.bind(
         most, tr("Set Events per Step"),

@@ -40,7 +40,7 @@ public:
 
     /// Kills the editor at random moments. Returns false after the first broken promise, which is printed.
     bool runWithKills();
-    /// Lets the editor make its events and close. Returns false likewise.
+    /// Lets the editor make its events and close. Returns false after the first broken promise.
     bool runToTheEnd();
 
 private:

@@ -29,7 +29,7 @@ public:
 
     /// Whether a step ended with neither.
     bool hasFailed() const { return m_hasFailed; }
-    /// Notes a sentence that was told in the current step.
+    /// Notes a sentence that was shown in the current step.
     void note(const QString& sentence);
 
 private:
@@ -55,7 +55,7 @@ private:
     std::size_t m_assets = 0;
     bool m_hasBegun = false;
     bool m_hasFailed = false;
-    QString m_sentence;       // told in this step; empty if none
+    QString m_sentence;       // shown in this step; empty if none
     QSet<QString> m_noticed;  // of the list of messages
     int m_looksInStep = 0;
     QTimer m_looks;

@@ -697,9 +697,9 @@ def stl():
             % (count, "" if count == 1 else "s")])
     binary("trailing and solid.stl", stl_binary(b"solid Wall", behind=b"\r\n"),
            notes=["The file has 2 bytes behind its last triangle, which are not read."])
-    binary("error count.stl", stl_binary(count=13), '"error count.stl" cannot be read as STL: its header tells of 13 '
+    binary("error count.stl", stl_binary(count=13), '"error count.stl" cannot be read as STL: its header counts 13 '
            'triangles, and the file ends after 12.')
-    binary("error none.stl", stl_binary(count=0), '"error none.stl" cannot be read as STL: its header tells of no '
+    binary("error none.stl", stl_binary(count=0), '"error none.stl" cannot be read as STL: its header counts no '
            'triangles.')
     binary("error short.stl", b"short", '"error short.stl" cannot be read as STL: it has neither text nor the header '
            'of a binary file.')

@@ -158,7 +158,7 @@ private slots:
         QVERIFY(QFile(file).open(QIODevice::WriteOnly));
         Autosave autosave(document, file);
         QString sentence;
-        connect(&autosave, &Autosave::failed, this, [&](const QString& told) { sentence = told; });
+        connect(&autosave, &Autosave::failed, this, [&](const QString& reported) { sentence = reported; });
         setHeight(document, 3.0);
         autosave.writeNow();
         QVERIFY2(sentence.startsWith("The backup could not be written: "), qPrintable(sentence));
@@ -253,7 +253,7 @@ private slots:
         Document document(test::manyInstances(kMany));
         Autosave autosave(document, m_folder->path());
         QString sentence;
-        connect(&autosave, &Autosave::failed, this, [&](const QString& told) { sentence = told; });
+        connect(&autosave, &Autosave::failed, this, [&](const QString& reported) { sentence = reported; });
         {
             const FileSizeLimit limit(10);
             QVERIFY(startBackup(document, autosave, 3.0));
@@ -339,7 +339,7 @@ private slots:
         Autosave autosave(document, m_folder->path());
         autosave.setInterval(2s);
         QString sentence;
-        connect(&autosave, &Autosave::failed, this, [&](const QString& told) { sentence = told; });
+        connect(&autosave, &Autosave::failed, this, [&](const QString& reported) { sentence = reported; });
         setHeight(document, 3.0);
         QTRY_COMPARE(recoveredHeight(), 3.0);
         QTRY_VERIFY(!autosave.isWriting());

@@ -27,8 +27,8 @@ private slots:
     void editIsOneStepWithChanges() {
         Document document(starterProject());
         const Id asset = document.project().assets[0].id;
-        QList<Changes> told;
-        connect(&document, &Document::changed, this, [&](const Changes& changes) { told.append(changes); });
+        QList<Changes> reported;
+        connect(&document, &Document::changed, this, [&](const Changes& changes) { reported.append(changes); });
         document.push(thresholdEdit(document, 7.0));
         QCOMPARE(threshold(document), 7.0);
         QCOMPARE(document.undoStack().undoText(), "Set Threshold");
@@ -36,8 +36,8 @@ private slots:
         QCOMPARE(threshold(document), 100.0);
         document.undoStack().redo();
         QCOMPARE(threshold(document), 7.0);
-        QCOMPARE(told.size(), 3);
-        for (const Changes& changes : told) {
+        QCOMPARE(reported.size(), 3);
+        for (const Changes& changes : reported) {
             QVERIFY((changes.list == std::vector{Change{Part::Asset, asset, ChangeKind::Modified}}));
             QVERIFY(changes.touches(Part::Asset, asset) && !changes.touches(Part::Material));
         }

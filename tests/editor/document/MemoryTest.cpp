@@ -84,17 +84,17 @@ private slots:
     }
     void receiversAreNotifiedAgain() {
         Document document(starterProject());
-        int told = 0;
+        int reported = 0;
         bool isEverything = false;
         connect(&document, &Document::changed, this, [&](const Changes& changes) {
             isEverything = changes.isEverything;
-            if (++told == 1) throw std::bad_alloc();
+            if (++reported == 1) throw std::bad_alloc();
         });
         int ranOut = 0;
         connect(&document, &Document::memoryRanOut, this, [&] { ++ranOut; });
         QVERIFY(document.push(edit(document.project())));
         QVERIFY(document.undoStack().canUndo());
-        QTRY_COMPARE(told, 2);
+        QTRY_COMPARE(reported, 2);
         QVERIFY(isEverything);
         QCOMPARE(ranOut, 1);
     }

@@ -32,9 +32,9 @@ private slots:
     void subjectChangeIsEmittedOnce() {
         Selection selection;
         selection.setAsset(3);
-        QSignalSpy told(&selection, &Selection::subjectChanged);
+        QSignalSpy reported(&selection, &Selection::subjectChanged);
         selection.setInstances(fullProject(), {21});  // activates its asset, too
-        QCOMPARE(told.count(), 1);
+        QCOMPARE(reported.count(), 1);
         QCOMPARE(selection.asset(), 9u);
     }
     void seedsAreThoseOfTheEnteredFragment() {
@@ -46,9 +46,9 @@ private slots:
         selection.setSeeds({{8, 1}});
         selection.toggleSeed({8, 2});
         QVERIFY((selection.fragments() == FragmentSelection{{{8, 1}, {8, 2}}, std::nullopt, "4.0"}));
-        QSignalSpy told(&selection, &Selection::seedsChanged);
+        QSignalSpy reported(&selection, &Selection::seedsChanged);
         selection.setEnteredFragment({});
-        QCOMPARE(told.count(), 1);
+        QCOMPARE(reported.count(), 1);
         QVERIFY((selection.seeds() == Selection::Seeds{{4, 0}}));
         selection.setEnteredFragment("4.0");
         selection.setAsset(9);

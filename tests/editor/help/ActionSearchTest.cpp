@@ -32,7 +32,7 @@ private slots:
         QCOMPARE(found("asset")[0], "Du&plicate Asset");
     }
     void synonymsMatchLast() {
-        add(m_asset, "&Blast", "Set off an explosion");
+        add(m_asset, "&Blast", "Set off a blast");
         add(m_asset, "Screen&shot of Seeds", "Save a file");
         QCOMPARE(found("expl"), QStringList({"&Blast"}));
         QCOMPARE(found("bomb"), QStringList({"&Blast"}));

@@ -354,13 +354,13 @@ private slots:
         moved.pose.position.x = 0.75;
         window().workspace().document().push(modify("Move", moved));
         const std::vector<Message>& list = window().views().messages().list();
-        const auto told = [&] {
+        const auto reported = [&] {
             return std::ranges::find(list, QString("\"box 1\" and \"box 2\" overlap by 0.25 m."), &Message::text);
         };
-        QTRY_VERIFY_WITH_TIMEOUT(told() != list.end(), kPatience);
-        QVERIFY((told()->instances == std::vector<Id>{10, 11}));
+        QTRY_VERIFY_WITH_TIMEOUT(reported() != list.end(), kPatience);
+        QVERIFY((reported()->instances == std::vector<Id>{10, 11}));
         stack().undo();
-        QTRY_VERIFY_WITH_TIMEOUT(told() == list.end(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(reported() == list.end(), kPatience);
     }
 
 private:

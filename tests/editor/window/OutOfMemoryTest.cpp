@@ -40,11 +40,11 @@ private slots:
     }
     void eventsThatFailAreReported() {
         auto& application = dynamic_cast<Application&>(*QCoreApplication::instance());
-        const QSignalSpy told(&application, &Application::ranOut);
+        const QSignalSpy reported(&application, &Application::ranOut);
         for (int k = 0; k < 5; ++k)
             QMetaObject::invokeMethod(
                 &window(), [] { throw std::bad_alloc(); }, Qt::QueuedConnection);
-        QTRY_COMPARE(told.size(), 1);
+        QTRY_COMPARE(reported.size(), 1);
         const Messages& messages = window().views().messages();
         QVERIFY(!messages.list().empty());
         QVERIFY(messages.list().back().text.startsWith("Out of memory: the last action was not completed."));

@@ -164,7 +164,7 @@ key ctrl+e
 shows 'no dialog opens' is_active '^Export'
 key Return
 shows 'no pack is written' has_file "$folder/packs/*/pack.json"
-shows 'the end of the export is not told' is_active '^Rubble$'
+shows 'the end of the export is not reported' is_active '^Rubble$'
 key Escape
 adopt '^tour\.rubble – Rubble'
 step 'save a picture'
@@ -172,7 +172,7 @@ key ctrl+alt+p
 shows 'no dialog opens' is_active '^Save Picture'
 key Return
 shows 'no picture is written' has_file "$folder/tour.png"
-shows 'the picture is not told' is_active '^Rubble$'
+shows 'the picture is not reported' is_active '^Rubble$'
 key Escape
 adopt '^tour\.rubble – Rubble'
 step 'quit'

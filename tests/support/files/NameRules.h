@@ -70,7 +70,7 @@ inline QStringList brokenNameRules(const QString& name) {
 using NameComparison = QString (*)(const QString& name);
 
 /// NTFS: in upper case, character by character. APFS, and folders of ext4 that ignore case: case and normalization
-/// ignored. HFS+: likewise, without the characters that it skips.
+/// ignored. HFS+: as APFS, without the characters that it skips.
 inline const std::vector<NameComparison>& nameComparisons() {
     static const std::vector<NameComparison> comparisons = {
         [](const QString& name) {

@@ -5,7 +5,7 @@
 
 namespace rubble::test {
 
-/// A throw, a blow or an explosion at a random instance.
+/// A throw, a blow or a blast at a random instance.
 inline ShotInput randomShot(const Project& project, Random& random) {
     const Instance& instance = project.instances[random.below(project.instances.size())];
     const Vec3 target = instance.pose.position + Vec3(random.between(-0.5, 0.5), random.between(0.0, 1.0), 0.0);

@@ -87,7 +87,7 @@ private:
     PlayOverlays m_overlays;
     double m_arrowScale = 1.0;
     std::optional<std::vector<BodyHeat>> m_forecast;  // by ascending body number
-    std::vector<BodyHeat> m_impacts;                  // likewise
+    std::vector<BodyHeat> m_impacts;                  // by ascending body number
     std::optional<BodyCollapse> m_collapse;
     std::vector<Model> m_models;  // one per batch; the scene's assets first
     std::vector<Slots> m_slots;   // one per origin

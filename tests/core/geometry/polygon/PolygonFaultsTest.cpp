@@ -303,7 +303,7 @@ private slots:
     /// The fast path of validated() for convex outlines must agree with narrowFeatures() near the limits.
     void fastPathForConvexOutlinesAgreesWithTheGeneralOne() {
         Random random(17);
-        std::array<int, 2> told{};
+        std::array<int, 2> reported{};
         for (int round = 0; round < 20000; ++round) {
             const double turn = 2.0 * std::numbers::pi * random.unit();
             Polygon polygon{narrowConvexRing(random, round % 4), {}};
@@ -319,9 +319,9 @@ private slots:
             const bool isFaulty = narrowFault(polygon).has_value();
             QVERIFY(polygonFaults(polygon).empty());
             QVERIFY2(validated(polygon).hasValue() == !isFaulty, QByteArray::number(round));
-            ++told[isFaulty];
+            ++reported[isFaulty];
         }
-        QVERIFY(told[0] > 1000 && told[1] > 1000);
+        QVERIFY(reported[0] > 1000 && reported[1] > 1000);
     }
     void randomLatticePolygonsMatchTheOracle() {
         const std::uint64_t seed = 20240607;

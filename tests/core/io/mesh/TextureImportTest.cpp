@@ -242,8 +242,8 @@ private slots:
         mesh.write("a.png", checkerPng());
         nlohmann::json json = nlohmann::json::parse(projectText(outcomeOf(mesh.path()).project));
         json[nlohmann::json::json_pointer(path.toStdString())] = nlohmann::json::parse(value.toStdString());
-        const QString told = QString::fromStdString(errorText(readProjectText(json.dump())));
-        QVERIFY2(told.contains(fault), qPrintable(told));
+        const QString reported = QString::fromStdString(errorText(readProjectText(json.dump())));
+        QVERIFY2(reported.contains(fault), qPrintable(reported));
     }
 };
 

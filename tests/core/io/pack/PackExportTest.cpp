@@ -327,11 +327,11 @@ private slots:
     void progressGrowsToTheEnd() {
         const Project project = projectOf({"a", "b", "c"});
         TaskContext task;
-        std::vector<double> told;
-        task.progress = [&](double fraction) { told.push_back(fraction); };
+        std::vector<double> reported;
+        task.progress = [&](double fraction) { reported.push_back(fraction); };
         QVERIFY(exportPacks(project, allAssets(project), m_out, {}, EditedFiles::Kept, task));
-        QVERIFY(std::ranges::is_sorted(told));
-        QVERIFY(told.back() > 1.0 - 1e-9);
+        QVERIFY(std::ranges::is_sorted(reported));
+        QVERIFY(reported.back() > 1.0 - 1e-9);
     }
 
 private:

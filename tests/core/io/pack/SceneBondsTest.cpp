@@ -25,7 +25,7 @@ namespace {
 
 using FragmentList = std::vector<std::uint32_t>;
 
-/// A demo project in play, and as its export tells it.
+/// A demo project in play, and as its export describes it.
 struct ExportedScene {
     Project project;
     std::shared_ptr<const PlayScene> played;

@@ -61,10 +61,10 @@ std::string sourceFault(const PresetFigure& figure) {
     for (const double end : {figure.range->first, figure.range->second}) {
         bool isReported = false;
         for (auto match = number.globalMatch(source); match.hasNext() && !isReported;) {
-            const double told = match.next().captured().toDouble();
-            for (const double unit : {1.0, 1e3, 1e6, 1e9}) isReported |= qFuzzyCompare(told * unit, end);
+            const double reported = match.next().captured().toDouble();
+            for (const double unit : {1.0, 1e3, 1e6, 1e9}) isReported |= qFuzzyCompare(reported * unit, end);
         }
-        if (!isReported) return "not told: " + messageText(end);
+        if (!isReported) return "not reported: " + messageText(end);
     }
     return "";
 }

@@ -48,7 +48,7 @@ private slots:
         const LockAttempt attempt = lockProject(path);
         QVERIFY(writeFileAtomically(path, "y"));
         std::filesystem::create_hard_link(path, other);
-        QVERIFY(lockProject(other).lock);  // nobody was told of the new file
+        QVERIFY(lockProject(other).lock);  // nobody was informed of the new file
         QVERIFY(!attempt.lock->holdFile(path));
         QVERIFY(lockProject(other).holder);
         QVERIFY(!attempt.lock->holdFile(path));  // it is held already

@@ -163,9 +163,10 @@ private slots:
         QVERIFY(isInterruptedSave(torn) && !isInterruptedSave("new") && !isInterruptedSave(""));
         fs::create_hard_link(inFolder("file"), inFolder("other"));
         QVERIFY(writeFileAtomically(copyBeforeSave(inFolder("file")), "old"));
-        const QString told = QString::fromStdString(writeFileAtomically(inFolder("file"), "new").error().message);
-        QVERIFY2(told.contains("Saving it was interrupted; \"" + QString(inFolder("file.before-save").c_str()) + '"'),
-                 qPrintable(told));
+        const QString reported = QString::fromStdString(writeFileAtomically(inFolder("file"), "new").error().message);
+        QVERIFY2(
+            reported.contains("Saving it was interrupted; \"" + QString(inFolder("file.before-save").c_str()) + '"'),
+            qPrintable(reported));
         const QString byLink = QString::fromStdString(writeFileAtomically(inFolder("other"), "new").error().message);
         QVERIFY2(byLink.contains("look beside its hard links"), qPrintable(byLink));
         QCOMPARE(*readFile(copyBeforeSave(inFolder("file"))), std::string("old"));

@@ -30,7 +30,7 @@ Pairs sweptPairs(const std::vector<Box>& boxes) {
         const std::uint32_t number = sweep.number(place);
         for (const std::uint32_t other : sweep.overlappingLater(place, scratch)) {
             const bool isNew = pairs.insert(std::minmax(number, other)).second;
-            if (!isNew) qFatal("a pair was told twice");
+            if (!isNew) qFatal("a pair was reported twice");
         }
     }
     return pairs;

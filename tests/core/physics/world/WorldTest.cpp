@@ -232,7 +232,7 @@ private slots:
         QCOMPARE(*moved.world.overlapping(test::boxOf({9.0, 1.0, 1.0}), {.position = {0.0, 0.3, 0.0}}), moved.bodies);
         QVERIFY(!moved.world.overlapping(Polytope{}, {}));
     }
-    void explosionPushesBodiesApart() {
+    void blastPushesBodiesApart() {
         SceneWorld moved = test::worldOf(boxesAt({{-1.0, 0.5, 0.0}, {1.0, 0.5, 0.0}, {9.0, 0.5, 0.0}}));
         test::simulate(moved.world, 2.0);
         QVERIFY(moved.world.explode({0.0, 0.5, 0.0}, 4.0, 2000.0));

@@ -26,7 +26,7 @@ std::vector<SwapAudit> auditsOf(const Project& project) {
     return audits;
 }
 
-void tell(const SwapAudit& audit) {
+void report(const SwapAudit& audit) {
     qInfo(
         "%u fragments, %d contacts, overlap %.2g mm; resting %.3g mm/s (%s), %.2g J; lying %.3g mm/s (%s); drift %.1e "
         "%.1e "
@@ -96,7 +96,7 @@ private slots:
     void demoProjectsSwapCleanly() {
         QFETCH(Project, project);
         for (const SwapAudit& audit : auditsOf(project)) {
-            tell(audit);
+            report(audit);
             QVERIFY2(audit.isClean(), joined(audit).c_str());
             QVERIFY(audit.fragments >= 2);
         }
@@ -110,7 +110,7 @@ private slots:
             project.assets[0].pattern =
                 test::patternOf(project, {UniformScatter{.count = 3 + static_cast<std::uint32_t>(random.below(40))}});
             const SwapAudit audit = auditsOf(project)[0];
-            tell(audit);
+            report(audit);
             QVERIFY2(audit.isClean(), (std::to_string(round) + ": " + joined(audit)).c_str());
         }
     }
@@ -127,7 +127,7 @@ private slots:
             asset.shaping.gap = round % 2 == 0 ? 0.0 : random.between(0.002, 0.02);
             asset.shaping.roughness.amplitude = 0.05;
             const SwapAudit audit = auditsOf(project)[0];
-            tell(audit);
+            report(audit);
             QVERIFY2(audit.isClean(), (std::to_string(round) + ": " + joined(audit)).c_str());
             QCOMPARE(audit.gapFraction > 0.0, asset.shaping.gap > 0.0);
         }
@@ -213,7 +213,7 @@ private slots:
         damaged.diagnostics = {simplified(wider)};
         const Result<SwapAudit> audit = swapAudit(project, std::make_shared<const PlayAsset>(damaged));
         QVERIFY(audit.hasValue());
-        tell(*audit);
+        report(*audit);
         const std::string faults = joined(*audit);
         QCOMPARE(audit->resting.fragment, damaged.bake->fragmentId(lighter));
         const Diagnostic pushed = found(*audit, DiagnosticCode::PushedPiece);

@@ -105,7 +105,7 @@ private slots:
         const std::size_t left = test::wallOf(session).nodes.size();
         QVERIFY2(left > 250 && left < 300, QByteArray::number(left));
     }
-    void explosionBreaksTheBondsAroundIt() {
+    void blastBreaksTheBondsAroundIt() {
         Session session = test::sessionOf(test::bondedWall());
         test::addInput(session, ShotInput{"blast", Blast{.at = {0.0, 1.5, 0.3}, .impulse = 400.0, .radius = 1.0}});
         session.step();

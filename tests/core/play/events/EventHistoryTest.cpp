@@ -11,7 +11,7 @@ namespace {
 
 EventRecord impact(std::uint64_t step, std::uint32_t body = 1) { return {.step = step, .body = body}; }
 
-/// A history of the steps 1 to `last`, of which each tells an impact.
+/// A history of the steps 1 to `last`, of which each reports an impact.
 EventHistory historyUntil(std::uint64_t last, std::size_t mostRecords = 1000) {
     EventHistory history(mostRecords);
     for (std::uint64_t step = 1; step <= last; ++step) history.add(step, std::vector{impact(step)});

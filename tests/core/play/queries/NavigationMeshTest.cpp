@@ -89,7 +89,7 @@ private slots:
     }
 
 private:
-    /// Breaks the blocks of a quarter of the square, and sets off an explosion in it.
+    /// Breaks the blocks of a quarter of the square, and sets off a blast in it.
     static void breakQuarter(Session& session, const std::vector<PlayBody>& blocks, int quarter) {
         for (const PlayBody& block : blocks) {
             const std::uint32_t stack = (block.number - 1) / kHigh;

@@ -86,7 +86,7 @@ const std::vector<Setter>& setters() {
     return all;
 }
 
-/// Two blocks of three fragments over the ground; a throw, a blow and an explosion at the first.
+/// Two blocks of three fragments over the ground; a throw, a blow and a blast at the first.
 Project smallProject() {
     Project project = test::floatingBlock(3);
     asset(project).prism.outline.outer = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};

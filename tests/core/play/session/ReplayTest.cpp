@@ -76,7 +76,7 @@ private slots:
         QVERIFY(player.seek(kSteps).hasValue());
         QVERIFY(player.divergence().has_value());
         QCOMPARE(player.divergence()->diagnostic().message,
-                 std::string("At step 60 the scene tells other events than in the recording."));
+                 std::string("At step 60 the scene reports other events than in the recording."));
     }
     void recordingsWithoutEventsAreOtherwiseChecked() {
         Replay older = m_replay;

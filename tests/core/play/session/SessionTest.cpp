@@ -306,7 +306,7 @@ private slots:
         QCOMPARE(breaks.size(), std::size_t{1});
         QCOMPARE(breaks[0].body.number, halves[1].number);
     }
-    void hammersAndExplosionsBreak() {
+    void hammersAndBlastsBreak() {
         Project project = floatingBlock();
         Session struck = sessionOf(project, {.sleeping = false});
         addInput(struck, ShotInput{"tap", Hammer{.at = {0.0, 5.0, 0.25}, .impulse = {0.0, 0.0, -99.0}}});

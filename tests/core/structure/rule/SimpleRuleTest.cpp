@@ -76,9 +76,9 @@ std::string faultOf(const RandomHit& before, const RandomHit& after, const HitOu
         const BondDamage was = before.struck.damage[k], is = after.struck.damage[k];
         if (is < was) return "damage heals";
         const bool isBroken = std::ranges::binary_search(outcome.broken, k);
-        if (isBroken != (is == kBroken && was != kBroken)) return "a broken bond is not told";
+        if (isBroken != (is == kBroken && was != kBroken)) return "a broken bond is not reported";
         const bool isDamaged = std::ranges::binary_search(outcome.damaged, k);
-        if (isDamaged != (is != kBroken && was != is)) return "a damaged bond is not told";
+        if (isDamaged != (is != kBroken && was != is)) return "a damaged bond is not reported";
         if (was == is) continue;
         const Bond& bond = before.struck.graph.bonds[k];
         if (before.struck.owners[bond.first] != 0) return "another body is damaged";

@@ -84,9 +84,9 @@ private slots:
         QVERIFY(!pressed.isEnabled());  // nothing is selected
         desk.selectStrength();
         QVERIFY(pressed.isEnabled());
-        QSignalSpy told(&desk.panel, &PlayPanel::statusMessage);
+        QSignalSpy reported(&desk.panel, &PlayPanel::statusMessage);
         QTest::mouseClick(&pressed, Qt::LeftButton);
-        QCOMPARE(told.size(), 1);
+        QCOMPARE(reported.size(), 1);
         QCOMPARE(desk.asset().requirements.size(), std::size_t{1});
         const StrengthRequirement& requirement = desk.asset().requirements.front();
         QCOMPARE(requirement.outcome, survives ? RequirementOutcome::Survives : RequirementOutcome::Breaks);

@@ -18,21 +18,21 @@ namespace {
 constexpr double kStep = 1.0 / 60.0;  // s
 
 /// Something that the steps of a session reported, and the materials that it names.
-struct Told {
+struct Reported {
     Project project;
     std::vector<EventRecord> events;
 };
 
 /// What flies at a step, without gravity unless given.
-std::vector<Particle> particlesAt(const Told& reported, std::uint64_t step, Vec3 gravity = Vec3(0.0)) {
+std::vector<Particle> particlesAt(const Reported& reported, std::uint64_t step, Vec3 gravity = Vec3(0.0)) {
     RenderScene scene{.hasGround = reported.project.ground.isOn};
     addDust(scene, reported.project, reported.events, {step, kStep, gravity});
     return scene.particles;
 }
 
 /// A block of 1 x 1 x 0.5 m at (0, 5, 0) that broke in step 1 of a blow from +z.
-Told brokenBlock(double energy = 100.0, Material material = {}) {
-    Told reported;
+Reported brokenBlock(double energy = 100.0, Material material = {}) {
+    Reported reported;
     const Id id = test::addMaterial(reported.project, material);
     EventRecord broken{.step = 1,
                        .kind = EventKind::Broken,
@@ -51,8 +51,8 @@ Told brokenBlock(double energy = 100.0, Material material = {}) {
 }
 
 /// A body that hit the ground at the origin in step 1.
-Told impactOnGround(double energy, Material material = {}) {
-    Told reported;
+Reported impactOnGround(double energy, Material material = {}) {
+    Reported reported;
     const Id id = test::addMaterial(reported.project, material);
     reported.events = {{.step = 1,
                         .body = 1,
@@ -105,7 +105,7 @@ private slots:
         }
     }
     void dustDriftsGrowsAndFades() {
-        const Told reported = brokenBlock();
+        const Reported reported = brokenBlock();
         const auto dustAt = [&](std::uint64_t step) { return only(particlesAt(reported, step), ParticleKind::Dust); };
         const std::vector<Particle> early = dustAt(6), late = dustAt(16);
         QCOMPARE(late.size(), early.size());
@@ -125,7 +125,7 @@ private slots:
         }
     }
     void glassSplintersAndMakesHardlyAnyDust() {
-        const Told reported = brokenBlock(100.0, kGlass);
+        const Reported reported = brokenBlock(100.0, kGlass);
         const Vec3 gravity(0.0, -9.81, 0.0);
         const std::vector<Particle> early = particlesAt(reported, 2, gravity);
         const std::size_t splinters = countOf(early, ParticleKind::Splinter);
@@ -170,7 +170,7 @@ private slots:
         for (const double energy : {1e9, 1e300}) QVERIFY(particlesAt(impactOnGround(energy), 1).size() <= 40);
     }
     void impactOnTheGroundFliesAlongItAndNotBelow() {
-        const Told reported = impactOnGround(500.0);
+        const Reported reported = impactOnGround(500.0);
         for (const std::uint64_t step : {1u, 10u, 30u}) {
             for (const Particle& one : particlesAt(reported, step, {0.0, -9.81, 0.0})) {
                 if (one.kind() == ParticleKind::Chip) QVERIFY(one.position.y >= 0.0f);
@@ -182,13 +182,13 @@ private slots:
     }
     /// A pane of 8 m makes no clouds that hide it.
     void cloudsOfLargeBodiesAreSmall() {
-        Told reported = brokenBlock();
+        Reported reported = brokenBlock();
         reported.events[0].box = {{-4.0, 1.0, -0.25}, {4.0, 9.0, 0.25}};
         for (const Particle& one : particlesAt(reported, 20)) QVERIFY(one.position.w < 0.8f);
     }
     /// The box of a wall that stands at 45 degrees to the axes is as deep as it is wide; its dust starts at its faces.
     void dustOfAnObliqueWallStartsAtItsFaces() {
-        Told reported = brokenBlock();
+        Reported reported = brokenBlock();
         EventRecord& broken = reported.events[0];
         const double half = 2.0 * std::sqrt(0.5);
         broken.normal = {-std::sqrt(0.5), 0.0, -std::sqrt(0.5)};
@@ -201,7 +201,7 @@ private slots:
         }
     }
     void particlesAreBoundedAndTheLatestWin() {
-        Told reported;
+        Reported reported;
         for (std::uint64_t step = 1; step <= 50; ++step) {
             for (std::uint32_t body = 0; body < 16; ++body) {
                 reported.events.push_back(brokenBlock(1e5).events[0]);
@@ -216,14 +216,14 @@ private slots:
         QVERIFY(std::equal(some.begin(), some.end(), all.begin()));
     }
     void sameEventsGiveTheSameParticlesAndOthersDiffer() {
-        Told reported = brokenBlock();
+        Reported reported = brokenBlock();
         const std::vector<Particle> particles = particlesAt(reported, 5);
         QVERIFY(particlesAt(reported, 5) == particles);
         reported.events[0].body = 2;
         QVERIFY(particlesAt(reported, 5) != particles);
     }
     void previousOffsetMatchesThePreviousScene() {
-        for (const Told& reported : {brokenBlock(), brokenBlock(100.0, kGlass), impactOnGround(500.0, kSteel)}) {
+        for (const Reported& reported : {brokenBlock(), brokenBlock(100.0, kGlass), impactOnGround(500.0, kSteel)}) {
             const auto flying = [](const std::vector<Particle>& all) {
                 std::vector<Particle> some = all;
                 std::erase_if(some, [](const Particle& one) { return one.kind() >= ParticleKind::Spark; });
