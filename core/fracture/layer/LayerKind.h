@@ -17,8 +17,7 @@ namespace rubble {
 //   - `double estimatedPieces(double area) const`, about how many pieces the layer makes of an area (m²),
 //   - `density(outline)`, a density of seeds that later layers follow,
 //   - `elementCount()` and `fault()`, if it contains more than parameters, such as manually placed seeds.
-// To add a kind, write its header and .cpp, append it to the list in core/fracture/pattern/LayerParameters.h, and
-// write a test.
+// docs/contributing.md says how to add one.
 
 /// The contribution of a layer to a pattern.
 enum class LayerRole {
