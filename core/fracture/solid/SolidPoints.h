@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/fracture/solid/InnerFaces.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rubble {
+
+/// Points closer than this, in steps of the lattice, are one: kWeldFraction of the lattice's extent, and so less than
+/// half a step.
+inline constexpr double kSolidWeldDistance = 0x1p-6;
+
+/// Whether two points are one: closer than kSolidWeldDistance in each coordinate.
+bool coincide(Vec3 a, Vec3 b);
+
+/// The coordinates of the points of a cut solid, in steps of the lattice: of the surface's points and then of the
+/// Voronoi corners; Voronoi corners outside are zero. Each is computed once, of exact numbers, with an error of a few
+/// ulp of the lattice's extent.
+struct SolidPoints {
+    std::vector<Vec3> onLattice;  // as cut: the corners of the mesh are on the lattice
+    std::vector<Vec3> placed;     // on the mesh as it was given: its corners are where they were
+};
+
+/// The points of a solid. `corners`: of the mesh as it was given, in steps.
+SolidPoints solidPoints(const LatticeMesh& mesh, std::span<const Vec3> corners, const SolidDiagram& diagram,
+                        const SurfacePieces& pieces, const InnerFaces& faces);
+
+/// The point that stands for each point: the lowest of those that are joined by edges shorter than kSolidWeldDistance
+/// in each coordinate. Corners of the mesh stand for themselves.
+std::vector<std::uint32_t> weldedPoints(std::span<const Vec3> points, const SurfacePieces& pieces,
+                                        const InnerFaces& faces);
+
+}  // namespace rubble

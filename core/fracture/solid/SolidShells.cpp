@@ -1,0 +1,217 @@
+#include "core/fracture/solid/SolidShells.h"
+
+#include "core/base/DisjointSets.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace rubble {
+namespace {
+
+class ShellBuilder {
+public:
+    ShellBuilder(const SolidFaces& faces, std::span<const Vec3> points) : m_faces(faces), m_points(points) {}
+
+    SolidShells build() {
+        DisjointSets sets = joinedSides();
+        numberShells(sets);
+        assignCavities();
+        dissolveThinShells();
+        return std::move(m_result);
+    }
+
+private:
+    /// An edge of a side of a face, for finding the side that continues its shell.
+    struct SideEdge {
+        std::uint32_t cell, low, high;  // points
+        std::uint32_t side;             // 2 * face, + 1 if from behind
+        bool isForward;                 // from low to high, seen from outside the cell
+        auto key() const { return std::tie(cell, low, high); }
+    };
+
+    Vec3 outwardNormal(std::uint32_t side) const {
+        Vec3 normal(0.0);
+        for (const std::array<std::uint32_t, 3>& t : m_faces.trianglesOf(side / 2)) {
+            normal += glm::cross(m_points[t[1]] - m_points[t[0]], m_points[t[2]] - m_points[t[0]]);
+        }
+        return side % 2 == 0 ? normal : -normal;
+    }
+
+    /// Joins the sides at an edge: where there are more than two, those that have their cell between them.
+    void joinAround(std::span<const SideEdge> edges, DisjointSets& sets) const {
+        if (edges.size() == 2) {
+            sets.merge(edges[0].side, edges[1].side);
+            return;
+        }
+        const Vec3 along = glm::normalize(m_points[edges[0].high] - m_points[edges[0].low]);
+        constexpr double kPerRadian = 1e9;  // of angles that are told apart
+        constexpr std::int64_t kHalfTurn = 3'141'592'654;
+        struct Around {
+            std::int64_t angle;
+            bool isForward;
+            std::uint32_t side;
+        };
+        std::vector<Around> around;
+        Vec3 right(0.0), up(0.0);
+        for (const SideEdge& edge : edges) {
+            const Vec3 inward = glm::cross(outwardNormal(edge.side), edge.isForward ? along : -along);
+            if (around.empty()) right = glm::normalize(inward), up = glm::cross(along, right);
+            const double angle = kPerRadian * std::atan2(glm::dot(inward, up), glm::dot(inward, right));
+            const auto rounded = static_cast<std::int64_t>(std::round(angle));
+            around.push_back({rounded <= -kHalfTurn ? kHalfTurn : rounded, edge.isForward, edge.side});
+        }
+        // The cell is after a side that runs backward, and before one that runs forward; between two that coincide
+        // there is nothing.
+        std::stable_sort(around.begin(), around.end(), [](const Around& a, const Around& b) {
+            return a.angle != b.angle ? a.angle < b.angle : a.isForward && !b.isForward;
+        });
+        for (std::size_t k = 0; k < around.size(); ++k) {
+            const Around& next = around[(k + 1) % around.size()];
+            if (!around[k].isForward && next.isForward) sets.merge(around[k].side, next.side);
+        }
+    }
+
+    /// The sides of faces, joined to shells.
+    DisjointSets joinedSides() const {
+        std::vector<SideEdge> edges;
+        for (std::uint32_t f = 0; f < m_faces.faces.size(); ++f) {
+            const SolidPartition::Face& face = m_faces.faces[f];
+            for (std::uint32_t l = m_faces.firstLoop[f]; l < m_faces.firstLoop[f + 1]; ++l) {
+                const PointLoop& loop = m_faces.loops[l];
+                for (std::size_t k = 0; k < loop.size(); ++k) {
+                    const std::uint32_t a = loop[k], b = loop[k + 1 < loop.size() ? k + 1 : 0];
+                    edges.push_back({face.fragment, std::min(a, b), std::max(a, b), 2 * f, a < b});
+                    if (face.behind == kNone) continue;
+                    edges.push_back({face.behind, std::min(a, b), std::max(a, b), 2 * f + 1, a > b});
+                }
+            }
+        }
+        std::sort(edges.begin(), edges.end(), [](const SideEdge& a, const SideEdge& b) {
+            return a.key() != b.key() ? a.key() < b.key() : a.side < b.side;
+        });
+        DisjointSets sets(2 * m_faces.faces.size());
+        for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+            while (end < edges.size() && edges[end].key() == edges[begin].key()) ++end;
+            joinAround(std::span(edges).subspan(begin, end - begin), sets);
+        }
+        return sets;
+    }
+
+    void numberShells(DisjointSets& sets) {
+        std::vector<std::uint32_t> shellOfRoot(sets.count(), kNone);
+        m_result.ofSide.assign(sets.count(), kNone);
+        const auto enter = [&](std::uint32_t side, std::uint32_t cell) {
+            std::uint32_t& shell = shellOfRoot[sets.rootOf(side)];
+            if (shell == kNone) {
+                shell = static_cast<std::uint32_t>(m_result.shells.size());
+                m_result.shells.push_back({.cell = cell, .owner = shell, .sides = {}});
+            }
+            m_result.shells[shell].sides.push_back(side);
+            m_result.ofSide[side] = shell;
+        };
+        for (std::uint32_t f = 0; f < m_faces.faces.size(); ++f) {
+            const SolidPartition::Face& face = m_faces.faces[f];
+            enter(2 * f, face.fragment);
+            if (face.behind != kNone) enter(2 * f + 1, face.behind);
+        }
+        for (SolidShell& shell : m_result.shells) measure(shell);
+    }
+
+    template <class Visit>
+    void forEachTriangle(const SolidShell& shell, const Visit& visit) const {
+        for (const std::uint32_t side : shell.sides) {
+            for (const std::array<std::uint32_t, 3>& t : m_faces.trianglesOf(side / 2)) {
+                side % 2 == 0 ? visit(t[0], t[1], t[2]) : visit(t[0], t[2], t[1]);
+            }
+        }
+    }
+
+    void measure(SolidShell& shell) const {
+        const Vec3 origin = m_points[m_faces.trianglesOf(shell.sides[0] / 2)[0][0]];
+        forEachTriangle(shell, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+            shell.volume +=
+                glm::dot(m_points[a] - origin, glm::cross(m_points[b] - origin, m_points[c] - origin)) / 6.0;
+            shell.area += glm::length(glm::cross(m_points[b] - m_points[a], m_points[c] - m_points[a])) / 2.0;
+            for (const std::uint32_t point : {a, b, c}) {
+                if (shell.smallest == kNone || lexicographicLess(m_points[point], m_points[shell.smallest])) {
+                    shell.smallest = point;
+                }
+            }
+        });
+    }
+
+    static bool isThinShell(const SolidShell& shell) { return std::abs(shell.volume) <= kTieDistance * shell.area; }
+
+    /// How often a shell goes around a point: 1 inside, 0 outside.
+    /// Source: Van Oosterom, Strackee, The solid angle of a plane triangle, 1983.
+    double windingNumber(const SolidShell& shell, Vec3 point) const {
+        double angle = 0.0;
+        forEachTriangle(shell, [&](std::uint32_t ia, std::uint32_t ib, std::uint32_t ic) {
+            const Vec3 a = m_points[ia] - point, b = m_points[ib] - point, c = m_points[ic] - point;
+            const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
+            const double scale = la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb;
+            angle += 2.0 * std::atan2(glm::dot(a, glm::cross(b, c)), scale);
+        });
+        return angle / (4.0 * 3.14159265358979323846);
+    }
+
+    void assignCavities() {
+        std::map<std::uint32_t, std::vector<std::uint32_t>> outsides;  // of each cell
+        for (std::uint32_t s = 0; s < m_result.shells.size(); ++s) {
+            if (m_result.shells[s].volume > 0.0 && !isThinShell(m_result.shells[s]))
+                outsides[m_result.shells[s].cell].push_back(s);
+        }
+        for (SolidShell& cavity : m_result.shells) {
+            if (cavity.volume > 0.0 || isThinShell(cavity)) continue;
+            double most = -1.0;
+            const std::vector<std::uint32_t>& around = outsides[cavity.cell];
+            for (const std::uint32_t s : around) {
+                const double number =
+                    around.size() == 1 ? 1.0 : windingNumber(m_result.shells[s], m_points[cavity.smallest]);
+                if (number > most) most = number, cavity.owner = s;
+            }
+        }
+    }
+
+    double areaOf(std::uint32_t face) const {
+        double area = 0.0;
+        for (const std::array<std::uint32_t, 3>& t : m_faces.trianglesOf(face)) {
+            area += glm::length(glm::cross(m_points[t[1]] - m_points[t[0]], m_points[t[2]] - m_points[t[0]])) / 2.0;
+        }
+        return area;
+    }
+
+    /// Gives shells of no thickness to the neighbour with the largest common face.
+    void dissolveThinShells() {
+        for (std::uint32_t s = 0; s < m_result.shells.size(); ++s) {
+            if (!isThinShell(m_result.shells[s])) continue;
+            double largest = -1.0;
+            std::uint32_t receiver = kNone;
+            for (const std::uint32_t side : m_result.shells[s].sides) {
+                const SolidPartition::Face& face = m_faces.faces[side / 2];
+                if (face.behind == kNone) continue;
+                const std::uint32_t other = m_result.ownerOf(m_result.ofSide[side ^ 1]);
+                const double area = areaOf(side / 2);
+                if (other != s && area > largest) largest = area, receiver = other;
+            }
+            if (receiver != kNone) m_result.shells[s].owner = receiver;
+        }
+    }
+
+    const SolidFaces& m_faces;
+    std::span<const Vec3> m_points;
+    SolidShells m_result;
+};
+
+}  // namespace
+
+SolidShells solidShells(const SolidFaces& faces, std::span<const Vec3> points) {
+    return ShellBuilder(faces, points).build();
+}
+
+}  // namespace rubble
