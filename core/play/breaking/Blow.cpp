@@ -3,6 +3,7 @@
 #include "core/asset/project/HammerPatch.h"
 #include "core/base/MessageText.h"
 #include "core/play/breaking/BondBreaking.h"
+#include "core/play/breaking/Splitting.h"
 #include "core/play/breaking/Swap.h"
 #include "core/play/state/InputDiagnostics.h"
 #include "core/play/state/SessionBodies.h"
