@@ -127,7 +127,7 @@ Result<Targets> targetsOf(const SessionParts& parts, const SessionDamage& damage
     return targets;
 }
 
-/// The bodies to break, with the cuts of those that are whole.
+/// The bodies to break; those that are whole into the fragments that the damage is of.
 std::vector<PendingBreak> nextBreaks(const SessionParts& parts, const Targets& targets) {
     std::vector<PendingBreak> breaks;
     for (const PlayBody& body : parts.state().bodies) {
@@ -137,8 +137,8 @@ std::vector<PendingBreak> nextBreaks(const SessionParts& parts, const Targets& t
         if (!damage.broken[asset->solid(body.fragment).fracture]) continue;
         breaks.push_back(pendingBreak(parts, body));
         breaks.back().event.point = breaks.back().mass.centre;
-        if (!damage.cut || body.fragment != kNone) continue;
-        breaks.back().cut = damage.cut;
+        if (body.fragment != kNone) continue;
+        breaks.back().cut = damage.cut;  // none: it broke into the fragments of its pattern
         breaks.back().cutAsset = asset;
     }
     return breaks;

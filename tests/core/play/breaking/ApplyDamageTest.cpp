@@ -74,6 +74,17 @@ private slots:
         QVERIFY(body != fresh.bodies().end());
         QCOMPARE(body->asset->bake->fractures[0].seeds.positions, breaks[0].asset->bake->fractures[0].seeds.positions);
     }
+    /// The whole broke into the fragments of its pattern, since it could not be cut where it was hit.
+    void wholesThatWereNotCutAreNotCutLater() {
+        const Project project = test::threeBlocks();
+        const auto scene = test::playSceneOf(project);
+        const Id instance = project.instances[2].id;
+        SessionDamage damage{{instance, Session::start(scene)->damage().at(instance)}};
+        damage[instance].broken[0] = true;
+        const Session session = test::damaged(scene, damage);
+        QCOMPARE(test::countOf(session, PlayRole::Debris), 5u);
+        QVERIFY(session.damage().at(instance) == damage[instance]);
+    }
     void mergedDamageIsThatOfBothOneAfterTheOther() {
         qInfo("seed %d", static_cast<int>(kApplySeed));
         Random random(kApplySeed);
