@@ -2,6 +2,7 @@
 
 #include "core/play/damage/DamageBytes.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/play/BondedWalls.h"
 #include "tests/support/play/Damages.h"
 
 #include <map>
@@ -84,6 +85,39 @@ private slots:
         const Session session = test::damaged(scene, damage);
         QCOMPARE(test::countOf(session, PlayRole::Debris), 5u);
         QVERIFY(session.damage().at(instance) == damage[instance]);
+    }
+    void damagedBondsAreAppliedWhereNoneIsBroken() {
+        const Project project = test::bondedWall(30);
+        const auto scene = test::playSceneOf(project);
+        SessionDamage damage = Session::start(scene)->damage();
+        damage.begin()->second.partial[7] = 100;
+        QVERIFY(test::damaged(scene, damage).damage() == damage);
+    }
+    /// Two walls of one asset.
+    void otherInstancesStayIntact() {
+        Project project = test::bondedWall(30);
+        test::addInstance(project, project.assets[0].id, "other", {.position = {10.0, 1.5, 0.0}});
+        const auto scene = test::playSceneOf(project);
+        const Id first = project.instances[0].id, second = project.instances[1].id;
+        SessionDamage damage = Session::start(scene)->damage();
+        damage[second].broken[0] = true;
+        const Session session = test::damaged(scene, {{second, damage[second]}});
+        QVERIFY(session.damage().at(first).isIntact());
+        QVERIFY(session.damage() == damage);
+    }
+    /// Bodies that came off a moment ago hold their deeper levels, but not those of a damage.
+    void damagedBodiesBreakAtTheirNextLevelAtOnce() {
+        const auto scene = test::playSceneOf(test::clusteredWall(60, 4));
+        Session session = *Session::start(scene, {.dt = 1.0 / 240.0});
+        test::addInput(session, BreakInput{1});
+        session.step();
+        for (const bool isApplied : {false, true}) {
+            if (isApplied) QVERIFY(session.apply(session.damage()).hasValue());
+            const std::size_t before = session.bodies().size();
+            test::addInput(session, BreakInput{1});
+            session.step();
+            QCOMPARE(session.bodies().size() > before, isApplied);
+        }
     }
     void mergedDamageIsThatOfBothOneAfterTheOther() {
         qInfo("seed %d", static_cast<int>(kApplySeed));

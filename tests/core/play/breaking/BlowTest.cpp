@@ -152,6 +152,18 @@ private slots:
                  message.c_str());
     }
 
+    /// 11.7285 g at 20 m/s.
+    void whatABlowGaveIsRoundedToThreeDigits() {
+        Project project = pane(3);
+        project.instances[0].isFixed = false;
+        project.materials[0].density = 0.23457;
+        project.assets[0].threshold = 1000.0;
+        const Session session = struckBy(project, kBlow);
+        QCOMPARE(session.events().diagnostics.size(), 1u);
+        const std::string& message = session.events().diagnostics[0].message;
+        QVERIFY2(message.starts_with("The blow \"blow\" gave 0.235 of its 50 N·s: "), message.c_str());
+    }
+
     /// A free one, and what comes off one that is held.
     void whatIsTooLightIsReportedAlsoOfBondedBodies_data() {
         QTest::addColumn<bool>("isHeld");

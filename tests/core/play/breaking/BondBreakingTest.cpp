@@ -80,6 +80,20 @@ private slots:
         QVERIFY2(momentum <= 150.0 * 20.0 - taken + 1.0, QByteArray::number(momentum));
         for (const EnergyEntry& entry : session.events().energy) QVERIFY(entry.isConserved());
     }
+    /// What bonds take, p, slows the ball by p / m: it loses what that is of its energy.
+    void energiesAreThoseBeforeAndAfterTheImpulse() {
+        constexpr double kMass = 150.0, kSpeed = 20.0;
+        Session session = test::sessionOf(test::bondedWall());
+        test::addInput(session, ShotInput{"ball", test::ballAtWall({0.0, 1.8}, kMass, kSpeed)});
+        while (session.events().splits.empty() && session.stepsDone() < 60) session.step();
+        const EnergyAudit& audit = session.events().energy;
+        const auto entry = std::ranges::find(audit, EnergyChange::Bonds, &EnergyEntry::change);
+        QVERIFY(entry != audit.end());
+        const double left = kSpeed - session.events().splits.front().impulse / kMass;
+        QVERIFY2(std::abs(entry->before / (0.5 * kMass * kSpeed * kSpeed) - 1.0) < 0.01,
+                 QByteArray::number(entry->before));
+        QVERIFY2(std::abs(entry->after / (0.5 * kMass * left * left) - 1.0) < 0.01, QByteArray::number(entry->after));
+    }
     void freeWallKeepsItsMomentum() {
         Project project = test::bondedWall();
         project.gravity = Vec3(0.0);

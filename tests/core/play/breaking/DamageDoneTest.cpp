@@ -81,6 +81,11 @@ private slots:
         QCOMPARE(damage.size(), 2u);
         QCOMPARE(damage[0].impact, 1u);
     }
+    void firstOfEqualImpactsCounts() {
+        SceneWorld made = boxesAboutToMeet();
+        const std::vector<Impact> impacts(3, made.world.impacts()[0]);
+        for (const DamageDone& one : damageOf(impacts, made.world, DamageRule::Impact)) QCOMPARE(one.impact, 0u);
+    }
     void breakImpulseIsLimitedToTheStoppingImpulse() {
         for (const double threshold : {100.0, 1e6}) {
             SceneWorld made = boxesAboutToMeet();

@@ -5,6 +5,8 @@
 #include "tests/support/play/BondedWalls.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 using namespace rubble;
 
@@ -136,6 +138,50 @@ private slots:
                 session.step();
                 QVERIFY(session.events().splits.empty() && session.events().breaks.empty());
             }
+        }
+    }
+    /// Without restitution the ball and all that came off within its radius have one speed afterwards.
+    void whatIsPushedOutMovesAsOne_data() {
+        QTest::addColumn<double>("scale");
+        QTest::newRow("of stone") << 1.0;
+        QTest::newRow("lighter than 1 kg") << 1e-4;
+    }
+    void whatIsPushedOutMovesAsOne() {
+        QFETCH(double, scale);
+        Project project = test::bondedWall(300, 100.0 * scale);
+        project.materials[0].density *= scale;
+        project.materials[0].restitution = 0.0;
+        Session session = test::sessionOf(project);
+        Throw thrown = test::ballAtWall({0.0, 1.8}, 150.0 * scale);
+        thrown.size = Vec3(1.0);
+        test::addInput(session, ShotInput{"ball", thrown});
+        while (session.events().splits.empty() && session.stepsDone() < 60) session.step();
+        std::vector<EnergyEntry> entries;
+        std::ranges::copy_if(session.events().energy, std::back_inserter(entries),
+                             [](const EnergyEntry& entry) { return entry.change == EnergyChange::Bonds; });
+        double pushed = 0.0;  // kg
+        for (const std::uint32_t number : session.events().splits.front().freed)
+            pushed += session.world().mass(session.body(number)->body);
+        QVERIFY(entries.size() > 1 && pushed > 0.1 * thrown.mass);
+        const double left = entries[0].after;  // by what the bonds took
+        QVERIFY(std::abs(entries[1].before / left - 1.0) < 1e-6);
+        const double ratio = entries[1].after / left;
+        QVERIFY2(std::abs(ratio - thrown.mass / (thrown.mass + pushed)) < 1e-3, QByteArray::number(ratio));
+    }
+    /// The numbers of the bodies that came off, not that of a free body itself.
+    void freedBodiesAreThoseThatCameOff() {
+        for (const bool isHeld : {true, false}) {
+            Project project = test::bondedWall(30);
+            project.instances[0].isAnchored = isHeld;
+            Session session = test::sessionOf(project);
+            test::addInput(session, BreakInput{1});
+            session.step();
+            std::vector<std::uint32_t> expected;
+            if (isHeld) expected.push_back(1);
+            for (const PlayBody& body : session.events().born) expected.push_back(body.number);
+            std::ranges::sort(expected);
+            QCOMPARE(session.events().splits.size(), std::size_t{1});
+            QCOMPARE(session.events().splits.front().freed, expected);
         }
     }
     void fragmentsBreakFurtherByTheirLevel() {
