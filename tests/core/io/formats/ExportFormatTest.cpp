@@ -2,8 +2,10 @@
 // core/io/formats/GlbFormat.cpp, core/io/formats/MjcfFormat.cpp, core/io/formats/UsdFormat.cpp.
 #include "core/io/formats/ExportFormat.h"
 
+#include "core/asset/bake/Bake.h"
 #include "core/io/formats/ExportTarget.h"
 #include "core/io/pack/PackExport.h"
+#include "core/io/pack/PackMeshes.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
 #include "tests/support/files/FileBytes.h"
@@ -11,6 +13,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 using namespace rubble;
@@ -23,6 +26,15 @@ ContentHash sourceOf(const PackOptions& options) {
     const Project project = brickProject();
     const PackNames names = packNames(project, options).begin()->second;
     return packSourceHash(project, project.assets[0], names, options);
+}
+
+/// The files of formats of a box in fragments.
+std::vector<ExportFile> filesOfBox(std::uint32_t fragments, const MeshOptions& options) {
+    const Asset asset = boxAsset(2, 3, UniformScatter{.count = fragments});
+    const Material stone{.id = 1, .name = "stone", .density = 2000.0};
+    const Bake baked = bake(asset).value();
+    const PackBuilder pack({baked, asset, {stone, stone}, packNames(asset), {}});
+    return packMeshes(pack, options).value().files;
 }
 
 bool hasOption(const ExportFormat& format, const ExportOption* option) {
@@ -47,6 +59,37 @@ private slots:
         }
         QCOMPARE(words.size(), exportFormats().size());
         QVERIFY(formatNamed("stone") == nullptr);
+    }
+    /// While it is exported, a fragment takes about what the files hold of it.
+    void memoryOfAFragmentIsThatOfItsFiles() {
+        for (const ExportFormat* format : exportFormats()) {
+            for (const GlbKind kind : {GlbKind::Plain, GlbKind::Physics, GlbKind::Compact, GlbKind::Named}) {
+                const MeshOptions options{.formats = {format->word}, .glbKind = kind};
+                double bytes = 0.0;
+                for (const ExportFile& file : filesOfBox(100, options)) bytes += static_cast<double>(file.bytes.size());
+                const double ratio = 100.0 * meshBytesPerFragment(options) / bytes;
+                QVERIFY2(ratio > 0.8 && ratio < 5.0, format->word.data());
+            }
+        }
+    }
+    void unbrokenFragmentsAreThoseOfTheDeepestLevels() {
+        Asset asset = boxAsset(2, 3, UniformScatter{.count = 5});
+        asset.levels = {{.pattern = asset.pattern}};
+        const Bake baked = bake(asset).value();
+        QCOMPARE(baked.fractures.size(), std::size_t{6});
+        std::vector<std::uint32_t> expected(baked.fragmentCount() - 5);
+        std::iota(expected.begin(), expected.end(), 5u);  // the first five break
+        QCOMPARE(unbrokenFragments(baked), expected);
+    }
+    void facesOfObjFilesAreAsSelected() {
+        for (const FaceShape faces : {FaceShape::Polygons, FaceShape::Triangles}) {
+            qsizetype most = 0;
+            for (const ExportFile& file : filesOfBox(5, {.formats = {"obj"}, .faces = faces})) {
+                for (const QByteArray& line : QByteArray::fromStdString(file.bytes).split('\n'))
+                    if (line.startsWith("f ")) most = std::max(most, line.count(' '));
+            }
+            QVERIFY2(faces == FaceShape::Triangles ? most == 3 : most > 3, QByteArray::number(most));
+        }
     }
     void setsKeepTheOrderOfTheFiles() {
         const std::vector<const ExportFormat*> formats = formatsOf({"usd", "glb", "stone", "obj"});

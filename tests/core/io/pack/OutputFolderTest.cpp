@@ -7,6 +7,7 @@
 #include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/files/FolderNames.h"
+#include "tests/support/play/BondedWalls.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -87,6 +88,19 @@ private slots:
         QCOMPARE(textOf(request.folder / kOnlyPack / "manifest.json"), before);
         request.edited = EditedFiles::Replaced;
         QVERIFY(exportToFolder(request, changed, kAssets)->finished.hasValue());
+    }
+    /// One that is as it was written is not made again, since its bonds take a bake.
+    void editedScenesWithBondsAreMadeAgain() {
+        const QTemporaryDir place;
+        OutputRequest request = requestFor(place);
+        request.edited = EditedFiles::Replaced;
+        const Project project = test::bondedWall(10);
+        const std::vector<Id> assets{project.assets.front().id};
+        QVERIFY(exportToFolder(request, project, assets)->finished.hasValue());
+        const std::string scene = textOf(request.folder / kSceneName);
+        std::ofstream(request.folder / kSceneName, std::ios::app) << "\n";
+        QVERIFY(exportToFolder(request, project, assets)->finished.hasValue());
+        QCOMPARE(textOf(request.folder / kSceneName), scene);
     }
     void projectsOfOneNameAreToldApartByTheirIdentities() {
         const QTemporaryDir place;
@@ -179,6 +193,20 @@ private slots:
         const auto refused = exportToFolder(request, project, kAssets);
         QVERIFY(refused && !refused->packs[0].status && refused->renamed.empty());
         QVERIFY(fs::exists(request.folder / "facade") && fs::exists(request.folder / "wall" / "mine.txt"));
+    }
+    /// Another asset has the former name of one.
+    void foldersOfNamesInUseAreNotRenamed() {
+        const QTemporaryDir place;
+        const OutputRequest request = requestFor(place);
+        Project project = starterProject();
+        QVERIFY(exportToFolder(request, project, kAssets)->finished.hasValue());
+        project.assets.push_back(project.assets.front());
+        project.assets.front().name = "tower";
+        project.assets.back().id = project.nextId++;
+        const std::vector<Id> assets{project.assets.front().id, project.assets.back().id};
+        const auto exported = exportToFolder(request, project, assets);
+        QVERIFY(exported->finished.hasValue() && exported->renamed.empty());
+        QVERIFY(fs::exists(request.folder / kOnlyPack) && fs::exists(request.folder / "tower"));
     }
     void foldersOfDeletedAssetsAreReported() {
         const QTemporaryDir place;

@@ -68,6 +68,9 @@ private slots:
         QVERIFY(first.impulse > 0.0 && first.bonds > 0 && first.area > 0.0);
         QVERIFY(std::abs(first.approachSpeed - 20.0) < 0.1);
         QVERIFY(first.normal.z < -0.99);
+        QVERIFY(std::ranges::any_of(session.events().impacts, [&](const PlayImpact& impact) {
+            return impact.body == first.body.number && impact.threshold > 0.0 && impact.damage > impact.threshold;
+        }));
         double momentum = 0.0;  // along -z, of all free bodies
         for (const PlayBody& body : session.bodies()) {
             momentum -= session.world().mass(body.body) * session.world().state(body.body).velocity.z;

@@ -6,6 +6,8 @@
 #include "tests/support/asset/Simulated.h"
 #include "tests/support/scenes/SceneParts.h"
 
+#include <cmath>
+
 using namespace rubble;
 
 namespace {
@@ -131,6 +133,16 @@ private slots:
         const MovingMass first = movingMass(made.world, made.bodies[0]),
                          second = movingMass(made.world, made.bodies[1]);
         QCOMPARE(stoppingImpulse(first, second, {0.5, 0.0, 0.0}, {-1.0, 0.0, 0.0}, 0.0), 0.0);
+    }
+    /// A shape of 2 m³ with its centre at x = 1 m, turned by 90 degrees about z at y = 5 m.
+    void restingMassIsThatOfItsShapeInPlace() {
+        Shape shape;
+        shape.mass = {.volume = 2.0, .centre = {1.0, 0.0, 0.0}};
+        shape.inertia = Mat3(1.0);
+        const double half = std::sqrt(0.5);
+        const MovingMass mass = restingMass(shape, 3.0, {{0.0, 5.0, 0.0}, Quat{half, 0.0, 0.0, half}});
+        QCOMPARE(mass.inverseMass, 1.0 / 6.0);
+        QVERIFY(glm::distance(mass.centre, Vec3(0.0, 6.0, 0.0)) < 1e-12);
     }
     void velocitiesAreLimitedAlongTheirDirection() {
         QCOMPARE(limitedVelocity({3.0, 0.0, -4.0}), Vec3(3.0, 0.0, -4.0));

@@ -116,6 +116,19 @@ private slots:
         QCOMPARE(hitIntervals(0.001), 1);
         QCOMPARE(hitIntervals(0.01), 3);
     }
+    /// Not in the step before, in which it comes near.
+    void blocksBreakInTheStepInWhichTheyLand() {
+        constexpr double kGravity = 9.81, kRate = 30.0;
+        for (const double drop : {1.0, 1.1, 1.2, 1.3, 1.4}) {  // the last lands 1 ms after the begin of a step
+            Project project = floatingBlock();
+            project.gravity = {0.0, -kGravity, 0.0};
+            project.instances[0].pose.position.y = 0.5 + drop;
+            Session session = sessionOf(project, {.dt = 1.0 / kRate});
+            const std::vector<PlayBreak> breaks = breaksWithin(session, 30);
+            QVERIFY(!breaks.empty());
+            QCOMPARE(static_cast<double>(breaks[0].step), std::ceil(std::sqrt(2.0 * drop / kGravity) * kRate));
+        }
+    }
     void sameThrowBreaksTheSameAtAnyLengthOfSteps_data() {
         QTest::addColumn<int>("rate");
         for (const int rate : {30, 60, 120}) QTest::addRow("%d steps a second", rate) << rate;

@@ -124,6 +124,16 @@ private slots:
         QCOMPARE(broken[0].fragmentCount, 40u);
         QVERIFY(glm::distance(Vec2(broken[0].point), Vec2(0.3, 5.3)) < 0.02);
     }
+    void energiesOfCutsAndOfPatternsHaveTheirKinds() {
+        for (const bool isCut : {false, true}) {
+            Session session = test::sessionOf(isCut ? cutWhereHit() : test::floatingBlock());
+            test::addInput(session, BreakInput{session.bodies()[1].number});
+            session.step();
+            const EnergyAudit& audit = session.events().energy;
+            QCOMPARE(audit.size(), 1u);
+            QVERIFY(audit[0].change == (isCut ? EnergyChange::Cut : EnergyChange::Swap));
+        }
+    }
     void twoBodiesOfAnAssetAreCutDifferently() {
         Project project = cutWhereHit(10);
         test::addInstance(project, project.assets[0].id, "other", {.position = {3.0, 5.0, 0.0}});
