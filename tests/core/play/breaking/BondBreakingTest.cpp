@@ -60,6 +60,11 @@ private slots:
         QVERIFY(session.damage().begin()->second.isIntact());
         QCOMPARE(session.bodies().size(), std::size_t{3});
     }
+    void strongHitChangesNothingWithoutDestruction() {
+        const Session session = thrownAtWall(test::bondedWall(), test::ballAtWall(), 60, {.hasDestruction = false});
+        QVERIFY(session.damage().begin()->second.isIntact());
+        QCOMPARE(session.bodies().size(), std::size_t{3});
+    }
     void whatBondsTakeTheImpactorLoses() {
         Session session = test::sessionOf(test::bondedWall());
         test::addInput(session, ShotInput{"ball", test::ballAtWall()});

@@ -6,6 +6,8 @@
 #include "tests/support/play/BondedWalls.h"
 #include "tests/support/play/MortarPortal.h"
 
+#include <algorithm>
+
 using namespace rubble;
 using test::addInput;
 
@@ -27,6 +29,23 @@ private slots:
         session.step();
         QVERIFY(session.body(1) == nullptr);
         QVERIFY(isHeldOf(session, 2) && isHeldOf(session, 3));
+    }
+    /// A fragment of a fragment that came off, whose numbers in the bake do not begin at 0.
+    void fragmentsOfLevelsAreRemovedFromTheirBody() {
+        Project project = test::bondedWall(12);
+        project.assets[0].levels = {{.pattern = test::patternOf(project, {UniformScatter{.count = 6}})}};
+        Session session = test::sessionOf(project);
+        addInput(session, BreakInput{1});
+        session.step();
+        const PlayBody& whole = test::wallOf(session);
+        const std::uint32_t count = whole.bondedFracture()->count, last = whole.bondedFracture()->first + count - 1;
+        QVERIFY(count > 3);
+        const Bake& bake = *whole.asset->bake;
+        addInput(session, RemoveInput{{project.instances[0].id, {bake.fragmentPath(last)}}});
+        session.step();
+        QCOMPARE(session.events().taken.size(), std::size_t{1});
+        QVERIFY(test::wallOf(session).nodes.size() > 1 && test::wallOf(session).nodes.size() < count);
+        QVERIFY(!std::ranges::binary_search(test::wallOf(session).nodes, count - 1));
     }
     void whatNothingCarriesFalls() {
         Session session = test::sessionOf(test::mortarPortal());
