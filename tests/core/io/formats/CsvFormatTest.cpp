@@ -38,6 +38,16 @@ private slots:
         QVERIFY(std::abs(mass - 1000.0) < 1e-9);  // 1 x 1 x 0.5 m
         QCOMPARE(rows[1].split(',')[4].toDouble(), 1000.0);
     }
+    void centreOfTheWholeIsThatOfItsMass() {
+        Asset asset = boxAsset(2, 3, UniformScatter{.count = 7});
+        asset.prism.outline.outer = {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}};
+        const Material stone{.id = 1, .name = "stone", .density = 2000.0};
+        const Bake baked = bake(asset).value();
+        const PackBuilder pack({baked, asset, {stone, stone}, packNames(asset), {}});
+        const std::string table = packMeshes(pack, {.formats = {"csv"}}).value().files[0].bytes;
+        const QStringList fields = QString::fromStdString(table).split('\n')[1].split(',');
+        QVERIFY2(std::abs(fields[6].toDouble() - 1.0 / 3.0) < 1e-9, qPrintable(fields[6]));
+    }
 };
 
 RUBBLE_TEST(CsvFormatTest)
