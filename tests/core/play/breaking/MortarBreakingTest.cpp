@@ -140,6 +140,21 @@ private slots:
             QCOMPARE(faultOfMortar(session), "");
         }
     }
+    /// The left pier is fixed in the air, and holds the others also where a fragment of it came off.
+    void whatIsFixedInTheAirHoldsTheOthers() {
+        Project project = test::mortarPortal();
+        for (Instance& instance : project.instances) {
+            instance.pose.position.y += 5.0;
+            instance.isAnchored = false;
+        }
+        project.instances[0].isFixed = true;
+        Session session = started(project);
+        QVERIFY(session.body(kLeft)->isHeld && session.body(kBeam)->isHeld);
+        addInput(session, ShotInput{"blast", Blast{.at = {-1.5, 4.9, 0.0}, .impulse = 800.0, .radius = 1.0}});
+        step(session, 10);
+        QVERIFY(session.body(kLeft)->nodes.size() > 1 && session.body(kLeft)->nodes.size() < 20);
+        QVERIFY(session.body(kLeft)->isHeld && session.body(kBeam)->isHeld);
+    }
     void whatNothingHoldsFalls() {
         Session session = started(test::mortarPortal());
         const double before = session.world().state(session.body(kBeam)->body).centre.y;
