@@ -71,13 +71,13 @@ void EdgeSplits::appendPath(std::uint32_t from, std::uint32_t to, PointLoop& pat
     appendPath(last, to, path);
 }
 
-bool isOnEdge(Vec3 point, Vec3 from, Vec3 to) {
-    const Vec3 low = glm::min(from, to) - kSolidWeldDistance, high = glm::max(from, to) + kSolidWeldDistance;
+bool isOnEdge(Vec3 point, Vec3 from, Vec3 to, double tolerance) {
+    const Vec3 low = glm::min(from, to) - tolerance, high = glm::max(from, to) + tolerance;
     if (glm::any(glm::lessThan(point, low)) || glm::any(glm::greaterThan(point, high))) return false;
     const Vec3 along = to - from, offset = point - from;
     const double length = glm::length(along), place = glm::dot(offset, along) / length;
-    if (place <= kSolidWeldDistance || place >= length - kSolidWeldDistance) return false;
-    return glm::length(glm::cross(offset, along)) <= kSolidWeldDistance * length;
+    if (place <= tolerance || place >= length - tolerance) return false;
+    return glm::length(glm::cross(offset, along)) <= tolerance * length;
 }
 
 bool isThin(std::span<const std::uint32_t> loop, std::span<const Vec3> points) {

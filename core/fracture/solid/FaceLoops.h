@@ -25,8 +25,8 @@ private:
     std::map<std::pair<std::uint32_t, std::uint32_t>, PointLoop> m_points;  // from the lower end to the higher
 };
 
-/// Whether a point lies inside an edge, within kSolidWeldDistance.
-bool isOnEdge(Vec3 point, Vec3 from, Vec3 to);
+/// Whether a point lies inside an edge, within a tolerance in steps.
+bool isOnEdge(Vec3 point, Vec3 from, Vec3 to, double tolerance);
 
 /// Whether a loop has no area: less than a strip of kSolidWeldDistance along it would have.
 bool isThin(std::span<const std::uint32_t> loop, std::span<const Vec3> points);

@@ -48,8 +48,10 @@ private:
             m_result.seedOfFragment.push_back(seed);
             if (m_result.fragmentOfSeed[seed] == kNone) m_result.fragmentOfSeed[seed] = fragment;
         }
-        for (std::uint32_t s = 0; s < m_shells.shells.size(); ++s)
-            m_fragmentOfShell[s] = m_fragmentOfShell[m_shells.ownerOf(s)];
+        for (std::uint32_t s = 0; s < m_shells.shells.size(); ++s) {
+            const std::uint32_t owner = m_shells.ownerOf(s);
+            if (owner != kNone) m_fragmentOfShell[s] = m_fragmentOfShell[owner];
+        }
     }
 
     /// Names the fragments of faces, drops faces within one fragment, lists those of each, and scales to metres.
@@ -59,7 +61,7 @@ private:
             SolidPartition::Face face = m_faces.faces[f];
             face.fragment = m_fragmentOfShell[m_shells.ofSide[2 * f]];
             if (face.behind != kNone) face.behind = m_fragmentOfShell[m_shells.ofSide[2 * f + 1]];
-            if (face.fragment == face.behind) continue;
+            if (face.fragment == face.behind || face.fragment == kNone) continue;
             const auto triangles = m_faces.trianglesOf(f);
             m_result.triangles.insert(m_result.triangles.end(), triangles.begin(), triangles.end());
             m_result.firstTriangle.push_back(static_cast<std::uint32_t>(m_result.triangles.size()));

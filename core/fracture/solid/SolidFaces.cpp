@@ -1,6 +1,5 @@
 #include "core/fracture/solid/SolidFaces.h"
 
-#include "core/base/Assert.h"
 #include "core/base/DisjointSets.h"
 #include "core/fracture/solid/FaceLoops.h"
 #include "core/fracture/solid/SolidPoints.h"
@@ -72,19 +71,20 @@ private:
         for (std::size_t k = 1; k < m_path.size(); ++k) steps.push_back({m_path[k - 1], m_path[k]});
     }
 
-    /// Makes all faces, again as long as loops without area divide the edges of others.
+    /// Makes all faces, again as long as loops without area divide the edges of others; in the last round, which hardly
+    /// any mesh sees, they stay.
     void makeFaces() {
-        constexpr int kMaxRounds = 64;
-        for (int round = 0; round < kMaxRounds; ++round) {
+        constexpr int kMaxRounds = 32;
+        for (int round = 1; round <= kMaxRounds; ++round) {
             m_result = {};
             m_isAgain = false;
+            m_isLast = round == kMaxRounds;
             for (std::uint32_t piece = 0; piece < m_pieces.pieceCount(); ++piece) addPiece(piece);
             std::size_t moved = 0;
             for (std::uint32_t facet = 0; facet + 1 < m_facets.firstEdge.size(); ++facet) addFacet(facet, moved);
             if (!m_isAgain) return;
             joinPoints();
         }
-        RUBBLE_ASSERT(false);
     }
 
     /// Joins the points of m_joined. Splits are found again then.
@@ -140,6 +140,7 @@ private:
     /// Has edges of a face that pass through another of its corners divided there before the next round.
     /// `always`: also by points on parts of the surface that only touch each other.
     void divideTouched(std::span<const PointLoop> loops, bool always) {
+        const double tolerance = (always ? 4.0 : 1.0) * kSolidWeldDistance;  // more than isThin() allows
         std::vector<std::pair<double, std::uint32_t>> byX;
         for (const PointLoop& loop : loops) {
             for (const std::uint32_t point : loop) byX.emplace_back(m_points[point].x, point);
@@ -149,9 +150,9 @@ private:
             for (std::size_t k = 0; k < loop.size(); ++k) {
                 const std::uint32_t a = loop[k], b = loop[k + 1 < loop.size() ? k + 1 : 0];
                 const auto [left, right] = std::minmax({m_points[a].x, m_points[b].x});
-                auto it = std::ranges::lower_bound(byX, std::pair(left - kSolidWeldDistance, 0u));
-                for (; it != byX.end() && it->first <= right + kSolidWeldDistance; ++it) {
-                    if (!isOnEdge(m_points[it->second], m_points[a], m_points[b])) continue;
+                auto it = std::ranges::lower_bound(byX, std::pair(left - tolerance, 0u));
+                for (; it != byX.end() && it->first <= right + tolerance; ++it) {
+                    if (!isOnEdge(m_points[it->second], m_points[a], m_points[b], tolerance)) continue;
                     if (!always && !areOne(it->second, a) && !areOne(it->second, b)) continue;
                     m_isAgain = m_splits.add(a, b, it->second, m_points) || m_isAgain;
                 }
@@ -160,13 +161,13 @@ private:
     }
 
     /// Takes a loop without area out of the way: in the next round, its points that coincide are one, and its edges are
-    /// divided by its points.
+    /// divided by its points. False if there is nothing to divide.
     bool isDivided(const PointLoop& loop) {
-        if (!isThin(loop, m_points)) return false;
+        if (m_isLast || !isThin(loop, m_points)) return false;
+        const bool wasAgain = std::exchange(m_isAgain, false);
         joinCoinciding(std::span(&loop, 1));
         divideTouched(std::span(&loop, 1), true);
-        m_isAgain = true;
-        return true;
+        return std::exchange(m_isAgain, m_isAgain || wasAgain);
     }
 
     void addFace(std::vector<PointLoop> loops, const PlaneView& view, const SolidPartition::Face& face) {
@@ -296,6 +297,7 @@ private:
     std::vector<std::uint32_t> m_welded;
     EdgeSplits m_splits;
     bool m_isAgain = false;           // another round of makeFaces() is needed
+    bool m_isLast = false;            // this is the last round
     std::vector<PointStep> m_joined;  // points that coincide
     PointLoop m_path;
     std::vector<PointStep> m_steps;

@@ -186,21 +186,42 @@ private:
         return area;
     }
 
-    /// Gives shells of no thickness to the neighbour with the largest common face.
+    /// Gives shells of no thickness to the neighbour with the largest common face, from fragments inward: one that has
+    /// only such neighbours waits for them. What has no others is left out.
     void dissolveThinShells() {
+        std::vector<std::uint32_t> thin;
+        std::vector<bool> isWaiting(m_result.shells.size());
         for (std::uint32_t s = 0; s < m_result.shells.size(); ++s) {
             if (!isThinShell(m_result.shells[s])) continue;
-            double largest = -1.0;
-            std::uint32_t receiver = kNone;
-            for (const std::uint32_t side : m_result.shells[s].sides) {
-                const SolidPartition::Face& face = m_faces.faces[side / 2];
-                if (face.behind == kNone) continue;
-                const std::uint32_t other = m_result.ownerOf(m_result.ofSide[side ^ 1]);
-                const double area = areaOf(side / 2);
-                if (other != s && area > largest) largest = area, receiver = other;
-            }
-            if (receiver != kNone) m_result.shells[s].owner = receiver;
+            thin.push_back(s);
+            isWaiting[s] = true;
         }
+        for (bool isChanged = true; isChanged;) {
+            isChanged = false;
+            for (const std::uint32_t s : thin) {
+                const std::uint32_t receiver = isWaiting[s] ? receiverOf(s, isWaiting) : kNone;
+                if (receiver == kNone) continue;
+                m_result.shells[s].owner = receiver;
+                isWaiting[s] = false;
+                isChanged = true;
+            }
+        }
+        for (const std::uint32_t s : thin) {
+            if (isWaiting[s]) m_result.shells[s].owner = kNone;
+        }
+    }
+
+    /// The neighbour of a shell with the largest common face that is not waiting itself.
+    std::uint32_t receiverOf(std::uint32_t shell, const std::vector<bool>& isWaiting) const {
+        double largest = -1.0;
+        std::uint32_t receiver = kNone;
+        for (const std::uint32_t side : m_result.shells[shell].sides) {
+            const std::uint32_t other = m_result.ofSide[side ^ 1];
+            if (other == kNone || isWaiting[other]) continue;
+            const double area = areaOf(side / 2);
+            if (area > largest) largest = area, receiver = m_result.ownerOf(other);
+        }
+        return receiver;
     }
 
     const SolidFaces& m_faces;

@@ -14,7 +14,7 @@ struct SolidShell {
     double volume = 0.0;               // steps³; negative around a cavity
     double area = 0.0;                 // steps²
     std::uint32_t smallest = kNone;    // point, by x, then y, then z
-    std::uint32_t owner = kNone;       // the shell whose fragment it belongs to: itself, or another
+    std::uint32_t owner = kNone;       // the shell whose fragment it belongs to: itself, or another; kNone: left out
     std::vector<std::uint32_t> sides;  // 2 * face, + 1 if from behind
 };
 
@@ -23,8 +23,9 @@ struct SolidShells {
     std::vector<SolidShell> shells;
     std::vector<std::uint32_t> ofSide;  // the shell of each side; kNone outside
 
+    /// The shell whose fragment a shell belongs to; kNone if it is left out.
     std::uint32_t ownerOf(std::uint32_t shell) const {
-        while (shells[shell].owner != shell) shell = shells[shell].owner;
+        while (shell != kNone && shells[shell].owner != shell) shell = shells[shell].owner;
         return shell;
     }
 };

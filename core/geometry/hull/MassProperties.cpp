@@ -12,6 +12,8 @@ Mat3 inertiaFrom(double xx, double yy, double zz, double xy, double xz, double y
     return Mat3{{yy + zz, -xy, -xz}, {-xy, xx + zz, -yz}, {-xz, -yz, xx + yy}};
 }
 
+double sixVolumes(Vec3 a, Vec3 b, Vec3 c) { return glm::dot(a, glm::cross(b, c)); }
+
 /// Calls visit(a, b, c) for the triangles of every face, relative to `origin`.
 template <class Visit>
 void forEachTriangle(const Polytope& polytope, Vec3 origin, Visit visit) {
@@ -23,7 +25,40 @@ void forEachTriangle(const Polytope& polytope, Vec3 origin, Visit visit) {
     }
 }
 
-double sixVolumes(Vec3 a, Vec3 b, Vec3 c) { return glm::dot(a, glm::cross(b, c)); }
+/// The mass of what triangles enclose, some of whose points are `points`. `forEach(origin, visit)` calls visit(a, b, c)
+/// for each, relative to an origin.
+template <class ForEach>
+MassProperties massWithin(std::span<const Vec3> points, const ForEach& forEach) {
+    MassProperties mass;
+    if (points.empty()) return mass;
+    const Vec3 origin = points[0];
+    double six = 0.0;
+    Vec3 first{0.0, 0.0, 0.0};
+    forEach(origin, [&](Vec3 a, Vec3 b, Vec3 c) {
+        const double part = sixVolumes(a, b, c);
+        six += part;
+        first += part * (a + b + c);
+    });
+    mass.volume = six / 6.0;
+    const bool isFlat = !(six > 0.0);
+    mass.centre = isFlat ? meanOf(points) : origin + first / (4.0 * six);
+    std::array<double, 6> products{};  // xx, yy, zz, xy, xz, yz
+    forEach(mass.centre, [&](Vec3 a, Vec3 b, Vec3 c) {
+        const double part = sixVolumes(a, b, c) / 120.0;
+        const Vec3 sum = a + b + c;
+        const auto add = [&](int i, int j) {
+            return part * (a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + sum[i] * sum[j]);
+        };
+        products[0] += add(0, 0);
+        products[1] += add(1, 1);
+        products[2] += add(2, 2);
+        products[3] += add(0, 1);
+        products[4] += add(0, 2);
+        products[5] += add(1, 2);
+    });
+    mass.inertia = inertiaFrom(products[0], products[1], products[2], products[3], products[4], products[5]);
+    return mass;
+}
 
 /// combined() of `count` bodies that `part(k)` gives.
 template <class Part>
@@ -61,35 +96,14 @@ MassProperties massOfPrism(const AreaMoments& moments, double depth) {
 MassProperties massOfPrism(const Polygon& outline, double depth) { return massOfPrism(momentsOf(outline), depth); }
 
 MassProperties massOf(const Polytope& polytope) {
-    MassProperties mass;
-    if (polytope.vertices.empty()) return mass;
-    const Vec3 origin = polytope.vertices[0];
-    double six = 0.0;
-    Vec3 first{0.0, 0.0, 0.0};
-    forEachTriangle(polytope, origin, [&](Vec3 a, Vec3 b, Vec3 c) {
-        const double part = sixVolumes(a, b, c);
-        six += part;
-        first += part * (a + b + c);
+    return massWithin(polytope.vertices,
+                      [&](Vec3 origin, const auto& visit) { forEachTriangle(polytope, origin, visit); });
+}
+
+MassProperties massOf(std::span<const Vec3> points, std::span<const std::array<std::uint32_t, 3>> triangles) {
+    return massWithin(points, [&](Vec3 origin, const auto& visit) {
+        for (const auto& [a, b, c] : triangles) visit(points[a] - origin, points[b] - origin, points[c] - origin);
     });
-    mass.volume = six / 6.0;
-    const bool isFlat = !(six > 0.0);
-    mass.centre = isFlat ? meanOf(std::span<const Vec3>(polytope.vertices)) : origin + first / (4.0 * six);
-    std::array<double, 6> products{};  // xx, yy, zz, xy, xz, yz
-    forEachTriangle(polytope, mass.centre, [&](Vec3 a, Vec3 b, Vec3 c) {
-        const double part = sixVolumes(a, b, c) / 120.0;
-        const Vec3 sum = a + b + c;
-        const auto add = [&](int i, int j) {
-            return part * (a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + sum[i] * sum[j]);
-        };
-        products[0] += add(0, 0);
-        products[1] += add(1, 1);
-        products[2] += add(2, 2);
-        products[3] += add(0, 1);
-        products[4] += add(0, 2);
-        products[5] += add(1, 2);
-    });
-    mass.inertia = inertiaFrom(products[0], products[1], products[2], products[3], products[4], products[5]);
-    return mass;
 }
 
 MassProperties combined(std::span<const MassProperties> parts) {

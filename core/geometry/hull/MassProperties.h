@@ -3,6 +3,7 @@
 #include "core/geometry/hull/Polytope.h"
 #include "core/geometry/polygon/AreaMoments.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -21,6 +22,10 @@ MassProperties massOfPrism(const Polygon& outline, double depth);
 
 /// The mass properties of a closed polytope. Computed relative to its first vertex.
 MassProperties massOf(const Polytope& polytope);
+
+/// The mass properties of what a closed mesh encloses, whose triangles are counter-clockwise from outside. Computed
+/// relative to its first point.
+MassProperties massOf(std::span<const Vec3> points, std::span<const std::array<std::uint32_t, 3>> triangles);
 
 /// The mass properties of several bodies together, by the parallel-axis theorem.
 MassProperties combined(std::span<const MassProperties> parts);

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/base/Result.h"
+#include "core/base/TaskContext.h"
+#include "core/fracture/solid/SolidPartition.h"
+#include "core/geometry/hull/Polytope.h"
+#include "core/geometry/mesh/TriangleMesh.h"
+
+#include <vector>
+
+namespace rubble {
+
+/// How closely hulls are to follow a solid.
+struct HullLimits {
+    double maxRatio = 1.05;  // of the volume of all hulls to that of what they stand for
+    int maxHulls = 8;
+};
+
+/// A fragment as a mesh of its own, in the coordinates of the partition.
+TriangleMesh meshOf(const SolidPartition& partition, std::uint32_t fragment);
+
+/// The convex hulls that a closed mesh collides as: one, or one for each part of it, split by planes through the edge
+/// that is deepest below the hull, that with the greatest excess first, as long as the hulls exceed the mesh. Parts lie
+/// on different sides of planes, so hulls of different parts do not overlap, nor do those of different fragments, whose
+/// cells are convex.
+///
+/// Errors: those of cutSolid() and convexHull().
+Result<std::vector<Polytope>> hullsOf(const TriangleMesh& mesh, const HullLimits& limits = {});
+
+/// The hulls of each fragment, in the coordinates of the partition. In parallel.
+///
+/// Errors: those of hullsOf(), with the fragment; Cancelled.
+Result<std::vector<std::vector<Polytope>>> fragmentHulls(const SolidPartition& partition, const HullLimits& limits = {},
+                                                         const TaskContext& task = {});
+
+/// The hulls that a whole solid collides as: those of the fragments of a coarse cut of it into about `cells` cells of
+/// similar size.
+///
+/// Errors: those of cutSolid() and hullsOf().
+Result<std::vector<Polytope>> coarseHulls(const TriangleMesh& mesh, int cells, const TaskContext& task = {});
+
+}  // namespace rubble
