@@ -8,9 +8,9 @@
 
 namespace rubble {
 
-/// Points closer than this, in steps of the lattice, are one: kWeldFraction of the lattice's extent, and so less than
-/// half a step.
-inline constexpr double kSolidWeldDistance = 0x1p-6;
+/// Points closer than this, in steps of the lattice, are one where they are joined by an edge: rounding to the lattice
+/// may have torn them apart.
+inline constexpr double kSolidWeldDistance = kTieDistance;
 
 /// Whether two points are one: closer than kSolidWeldDistance in each coordinate.
 bool coincide(Vec3 a, Vec3 b);

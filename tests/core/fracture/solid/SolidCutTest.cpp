@@ -112,6 +112,22 @@ private slots:
         QCOMPARE(cubelets->fragmentCount(), 125u);
         for (const double volume : cubelets->volumes) QVERIFY(std::abs(volume - 8.0) < 1e-11);
     }
+    /// Where rounding to the lattice opens every tie: cubes, with the faces of cubes only.
+    void turnedGridsOfSeedsTie() {
+        for (const int cells : {2, 3, 5}) {
+            for (const int count : {2, 3, 5, 10}) {
+                const TriangleMesh straight = block(cells, cells, cells);
+                const TriangleMesh mesh = transformed(straight, turned(), {3.0, 1.0, 2.0});
+                std::vector<Vec3> seeds = gridSeeds(straight, count);
+                for (Vec3& seed : seeds) seed = turned() * seed + Vec3(3.0, 1.0, 2.0);
+                const Result<SolidPartition> partition = cutSolid(mesh, seeds);
+                QVERIFY(partition);
+                QCOMPARE(verifySolidPartition(*partition, mesh, seeds).value_or(""), std::string());
+                QCOMPARE(std::ranges::count_if(partition->faces, [](const auto& face) { return face.behind != kNone; }),
+                         3 * count * count * (count - 1));
+            }
+        }
+    }
     /// Seeds mirrored on faces, so that bisectors lie in them: the cells outside get nothing.
     void mirroredSeedsLeaveNoThinFragments() {
         const TriangleMesh mesh = shapeL();
