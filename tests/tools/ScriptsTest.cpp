@@ -91,6 +91,16 @@ Outcome checkWords(const QByteArray& text) {
 class ScriptsTest : public QObject {
     Q_OBJECT
 private slots:
+    /// The script stops where an edge has not two triangles.
+    void sculpturesAreClosed() {
+        QTemporaryDir folder;
+        for (const char* detail : {"0.4", "0.5"}) {
+            const Outcome made = run("python3", {kTools + "sculptures", folder.path(), "--detail", detail});
+            QCOMPARE(made.err, QString());
+            QCOMPARE(made.exit, 0);
+            QCOMPARE(QDir(folder.path()).entryList({"*.obj"}), (QStringList{"column.obj", "head.obj", "vase.obj"}));
+        }
+    }
     void setupListsPackagesOnAnUnknownSystem() {
         const Outcome outcome = run("/bin/bash", {kTools + "setup"}, "/nowhere");
         QCOMPARE(outcome.exit, 1);
