@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace rubble {
@@ -47,6 +46,9 @@ private:
             const std::uint32_t seed = seedOf(owners[fragment]);
             m_result.seedOfFragment.push_back(seed);
             if (m_result.fragmentOfSeed[seed] == kNone) m_result.fragmentOfSeed[seed] = fragment;
+            const std::uint32_t part = fragment - m_result.fragmentOfSeed[seed];
+            const bool hasNext = fragment + 1 < owners.size() && seedOf(owners[fragment + 1]) == seed;
+            m_result.partOfFragment.push_back(part > 0 || hasNext ? part : kNone);
         }
         for (std::uint32_t s = 0; s < m_shells.shells.size(); ++s) {
             const std::uint32_t owner = m_shells.ownerOf(s);
@@ -56,18 +58,14 @@ private:
 
     /// Names the fragments of faces, drops faces within one fragment, lists those of each, and scales to metres.
     void finish(const SolidLattice& lattice) {
-        m_result.firstTriangle.assign(1, 0);
         for (std::uint32_t f = 0; f < m_faces.faces.size(); ++f) {
             SolidPartition::Face face = m_faces.faces[f];
             face.fragment = m_fragmentOfShell[m_shells.ofSide[2 * f]];
             if (face.behind != kNone) face.behind = m_fragmentOfShell[m_shells.ofSide[2 * f + 1]];
             if (face.fragment == face.behind || face.fragment == kNone) continue;
-            const auto triangles = m_faces.trianglesOf(f);
-            m_result.triangles.insert(m_result.triangles.end(), triangles.begin(), triangles.end());
-            m_result.firstTriangle.push_back(static_cast<std::uint32_t>(m_result.triangles.size()));
-            m_result.faces.push_back(face);
+            m_result.addFace(face, m_faces.trianglesOf(f));
         }
-        listFaces();
+        m_result.listFaces();
         m_result.origin = lattice.origin();
         m_result.points.resize(m_placed.size());
         for (std::size_t p = 0; p < m_placed.size(); ++p) m_result.points[p] = lattice.metres(m_placed[p]);
@@ -87,22 +85,6 @@ private:
             }
         }
         return six / 6.0;
-    }
-
-    void listFaces() {
-        m_result.firstFace.assign(m_result.fragmentCount() + 1, 0);
-        for (const SolidPartition::Face& face : m_result.faces) {
-            ++m_result.firstFace[face.fragment + 1];
-            if (face.behind != kNone) ++m_result.firstFace[face.behind + 1];
-        }
-        std::partial_sum(m_result.firstFace.begin(), m_result.firstFace.end(), m_result.firstFace.begin());
-        m_result.facesOfFragment.resize(m_result.firstFace.back());
-        std::vector<std::uint32_t> next(m_result.firstFace.begin(), m_result.firstFace.end() - 1);
-        for (std::uint32_t f = 0; f < m_result.faces.size(); ++f) {
-            const SolidPartition::Face& face = m_result.faces[f];
-            m_result.facesOfFragment[next[face.fragment]++] = {f, false};
-            if (face.behind != kNone) m_result.facesOfFragment[next[face.behind]++] = {f, true};
-        }
     }
 
     const SolidDiagram& m_diagram;

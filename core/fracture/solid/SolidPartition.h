@@ -36,10 +36,11 @@ struct SolidPartition {
     Vec3 origin{0.0, 0.0, 0.0};  // m: the points are relative to it
     std::vector<Vec3> points;    // m; some may be unused; the mesh's corners first, in their order
     std::vector<Face> faces;
-    std::vector<std::uint32_t> firstTriangle;             // faces + 1
+    std::vector<std::uint32_t> firstTriangle = {0};       // faces + 1
     std::vector<std::array<std::uint32_t, 3>> triangles;  // points
 
     std::vector<std::uint32_t> seedOfFragment;
+    std::vector<std::uint32_t> partOfFragment;  // its number among those of its seed, as cut; kNone: the only one
     std::vector<std::uint32_t> fragmentOfSeed;  // the first of each seed; kNone where it has none
     std::vector<std::uint32_t> firstFace;       // fragments + 1
     std::vector<FaceSide> facesOfFragment;
@@ -53,6 +54,10 @@ struct SolidPartition {
     std::span<const std::array<std::uint32_t, 3>> trianglesOf(std::uint32_t face) const {
         return std::span(triangles).subspan(firstTriangle[face], firstTriangle[face + 1] - firstTriangle[face]);
     }
+
+    void addFace(const Face& face, std::span<const std::array<std::uint32_t, 3>> itsTriangles);
+    /// Sets facesOfFragment, once all faces and fragments are there.
+    void listFaces();
 };
 
 }  // namespace rubble

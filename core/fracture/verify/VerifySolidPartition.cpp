@@ -52,9 +52,13 @@ private:
                 return "Face " + text(f) + " is neither inside nor of a triangle of the mesh.";
             }
         }
+        if (p.partOfFragment.size() != p.fragmentCount()) return "The fragments have no part numbers.";
         for (std::uint32_t k = 1; k < p.fragmentCount(); ++k) {
-            if (p.seedOfFragment[k] < p.seedOfFragment[k - 1])
-                return "Fragment " + text(k) + " is not ordered by seed.";
+            const std::uint32_t seed = p.seedOfFragment[k], before = p.seedOfFragment[k - 1];
+            if (seed < before) return "Fragment " + text(k) + " is not ordered by seed.";
+            if (seed == before && !(p.partOfFragment[k - 1] < p.partOfFragment[k] && p.partOfFragment[k] != kNone)) {
+                return "Fragment " + text(k) + " is not ordered by part.";
+            }
         }
         return std::nullopt;
     }
