@@ -108,8 +108,8 @@ std::string prismRejection(const AxisView& view, const TriangleMesh& mesh, doubl
 std::string axisText(Vec3 axis) {
     for (int k = 0; k < 3; ++k)
         if (std::abs(axis[k]) == 1.0) return std::string(1, "xyz"[k]);
-    constexpr double kRounding = 1e-9;
-    const auto text = [](double value) { return std::abs(value) < kRounding ? "0" : roundedText(value, 3); };
+    constexpr double kShownAsZero = 1e-9;
+    const auto text = [](double value) { return std::abs(value) < kShownAsZero ? "0" : roundedText(value, 3); };
     return "(" + text(axis.x) + ", " + text(axis.y) + ", " + text(axis.z) + ")";
 }
 
