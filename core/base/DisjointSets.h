@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <numeric>
 #include <vector>
@@ -26,6 +27,19 @@ public:
         m_parents[std::max(a, b)] = std::min(a, b);
         return a != b;
     }
+    /// merge() for several threads at once, with the same sets and roots in the end; nothing else may be called
+    /// meanwhile.
+    /// Source: Anderson, Woll, Wait-free parallel algorithms for the union-find problem, 1991.
+    bool mergeShared(std::uint32_t a, std::uint32_t b) {
+        while (true) {
+            a = sharedRootOf(a), b = sharedRootOf(b);
+            if (a == b) return false;
+            std::uint32_t root = std::max(a, b);
+            const std::uint32_t under = std::min(a, b);
+            // Fails if another thread has merged this root meanwhile.
+            if (parent(root).compare_exchange_strong(root, under, std::memory_order_relaxed)) return true;
+        }
+    }
     /// Merges the sets of two different roots; `root` remains one.
     void mergeInto(std::uint32_t root, std::uint32_t other) { m_parents[other] = root; }
 
@@ -37,6 +51,17 @@ public:
     }
 
 private:
+    std::atomic_ref<std::uint32_t> parent(std::uint32_t member) { return std::atomic_ref(m_parents[member]); }
+    std::uint32_t sharedRootOf(std::uint32_t member) {
+        while (true) {
+            const std::uint32_t above = parent(member).load(std::memory_order_relaxed);
+            const std::uint32_t next = parent(above).load(std::memory_order_relaxed);
+            if (next == above) return above;
+            parent(member).store(next, std::memory_order_relaxed);  // any ancestor will do
+            member = next;
+        }
+    }
+
     std::vector<std::uint32_t> m_parents;
 };
 

@@ -1,11 +1,13 @@
 #include "core/base/DisjointSets.h"
 
+#include "core/base/Parallel.h"
 #include "core/base/Random.h"
 #include "tests/support/TestProgram.h"
 
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 
 using namespace rubble;
 
@@ -24,6 +26,22 @@ private slots:
         QCOMPARE(sets.rootOf(5), 3u);
         QVERIFY(sets.merge(4, 1));
         QCOMPARE(sets.roots(), (std::vector<std::uint32_t>{0, 1, 2, 1, 1, 1}));
+    }
+    void threadsMergeToTheSameSets() {
+        constexpr std::uint32_t kCount = 20'000;
+        Random random(5);
+        std::vector<std::array<std::uint32_t, 2>> pairs(kCount * 3 / 4);
+        for (auto& [a, b] : pairs) {
+            a = static_cast<std::uint32_t>(random.below(kCount));
+            b = static_cast<std::uint32_t>(random.below(kCount));
+        }
+        DisjointSets one(kCount), shared(kCount);
+        for (const auto& [a, b] : pairs) one.merge(a, b);
+        forEachIndex(64, 4, [&](std::size_t part) {
+            const IndexRange range = chunkRange(pairs.size(), part, 64);
+            for (std::size_t k = range.begin; k < range.end; ++k) shared.mergeShared(pairs[k][0], pairs[k][1]);
+        });
+        QVERIFY(one.roots() == shared.roots());
     }
     void rootCanBeGiven() {
         DisjointSets sets(3);
