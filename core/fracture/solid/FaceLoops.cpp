@@ -42,6 +42,22 @@ void cancelOpposites(std::vector<PointStep>& edges) {
     edges.resize(kept);
 }
 
+/// The loop of edges that form one, each point of which is left once, from its lowest point; else empty. O(n²).
+PointLoop singleLoop(std::span<const PointStep> edges) {
+    constexpr std::size_t kMaxEdges = 64;
+    if (edges.size() < 3 || edges.size() > kMaxEdges) return {};
+    PointLoop loop = {std::ranges::min(edges, {}, &PointStep::from).from};
+    while (true) {
+        const auto leaves = [&](const PointStep& edge) { return edge.from == loop.back(); };
+        const auto next = std::find_if(edges.begin(), edges.end(), leaves);
+        if (next == edges.end() || std::find_if(next + 1, edges.end(), leaves) != edges.end()) return {};
+        if (next->to == loop.front()) break;
+        if (loop.size() == edges.size()) return {};
+        loop.push_back(next->to);
+    }
+    return loop.size() == edges.size() ? loop : PointLoop();
+}
+
 }  // namespace
 
 bool EdgeSplits::add(std::uint32_t from, std::uint32_t to, std::uint32_t point, std::span<const Vec3> points) {
@@ -82,12 +98,18 @@ bool isOnEdge(Vec3 point, Vec3 from, Vec3 to, double tolerance) {
 
 bool isThin(std::span<const std::uint32_t> loop, std::span<const Vec3> points) {
     const Vec3 start = points[loop[0]];
-    Vec3 doubleArea(0.0);
-    double length = 0.0;
+    Vec3 doubleArea(0.0), sides(0.0);  // of sides: the sum of their extents
     for (std::size_t k = 0; k < loop.size(); ++k) {
         const Vec3 a = points[loop[k]], b = points[loop[k + 1 < loop.size() ? k + 1 : 0]];
         doubleArea += glm::cross(a - start, b - start);
-        length += glm::length(b - a);
+        sides += glm::abs(b - a);
+    }
+    // Nearly all loops are much wider, which needs no roots.
+    const Vec3 area = glm::abs(doubleArea);
+    if (std::max({area.x, area.y, area.z}) > 2.0 * kSolidWeldDistance * (sides.x + sides.y + sides.z)) return false;
+    double length = 0.0;
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+        length += glm::length(points[loop[k + 1 < loop.size() ? k + 1 : 0]] - points[loop[k]]);
     }
     return glm::length(doubleArea) <= kSolidWeldDistance * length;
 }
@@ -108,10 +130,14 @@ std::vector<PointLoop> simpleLoops(const PointLoop& loop) {
 }
 
 std::vector<PointLoop> linkedLoops(std::vector<PointStep> edges, std::span<const Vec3> points, const PlaneView& view) {
+    std::vector<PointLoop> loops;
+    if (PointLoop loop = singleLoop(edges); !loop.empty()) {
+        loops.push_back(std::move(loop));
+        return loops;
+    }
     cancelOpposites(edges);
     std::sort(edges.begin(), edges.end(),
               [](const PointStep& a, const PointStep& b) { return a.from != b.from ? a.from < b.from : a.to < b.to; });
-    std::vector<PointLoop> loops;
     std::vector<bool> isUsed(edges.size());
     const auto next = [&](const PointStep& before) {
         auto it = std::lower_bound(edges.begin(), edges.end(), before.to,

@@ -15,6 +15,7 @@ namespace rubble {
 /// cancel out: the loop is gone, and its neighbours fit together.
 class EdgeSplits {
 public:
+    bool isEmpty() const { return m_points.empty(); }
     void clear() { m_points.clear(); }
     /// Divides an edge by a point on it; false if it is there already.
     bool add(std::uint32_t from, std::uint32_t to, std::uint32_t point, std::span<const Vec3> points);

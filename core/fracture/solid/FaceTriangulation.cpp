@@ -16,7 +16,7 @@ constexpr std::size_t kMaxClippedCorners = 24;  // more are triangulated by a sw
 /// Clips ears off a ring of corners, the best shaped first.
 class EarClipper {
 public:
-    EarClipper(std::span<const Vec2> points, std::vector<std::array<std::uint32_t, 3>>& triangles)
+    EarClipper(std::span<const Vec2> points, PointTriangles& triangles)
         : m_points(points),
           m_next(points.size()),
           m_previous(points.size()),
@@ -67,16 +67,18 @@ private:
     std::span<const Vec2> m_points;
     std::vector<std::uint32_t> m_next, m_previous;
     std::vector<double> m_quality;
-    std::vector<std::array<std::uint32_t, 3>>& m_triangles;
+    PointTriangles& m_triangles;
 };
 
-bool isStrictlyConvex(std::span<const Vec2> ring) {
-    const std::size_t count = ring.size();
+bool isStrictlyConvex(std::span<const Vec3> points, std::span<const std::uint32_t> loop, const PlaneView& view) {
+    const std::size_t count = loop.size();
+    Vec2 a = view(points[loop[count - 2]]), b = view(points[loop[count - 1]]);
     int turns = 0;  // of the direction from left to right: two in a ring that goes around once
-    for (std::size_t k = 0; k < count; ++k) {
-        const Vec2 a = ring[k], b = ring[(k + 1) % count], c = ring[(k + 2) % count];
+    for (const std::uint32_t point : loop) {
+        const Vec2 c = view(points[point]);
         if (orient2d(a, b, c) <= 0) return false;
         turns += lexicographicLess(a, b) != lexicographicLess(b, c);
+        a = b, b = c;
     }
     return turns == 2;
 }
@@ -139,14 +141,14 @@ PlaneView::PlaneView(Vec3 normal) {
 }
 
 bool triangulateConvex(std::span<const Vec3> points, const PointLoop& loop, const PlaneView& view,
-                       std::vector<std::array<std::uint32_t, 3>>& triangles) {
-    if (loop.size() > 3 && !isStrictlyConvex(seen(points, loop, view))) return false;
+                       PointTriangles& triangles) {
+    if (loop.size() > 3 && !isStrictlyConvex(points, loop, view)) return false;
     for (std::size_t k = 1; k + 1 < loop.size(); ++k) triangles.push_back({loop[0], loop[k], loop[k + 1]});
     return true;
 }
 
 void triangulateFace(std::span<const Vec3> points, std::span<const PointLoop> loops, const PlaneView& view,
-                     std::vector<std::array<std::uint32_t, 3>>& triangles) {
+                     PointTriangles& triangles) {
     const PointLoop& outer = loops[0];
     if (loops.size() > 1 || outer.size() > kMaxClippedCorners) {
         Polygon polygon{seen(points, outer, view), {}};

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/base/Groups.h"
 #include "core/fracture/solid/SurfaceWalk.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace rubble {
 
@@ -17,8 +17,7 @@ struct PointStep {
 /// the Voronoi corners, by tetrahedron. The edges of a facet are closed loops, counter-clockwise around the solid's
 /// part of it, seen from the cell of the higher site.
 struct InnerFaces {
-    std::vector<std::uint32_t> firstEdge;  // of each facet of the diagram, + 1
-    std::vector<PointStep> edges;
+    Groups<PointStep> edges;  // by facet of the diagram
 };
 
 /// The number of points of pieces; Voronoi corners have this number and their tetrahedron's together.
@@ -27,7 +26,9 @@ std::uint32_t surfacePointCount(const LatticeMesh& mesh, const SurfacePieces& pi
 /// Finds the facets inside a closed mesh from where its surface meets them. O(n) but for Voronoi edges that pass
 /// through the surface more than twice.
 ///
-/// Errors: Degenerate if the surface doesn't bound a solid: if a Voronoi edge enters it twice without leaving it.
-Result<InnerFaces> innerFaces(const LatticeMesh& mesh, const SolidDiagram& diagram, const SurfacePieces& pieces);
+/// Errors: Degenerate if the surface doesn't bound a solid: if a Voronoi edge enters it twice without leaving it;
+/// Cancelled.
+Result<InnerFaces> innerFaces(const LatticeMesh& mesh, const SolidDiagram& diagram, const SurfacePieces& pieces,
+                              const TaskContext& task = {});
 
 }  // namespace rubble

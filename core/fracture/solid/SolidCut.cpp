@@ -1,5 +1,6 @@
 #include "core/fracture/solid/SolidCut.h"
 
+#include "core/base/Parallel.h"
 #include "core/fracture/solid/SolidPoints.h"
 #include "core/fracture/solid/SolidShells.h"
 
@@ -14,16 +15,26 @@ namespace {
 class PartitionWriter {
 public:
     PartitionWriter(const SolidDiagram& diagram, const SolidFaces& faces, const SolidShells& shells,
-                    const SolidPoints& points)
+                    const SolidPoints& points, int threads)
         : m_diagram(diagram),
           m_faces(faces),
           m_shells(shells),
           m_onLattice(points.onLattice),
-          m_placed(points.placed) {}
+          m_placed(points.placed),
+          m_threads(threads) {}
 
     SolidPartition write(std::size_t seedCount, const SolidLattice& lattice) {
         numberFragments(seedCount);
-        finish(lattice);
+        addFaces();
+        m_result.listFaces();
+        m_result.origin = lattice.origin();
+        m_result.points.reserve(m_placed.size());
+        for (const Vec3 point : m_placed) m_result.points.push_back(lattice.metres(point));
+        m_result.volumes.resize(m_result.fragmentCount());
+        forEachIndex(m_result.fragmentCount(), m_threads, [this](std::size_t fragment) {
+            m_result.volumes[fragment] = volumeOf(static_cast<std::uint32_t>(fragment));
+        });
+        m_result.duplicates = m_diagram.sites().duplicates;
         return std::move(m_result);
     }
 
@@ -56,21 +67,19 @@ private:
         }
     }
 
-    /// Names the fragments of faces, drops faces within one fragment, lists those of each, and scales to metres.
-    void finish(const SolidLattice& lattice) {
-        for (std::uint32_t f = 0; f < m_faces.faces.size(); ++f) {
+    /// Names the fragments of faces, and drops faces within one fragment.
+    void addFaces() {
+        m_result.firstTriangle.assign(1, 0);
+        m_result.faces.reserve(m_faces.faceCount());
+        m_result.firstTriangle.reserve(m_faces.faceCount() + 1);
+        m_result.triangles.reserve(m_faces.triangles.size());
+        for (std::uint32_t f = 0; f < m_faces.faceCount(); ++f) {
             SolidPartition::Face face = m_faces.faces[f];
             face.fragment = m_fragmentOfShell[m_shells.ofSide[2 * f]];
             if (face.behind != kNone) face.behind = m_fragmentOfShell[m_shells.ofSide[2 * f + 1]];
             if (face.fragment == face.behind || face.fragment == kNone) continue;
             m_result.addFace(face, m_faces.trianglesOf(f));
         }
-        m_result.listFaces();
-        m_result.origin = lattice.origin();
-        m_result.points.resize(m_placed.size());
-        for (std::size_t p = 0; p < m_placed.size(); ++p) m_result.points[p] = lattice.metres(m_placed[p]);
-        for (std::uint32_t k = 0; k < m_result.fragmentCount(); ++k) m_result.volumes.push_back(volumeOf(k));
-        m_result.duplicates = m_diagram.sites().duplicates;
     }
 
     double volumeOf(std::uint32_t fragment) const {
@@ -91,9 +100,20 @@ private:
     const SolidFaces& m_faces;
     const SolidShells& m_shells;
     std::span<const Vec3> m_onLattice, m_placed;  // points, in steps
+    int m_threads;
     std::vector<std::uint32_t> m_fragmentOfShell;
     SolidPartition m_result;
 };
+
+/// Corners of a mesh on a lattice, in steps.
+LatticeMesh snappedMesh(const TriangleMesh& mesh, const SolidLattice& lattice, const TaskContext& task) {
+    LatticeMesh snapped;
+    snapped.corners.reserve(mesh.points.size());
+    for (const Vec3 point : mesh.points) snapped.corners.push_back(lattice.snapped(point));
+    snapped.triangles = mesh.triangles;
+    findEdges(snapped, task);
+    return snapped;
+}
 
 }  // namespace
 
@@ -101,29 +121,38 @@ Result<SolidPartition> cutSolid(const TriangleMesh& mesh, std::span<const Vec3> 
     Box3 box = boundsOf(mesh);
     for (const Vec3 seed : seeds) box.include(seed);
     const SolidLattice lattice(box);
-    LatticeMesh snapped;
-    std::vector<Vec3> corners;
-    for (const Vec3 point : mesh.points) {
-        snapped.corners.push_back(lattice.snapped(point));
-        corners.push_back(lattice.steps(point));
-    }
-    snapped.triangles = mesh.triangles;
-    findEdges(snapped);
+    const LatticeMesh snapped = snappedMesh(mesh, lattice, task);
+    task.report(0.1);
     std::vector<Vec3> sites;
     for (const Vec3 seed : seeds) sites.push_back(lattice.snapped(seed));
-
-    Result<Tetrahedralization> triangulation = tetrahedralized(sites, task.stage(0.0, 0.3));
+    Result<Tetrahedralization> triangulation = tetrahedralized(sites, task.stage(0.1, 0.3));
     if (!triangulation) return triangulation.error();
-    const SolidDiagram diagram(std::move(*triangulation));
-    const Result<SurfacePieces> pieces = walkSurface(snapped, diagram, task.stage(0.3, 0.6));
-    if (!pieces) return pieces.error();
-    const Result<InnerFaces> facets = innerFaces(snapped, diagram, *pieces);
-    if (!facets) return facets.error();
+    const SolidDiagram diagram(std::move(*triangulation), task);
     if (task.isCancelled()) return TaskContext::cancelled();
-    const SolidPoints points = solidPoints(snapped, corners, diagram, *pieces, *facets);
-    const SolidFaces faces = solidFaces(snapped, diagram, *pieces, *facets, points.onLattice);
-    const SolidShells shells = solidShells(faces, points.onLattice);
-    return PartitionWriter(diagram, faces, shells, points).write(seeds.size(), lattice);
+    task.report(0.3);
+    const Result<SurfacePieces> pieces = walkSurface(snapped, diagram, task);
+    if (!pieces) return pieces.error();
+    task.report(0.5);
+    const Result<InnerFaces> facets = innerFaces(snapped, diagram, *pieces, task);
+    if (!facets) return facets.error();
+    task.report(0.55);
+    std::vector<Vec3> corners;
+    corners.reserve(mesh.points.size());
+    for (const Vec3 point : mesh.points) corners.push_back(lattice.steps(point));
+    const Result<SolidPoints> points = solidPoints(snapped, corners, diagram, *pieces, *facets, task);
+    if (!points) return points.error();
+    task.report(0.6);
+    const Result<SolidFaces> faces = solidFaces(snapped, diagram, *pieces, *facets, points->onLattice, task);
+    if (!faces) return faces.error();
+    task.report(0.8);
+    const Result<SolidShells> shells = solidShells(*faces, points->onLattice, task);
+    if (!shells) return shells.error();
+    task.report(0.95);
+    SolidPartition partition =
+        PartitionWriter(diagram, *faces, *shells, *points, task.threads).write(seeds.size(), lattice);
+    if (task.isCancelled()) return TaskContext::cancelled();
+    task.report(1.0);
+    return partition;
 }
 
 }  // namespace rubble

@@ -1,6 +1,8 @@
 #include "core/fracture/solid/SolidDiagram.h"
 
 #include "core/base/Assert.h"
+#include "core/base/Groups.h"
+#include "core/base/Parallel.h"
 
 #include <algorithm>
 #include <bit>
@@ -18,16 +20,17 @@ bool isEven(const std::array<std::uint32_t, 3>& site) {
 
 }  // namespace
 
-SolidDiagram::SolidDiagram(Tetrahedralization sites) : m_sites(std::move(sites)) {
-    findNeighbours();
-    findEdges();
-    fillEdgeTable();
+SolidDiagram::SolidDiagram(Tetrahedralization sites, const TaskContext& task) : m_sites(std::move(sites)) {
+    forEachIndex(2, task.threads, [&](std::size_t part) {
+        if (part == 0) return findNeighbours(task);
+        findEdges(task);
+        fillEdgeTable();
+    });
 }
 
-void SolidDiagram::findNeighbours() {
+void SolidDiagram::findNeighbours(const TaskContext& task) {
     const std::uint32_t count = siteCount();
-    std::vector<std::uint32_t> begin(count + 1, 0);
-    const auto forEachPair = [&](const auto& visit) {
+    const Groups<std::uint32_t> all = grouped<std::uint32_t>(count, [&](const auto& visit) {
         for (const Tetrahedron& tetrahedron : m_sites.tetrahedra) {
             for (const std::uint32_t a : tetrahedron.corner) {
                 if (m_sites.isFar(a)) continue;
@@ -36,23 +39,24 @@ void SolidDiagram::findNeighbours() {
                 }
             }
         }
-    };
-    forEachPair([&](std::uint32_t a, std::uint32_t) { ++begin[a + 1]; });
-    for (std::uint32_t site = 0; site < count; ++site) begin[site + 1] += begin[site];
-    std::vector<std::uint32_t> all(begin[count]), next(begin.begin(), begin.end() - 1);
-    forEachPair([&](std::uint32_t a, std::uint32_t b) { all[next[a]++] = b; });
+    });
 
     m_firstNeighbour.assign(1, 0);
-    for (std::uint32_t site = 0; site < count; ++site) {
-        const auto first = all.begin() + begin[site], last = all.begin() + begin[site + 1];
-        std::sort(first, last);
-        for (auto it = first, end = std::unique(first, last); it != end; ++it) {
+    std::vector<std::uint32_t> seenBy(count, kNone), neighbours;
+    for (std::uint32_t site = 0; site < count && !task.isCancelled(); ++site) {
+        neighbours.clear();
+        for (const std::uint32_t other : all.of(site)) {
+            if (seenBy[other] != site) neighbours.push_back(other);
+            seenBy[other] = site;
+        }
+        std::sort(neighbours.begin(), neighbours.end());
+        for (const std::uint32_t other : neighbours) {
             std::uint32_t facet = static_cast<std::uint32_t>(m_facets.size());
-            if (*it > site)
-                m_facets.push_back({site, *it});
+            if (other > site)
+                m_facets.push_back({site, other});
             else
-                facet = facetOf(*it, site);
-            m_neighbours.push_back({*it, facet});
+                facet = facetOf(other, site);
+            m_neighbours.push_back({other, facet});
         }
         m_firstNeighbour.push_back(static_cast<std::uint32_t>(m_neighbours.size()));
     }
@@ -66,8 +70,8 @@ std::uint32_t SolidDiagram::facetOf(std::uint32_t a, std::uint32_t b) const {
     return found->facet;
 }
 
-void SolidDiagram::findEdges() {
-    for (std::uint32_t t = 0; t < m_sites.tetrahedra.size(); ++t) {
+void SolidDiagram::findEdges(const TaskContext& task) {
+    for (std::uint32_t t = 0; t < m_sites.tetrahedra.size() && !task.isCancelled(); ++t) {
         for (int k = 0; k < 4; ++k) {
             const Tetrahedron& tetrahedron = m_sites.tetrahedra[t];
             const std::uint32_t other = tetrahedron.neighbour[k];

@@ -14,7 +14,8 @@ namespace rubble {
 /// between two cells, and the Voronoi edges between three. Far sites have none of these.
 class SolidDiagram {
 public:
-    explicit SolidDiagram(Tetrahedralization sites);
+    /// Incomplete if the task is cancelled.
+    explicit SolidDiagram(Tetrahedralization sites, const TaskContext& task = {});
 
     /// A neighbour of a cell.
     struct Neighbour {
@@ -49,8 +50,8 @@ public:
     bool isFar(std::uint32_t tetrahedron) const;
 
 private:
-    void findNeighbours();
-    void findEdges();
+    void findNeighbours(const TaskContext& task);
+    void findEdges(const TaskContext& task);
     void fillEdgeTable();
     std::size_t placeOf(const std::array<std::uint32_t, 3>& site) const;
 

@@ -1,6 +1,7 @@
 #include "core/fracture/solid/SolidFaces.h"
 
 #include "core/base/DisjointSets.h"
+#include "core/base/Parallel.h"
 #include "core/fracture/solid/FaceLoops.h"
 #include "core/fracture/solid/SolidPoints.h"
 #include "core/geometry/polygon/Polygon.h"
@@ -8,107 +9,91 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace rubble {
 namespace {
 
-class FaceBuilder {
-public:
-    FaceBuilder(const LatticeMesh& mesh, const SolidDiagram& diagram, const SurfacePieces& pieces,
-                const InnerFaces& facets, std::span<const Vec3> points)
-        : m_mesh(mesh),
-          m_diagram(diagram),
-          m_pieces(pieces),
-          m_facets(facets),
-          m_points(points),
-          m_cellOfPiece(pieces.cell),
-          m_welded(weldedPoints(points, pieces, facets)) {}
+struct FacetStep {
+    std::uint32_t facet;
+    PointStep step;
+};
 
-    SolidFaces build() {
-        moveTiedPieces();
-        makeFaces();
-        return std::move(m_result);
+/// What faces are made of.
+struct FaceInput {
+    const LatticeMesh& mesh;
+    const SolidDiagram& diagram;
+    const SurfacePieces& pieces;
+    const InnerFaces& facets;
+    std::span<const Vec3> points;
+    UninitializedVector<std::uint32_t> cellOfPiece;
+    std::vector<FacetStep> movedEdges;  // by facet
+    std::vector<std::uint32_t> welded;  // the point that stands for each
+};
+
+/// Makes the faces of some pieces and facets. What has no area is left out; edges are then divided in `splits`.
+class FaceMaker {
+public:
+    FaceMaker(const FaceInput& in, EdgeSplits& splits) : m_in(in), m_splits(splits) {}
+
+    SolidFaces result;
+    bool isAgain = false;           // another round is needed
+    bool isLast = false;            // loops without area stay
+    std::vector<PointStep> joined;  // points that coincide
+
+    void addPiece(std::uint32_t piece) {
+        const std::uint32_t first = m_in.pieces.firstCorner[piece], end = m_in.pieces.firstCorner[piece + 1];
+        m_steps.clear();
+        for (std::uint32_t c = first; c < end; ++c) {
+            appendSteps({m_in.pieces.points[c], m_in.pieces.points[c + 1 < end ? c + 1 : first]}, m_steps);
+        }
+        m_whole.clear();
+        for (const PointStep& step : m_steps) m_whole.push_back(step.from);
+        if (isSimple(m_whole)) return addLoop(piece, m_whole);
+        for (const PointLoop& loop : simpleLoops(m_whole)) addLoop(piece, loop);
+    }
+
+    void addFacet(std::uint32_t facet) {
+        m_steps.clear();
+        for (const PointStep& edge : m_in.facets.edges.of(facet)) appendSteps(edge, m_steps);
+        const auto moved = std::ranges::equal_range(m_in.movedEdges, facet, {}, &FacetStep::facet);
+        for (const FacetStep& edge : moved) appendSteps(edge.step, m_steps);
+        if (m_steps.empty()) return;
+        const std::array<std::uint32_t, 2>& sites = m_in.diagram.facets()[facet];
+        const PlaneView view(m_in.diagram.site(sites[1]).point - m_in.diagram.site(sites[0]).point);
+        std::vector<PointLoop> loops = linkedLoops(m_steps, m_in.points, view);
+        std::erase_if(loops, [this](const PointLoop& loop) { return isDivided(loop); });
+        for (const std::vector<PointLoop>& face : nestedLoops(std::move(loops), view)) {
+            addFace(face, view, {sites[0], sites[1], kNone});
+        }
     }
 
 private:
-    /// Pieces of triangles that lie in the bisector of two cells are in the cell on the inner side, whatever the ranks
-    /// say: else the other cell would have a part of no thickness. The facet between both ends there then.
-    void moveTiedPieces() {
-        for (std::uint32_t piece = 0; piece < m_pieces.pieceCount(); ++piece) {
-            const std::uint32_t receiver = innerCell(piece);
-            if (receiver == kNone) continue;
-            const std::uint32_t cell = m_pieces.cell[piece], facet = m_diagram.facetOf(cell, receiver);
-            const std::uint32_t first = m_pieces.firstCorner[piece], end = m_pieces.firstCorner[piece + 1];
-            for (std::uint32_t c = first; c < end; ++c) {
-                const std::uint32_t from = m_pieces.points[c], to = m_pieces.points[c + 1 < end ? c + 1 : first];
-                m_movedEdges.push_back({facet, cell < receiver ? PointStep{from, to} : PointStep{to, from}});
-            }
-            m_cellOfPiece[piece] = receiver;
-        }
-        std::stable_sort(m_movedEdges.begin(), m_movedEdges.end(),
-                         [](const FacetStep& a, const FacetStep& b) { return a.facet < b.facet; });
-    }
-
-    /// The cell behind the bisector that a piece lies in, if that is its inner side; else kNone.
-    std::uint32_t innerCell(std::uint32_t piece) const {
-        const std::uint32_t cell = m_pieces.cell[piece], other = m_pieces.tiedCell[piece];
-        if (other == kNone) return kNone;
-        const std::uint32_t facet = m_diagram.facetOf(cell, other);
-        if (m_facets.firstEdge[facet] == m_facets.firstEdge[facet + 1]) return kNone;
-        const std::array<Vec3, 3> corners = m_mesh.cornersOf(m_pieces.triangle[piece]);
-        const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-        return glm::dot(normal, m_diagram.site(other).point - m_diagram.site(cell).point) < 0.0 ? other : kNone;
-    }
-
     /// Appends the way from a point to the next as edges between welded points.
     void appendSteps(PointStep edge, std::vector<PointStep>& steps) {
-        const std::uint32_t from = m_welded[edge.from], to = m_welded[edge.to];
+        const std::uint32_t from = m_in.welded[edge.from], to = m_in.welded[edge.to];
         if (from == to) return;
+        if (m_splits.isEmpty()) return steps.push_back({from, to});
         m_path.assign(1, from);
         m_splits.appendPath(from, to, m_path);
         for (std::size_t k = 1; k < m_path.size(); ++k) steps.push_back({m_path[k - 1], m_path[k]});
     }
 
-    /// Makes all faces, again as long as loops without area divide the edges of others; in the last round, which hardly
-    /// any mesh sees, they stay.
-    void makeFaces() {
-        constexpr int kMaxRounds = 32;
-        for (int round = 1; round <= kMaxRounds; ++round) {
-            m_result = {};
-            m_isAgain = false;
-            m_isLast = round == kMaxRounds;
-            for (std::uint32_t piece = 0; piece < m_pieces.pieceCount(); ++piece) addPiece(piece);
-            std::size_t moved = 0;
-            for (std::uint32_t facet = 0; facet + 1 < m_facets.firstEdge.size(); ++facet) addFacet(facet, moved);
-            if (!m_isAgain) return;
-            joinPoints();
-        }
-    }
-
-    /// Joins the points of m_joined. Splits are found again then.
-    void joinPoints() {
-        if (m_joined.empty()) return;
-        DisjointSets sets(m_points.size());
-        for (const PointStep& pair : m_joined) sets.merge(pair.from, pair.to);
-        for (std::uint32_t& point : m_welded) point = sets.rootOf(point);
-        m_joined.clear();
-        m_splits.clear();
-    }
-
     /// The corners of the mesh on whose edge or triangle a point of the surface is, or which it is; none of others.
     std::vector<std::uint32_t> supportOf(std::uint32_t point) const {
-        const std::uint32_t corners = static_cast<std::uint32_t>(m_mesh.corners.size());
+        const std::uint32_t corners = static_cast<std::uint32_t>(m_in.mesh.corners.size());
         if (point < corners) return {point};
-        if (point < corners + m_pieces.edgeCrossings.size()) {
-            const auto above = std::ranges::upper_bound(m_pieces.firstCrossing, point - corners);
-            const auto& ends = m_mesh.edges[static_cast<std::size_t>(above - m_pieces.firstCrossing.begin()) - 1];
+        if (point < corners + m_in.pieces.edgeCrossings.size()) {
+            const auto above = std::ranges::upper_bound(m_in.pieces.firstCrossing, point - corners);
+            const auto& ends = m_in.mesh.edges[static_cast<std::size_t>(above - m_in.pieces.firstCrossing.begin()) - 1];
             return {ends[0], ends[1]};
         }
-        const std::size_t crossing = point - corners - m_pieces.edgeCrossings.size();
-        if (crossing >= m_pieces.triangleCrossings.size()) return {};
-        const auto& triangle = m_mesh.triangles[m_pieces.triangleCrossings[crossing].triangle];
+        const std::size_t crossing = point - corners - m_in.pieces.edgeCrossings.size();
+        if (crossing >= m_in.pieces.triangleCrossings.size()) return {};
+        const auto& triangle = m_in.mesh.triangles[m_in.pieces.triangleCrossings[crossing].triangle];
         return {triangle.begin(), triangle.end()};
     }
 
@@ -124,37 +109,35 @@ private:
         std::vector<std::uint32_t> sorted;
         for (const PointLoop& loop : loops) sorted.insert(sorted.end(), loop.begin(), loop.end());
         std::sort(sorted.begin(), sorted.end(), [this](std::uint32_t a, std::uint32_t b) {
-            return m_points[a] != m_points[b] ? lexicographicLess(m_points[a], m_points[b]) : a < b;
+            return m_in.points[a] != m_in.points[b] ? lexicographicLess(m_in.points[a], m_in.points[b]) : a < b;
         });
         for (std::size_t k = 1; k < sorted.size(); ++k) {
             for (std::size_t before = k; before-- > 0;) {
-                if (m_points[sorted[k]].x - m_points[sorted[before]].x > kSolidWeldDistance) break;
-                if (sorted[k] == sorted[before] || !coincide(m_points[sorted[k]], m_points[sorted[before]])) continue;
+                if (m_in.points[sorted[k]].x - m_in.points[sorted[before]].x > kSolidWeldDistance) break;
+                if (sorted[k] == sorted[before] || !coincide(m_in.points[sorted[k]], m_in.points[sorted[before]]))
+                    continue;
                 if (!areOne(sorted[k], sorted[before])) continue;
-                m_joined.push_back({sorted[before], sorted[k]});
-                m_isAgain = true;
+                joined.push_back({sorted[before], sorted[k]});
+                isAgain = true;
             }
         }
     }
 
     /// Has edges of a face that pass through another of its corners divided there before the next round.
-    /// `always`: also by points on parts of the surface that only touch each other.
-    void divideTouched(std::span<const PointLoop> loops, bool always) {
-        const double tolerance = (always ? 4.0 : 1.0) * kSolidWeldDistance;  // more than isThin() allows
+    void divideTouched(std::span<const PointLoop> loops, double tolerance) {
         std::vector<std::pair<double, std::uint32_t>> byX;
         for (const PointLoop& loop : loops) {
-            for (const std::uint32_t point : loop) byX.emplace_back(m_points[point].x, point);
+            for (const std::uint32_t point : loop) byX.emplace_back(m_in.points[point].x, point);
         }
         std::sort(byX.begin(), byX.end());
         for (const PointLoop& loop : loops) {
             for (std::size_t k = 0; k < loop.size(); ++k) {
                 const std::uint32_t a = loop[k], b = loop[k + 1 < loop.size() ? k + 1 : 0];
-                const auto [left, right] = std::minmax({m_points[a].x, m_points[b].x});
+                const auto [left, right] = std::minmax({m_in.points[a].x, m_in.points[b].x});
                 auto it = std::ranges::lower_bound(byX, std::pair(left - tolerance, 0u));
                 for (; it != byX.end() && it->first <= right + tolerance; ++it) {
-                    if (!isOnEdge(m_points[it->second], m_points[a], m_points[b], tolerance)) continue;
-                    if (!always && !areOne(it->second, a) && !areOne(it->second, b)) continue;
-                    m_isAgain = m_splits.add(a, b, it->second, m_points) || m_isAgain;
+                    if (!isOnEdge(m_in.points[it->second], m_in.points[a], m_in.points[b], tolerance)) continue;
+                    isAgain = m_splits.add(a, b, it->second, m_in.points) || isAgain;
                 }
             }
         }
@@ -163,58 +146,45 @@ private:
     /// Takes a loop without area out of the way: in the next round, its points that coincide are one, and its edges are
     /// divided by its points. False if there is nothing to divide.
     bool isDivided(const PointLoop& loop) {
-        if (m_isLast || !isThin(loop, m_points)) return false;
-        const bool wasAgain = std::exchange(m_isAgain, false);
+        if (isLast || !isThin(loop, m_in.points)) return false;
+        const bool wasAgain = std::exchange(isAgain, false);
         joinCoinciding(std::span(&loop, 1));
-        divideTouched(std::span(&loop, 1), true);
-        return std::exchange(m_isAgain, m_isAgain || wasAgain);
+        divideTouched(std::span(&loop, 1), 4.0 * kSolidWeldDistance);  // more than isThin() allows
+        return std::exchange(isAgain, isAgain || wasAgain);
     }
 
-    void addFace(std::vector<PointLoop> loops, const PlaneView& view, const SolidPartition::Face& face) {
-        if (loops.size() > 1 || !triangulateConvex(m_points, loops[0], view, m_result.triangles)) {
+    /// Whether a loop has no point twice.
+    static bool isSimple(const PointLoop& loop) {
+        if (loop.size() < 3) return false;
+        for (std::size_t k = 1; k < loop.size(); ++k) {
+            for (std::size_t before = 0; before < k; ++before) {
+                if (loop[before] == loop[k]) return false;
+            }
+        }
+        return true;
+    }
+
+    /// Adds the face of a simple loop around a piece or a part of it.
+    void addLoop(std::uint32_t piece, const PointLoop& loop) {
+        if (isDivided(loop)) return;
+        const std::array<Vec3, 3> corners = m_in.mesh.cornersOf(m_in.pieces.triangle[piece]);
+        const PlaneView view(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+        addFace(std::span(&loop, 1), view, {m_in.cellOfPiece[piece], kNone, m_in.pieces.triangle[piece]});
+    }
+
+    void addFace(std::span<const PointLoop> loops, const PlaneView& view, const SolidPartition::Face& face) {
+        if (loops.size() > 1 || !triangulateConvex(m_in.points, loops[0], view, result.triangles)) {
             joinCoinciding(loops);
-            divideTouched(loops, false);
-            triangulateFace(m_points, loops, view, m_result.triangles);
+            divideTouched(loops, kSolidWeldDistance);
+            triangulateFace(m_in.points, loops, view, result.triangles);
         }
-        m_result.firstTriangle.push_back(static_cast<std::uint32_t>(m_result.triangles.size()));
-        m_result.faces.push_back(face);
-        for (PointLoop& loop : loops) m_result.loops.push_back(std::move(loop));
-        m_result.firstLoop.push_back(static_cast<std::uint32_t>(m_result.loops.size()));
-    }
-
-    void addPiece(std::uint32_t piece) {
-        const std::uint32_t first = m_pieces.firstCorner[piece], end = m_pieces.firstCorner[piece + 1];
-        m_steps.clear();
-        for (std::uint32_t c = first; c < end; ++c) {
-            appendSteps({m_pieces.points[c], m_pieces.points[c + 1 < end ? c + 1 : first]}, m_steps);
+        result.firstTriangle.push_back(static_cast<std::uint32_t>(result.triangles.size()));
+        result.faces.push_back(face);
+        for (const PointLoop& loop : loops) {
+            result.corners.insert(result.corners.end(), loop.begin(), loop.end());
+            result.firstCorner.push_back(static_cast<std::uint32_t>(result.corners.size()));
         }
-        PointLoop whole;
-        for (const PointStep& step : m_steps) whole.push_back(step.from);
-        for (PointLoop& loop : simpleLoops(whole)) {
-            if (isDivided(loop)) continue;
-            const std::array<Vec3, 3> corners = m_mesh.cornersOf(m_pieces.triangle[piece]);
-            const PlaneView view(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-            addFace({std::move(loop)}, view, {m_cellOfPiece[piece], kNone, m_pieces.triangle[piece]});
-        }
-    }
-
-    /// Adds the faces of a facet; `moved`: its place in m_movedEdges.
-    void addFacet(std::uint32_t facet, std::size_t& moved) {
-        m_steps.clear();
-        for (std::uint32_t e = m_facets.firstEdge[facet]; e < m_facets.firstEdge[facet + 1]; ++e) {
-            appendSteps(m_facets.edges[e], m_steps);
-        }
-        for (; moved < m_movedEdges.size() && m_movedEdges[moved].facet == facet; ++moved) {
-            appendSteps(m_movedEdges[moved].step, m_steps);
-        }
-        if (m_steps.empty()) return;
-        const std::array<std::uint32_t, 2>& sites = m_diagram.facets()[facet];
-        const PlaneView view(m_diagram.site(sites[1]).point - m_diagram.site(sites[0]).point);
-        std::vector<PointLoop> loops = linkedLoops(m_steps, m_points, view);
-        std::erase_if(loops, [this](const PointLoop& loop) { return isDivided(loop); });
-        for (std::vector<PointLoop>& face : nestedLoops(std::move(loops), view)) {
-            addFace(std::move(face), view, {sites[0], sites[1], kNone});
-        }
+        result.firstLoop.push_back(static_cast<std::uint32_t>(result.firstCorner.size()) - 1);
     }
 
     /// Groups loops in a plane: each outer one with the holes in it.
@@ -228,7 +198,7 @@ private:
         std::vector<PointLoop> holes;
         for (PointLoop& loop : loops) {
             Ring ring;
-            for (const std::uint32_t point : loop) ring.push_back(view(m_points[point]));
+            for (const std::uint32_t point : loop) ring.push_back(view(m_in.points[point]));
             if (signedArea(ring) > 0.0) {
                 rings.push_back({std::move(ring), {}});
                 faces.push_back({std::move(loop)});
@@ -239,7 +209,7 @@ private:
         const std::size_t outerCount = faces.size();
         for (PointLoop& hole : holes) {
             Ring ring;
-            for (const std::uint32_t point : hole) ring.push_back(view(m_points[point]));
+            for (const std::uint32_t point : hole) ring.push_back(view(m_in.points[point]));
             const std::size_t around = ringAround(rings, ring);
             if (around < outerCount)
                 faces[around].push_back(std::move(hole));
@@ -282,33 +252,171 @@ private:
         return (corner + deepest) / 2.0;
     }
 
-    struct FacetStep {
-        std::uint32_t facet;
-        PointStep step;
-    };
-
-    const LatticeMesh& m_mesh;
-    const SolidDiagram& m_diagram;
-    const SurfacePieces& m_pieces;
-    const InnerFaces& m_facets;
-    std::span<const Vec3> m_points;
-    std::vector<std::uint32_t> m_cellOfPiece;
-    std::vector<FacetStep> m_movedEdges;  // by facet
-    std::vector<std::uint32_t> m_welded;
-    EdgeSplits m_splits;
-    bool m_isAgain = false;           // another round of makeFaces() is needed
-    bool m_isLast = false;            // this is the last round
-    std::vector<PointStep> m_joined;  // points that coincide
-    PointLoop m_path;
+    const FaceInput& m_in;
+    EdgeSplits& m_splits;
+    PointLoop m_path, m_whole;
     std::vector<PointStep> m_steps;
-    SolidFaces m_result;
+};
+
+class FaceBuilder {
+public:
+    FaceBuilder(const LatticeMesh& mesh, const SolidDiagram& diagram, const SurfacePieces& pieces,
+                const InnerFaces& facets, std::span<const Vec3> points, const TaskContext& task)
+        : m_in{mesh,   diagram,     pieces, facets,
+               points, pieces.cell, {},     weldedPoints(points, pieces, facets, task.threads)},
+          m_task(task) {}
+
+    Result<SolidFaces> build() {
+        moveTiedPieces();
+        if (std::optional<SolidFaces> faces = facesAtOnce()) return std::move(*faces);
+        return facesByRounds();
+    }
+
+private:
+    /// Pieces of triangles that lie in the bisector of two cells are in the cell on the inner side, whatever the ranks
+    /// say: else the other cell would have a part of no thickness. The facet between both ends there then.
+    void moveTiedPieces() {
+        for (std::uint32_t piece = 0; piece < m_in.pieces.pieceCount(); ++piece) {
+            const std::uint32_t receiver = innerCell(piece);
+            if (receiver == kNone) continue;
+            const std::uint32_t cell = m_in.pieces.cell[piece], facet = m_in.diagram.facetOf(cell, receiver);
+            const std::uint32_t first = m_in.pieces.firstCorner[piece], end = m_in.pieces.firstCorner[piece + 1];
+            for (std::uint32_t c = first; c < end; ++c) {
+                const std::uint32_t from = m_in.pieces.points[c], to = m_in.pieces.points[c + 1 < end ? c + 1 : first];
+                m_in.movedEdges.push_back({facet, cell < receiver ? PointStep{from, to} : PointStep{to, from}});
+            }
+            m_in.cellOfPiece[piece] = receiver;
+        }
+        std::ranges::stable_sort(m_in.movedEdges, {}, &FacetStep::facet);
+    }
+
+    /// The cell behind the bisector that a piece lies in, if that is its inner side; else kNone.
+    std::uint32_t innerCell(std::uint32_t piece) const {
+        const std::uint32_t cell = m_in.pieces.cell[piece], other = m_in.pieces.tiedCell[piece];
+        if (other == kNone) return kNone;
+        const std::uint32_t facet = m_in.diagram.facetOf(cell, other);
+        if (m_in.facets.edges.of(facet).empty()) return kNone;
+        const std::array<Vec3, 3> corners = m_in.mesh.cornersOf(m_in.pieces.triangle[piece]);
+        const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+        return glm::dot(normal, m_in.diagram.site(other).point - m_in.diagram.site(cell).point) < 0.0 ? other : kNone;
+    }
+
+    static constexpr std::size_t kItemsPerCheck = 64;
+
+    /// Adds the faces of some pieces; stops when goesOn() is false.
+    template <class GoesOn>
+    void addPieces(FaceMaker& maker, IndexRange pieces, const GoesOn& goesOn) const {
+        for (std::size_t k = pieces.begin; k < pieces.end; ++k) {
+            if (k % kItemsPerCheck == 0 && !goesOn()) return;
+            maker.addPiece(static_cast<std::uint32_t>(k));
+        }
+    }
+    template <class GoesOn>
+    void addFacets(FaceMaker& maker, IndexRange facets, const GoesOn& goesOn) const {
+        for (std::size_t k = facets.begin; k < facets.end; ++k) {
+            if (k % kItemsPerCheck == 0 && !goesOn()) return;
+            maker.addFacet(static_cast<std::uint32_t>(k));
+        }
+    }
+
+    std::size_t pieceCount() const { return m_in.pieces.pieceCount(); }
+    std::size_t facetCount() const { return m_in.diagram.facets().size(); }
+
+    /// All faces, made by several threads; nothing if some of them have to be made again: that depends on their order.
+    std::optional<SolidFaces> facesAtOnce() const {
+        constexpr std::size_t kPieces = 1024, kFacets = 32;  // of a part, about
+        const bool isShared = m_task.threads > 1;
+        const std::size_t facetParts = isShared ? facetCount() / kFacets + 1 : 0;
+        const std::size_t pieceParts = isShared ? pieceCount() / kPieces + 1 : 1;  // the only one has the facets, too
+        std::vector<SolidFaces> made(pieceParts + facetParts);
+        std::atomic<bool> isAgain{false};
+        forEachIndex(made.size(), m_task.threads, [&](std::size_t index) {
+            EdgeSplits splits;
+            FaceMaker maker(m_in, splits);
+            const auto goesOn = [&] {
+                if (maker.isAgain) isAgain.store(true, std::memory_order_relaxed);
+                return !isAgain.load(std::memory_order_relaxed) && !m_task.isCancelled();
+            };
+            const bool isOfFacets = index < facetParts;  // they take longest, so they come first
+            const std::size_t part = isOfFacets ? index : index - facetParts;
+            if (!isOfFacets) addPieces(maker, chunkRange(pieceCount(), part, pieceParts), goesOn);
+            if (isOfFacets || !isShared)
+                addFacets(maker, chunkRange(facetCount(), part, std::max<std::size_t>(facetParts, 1)), goesOn);
+            static_cast<void>(goesOn());
+            made[isOfFacets ? pieceParts + part : part] = std::move(maker.result);
+        });
+        if (isAgain || m_task.isCancelled()) return std::nullopt;
+        return isShared ? joinedParts(made) : std::move(made[0]);
+    }
+
+    SolidFaces joinedParts(const std::vector<SolidFaces>& parts) const {
+        struct Place {
+            std::size_t face, triangle, loop, corner;
+        };
+        std::vector<Place> places(parts.size() + 1, Place{0, 0, 0, 0});
+        for (std::size_t k = 0; k < parts.size(); ++k) {
+            places[k + 1] = {places[k].face + parts[k].faces.size(), places[k].triangle + parts[k].triangles.size(),
+                             places[k].loop + parts[k].firstCorner.size() - 1,
+                             places[k].corner + parts[k].corners.size()};
+        }
+        SolidFaces all;
+        all.faces.resize(places.back().face);
+        all.firstTriangle.resize(places.back().face + 1);
+        all.triangles.resize(places.back().triangle);
+        all.firstLoop.resize(places.back().face + 1);
+        all.firstCorner.resize(places.back().loop + 1);
+        all.corners.resize(places.back().corner);
+        const auto copy = [](const auto& from, auto& to, std::size_t at) {
+            std::ranges::copy(from, to.begin() + static_cast<std::ptrdiff_t>(at));
+        };
+        const auto copyStarts = [](const auto& from, auto& to, std::size_t at, std::size_t first) {
+            for (std::size_t k = 1; k < from.size(); ++k) to[at + k] = from[k] + static_cast<std::uint32_t>(first);
+        };
+        forEachIndex(parts.size(), m_task.threads, [&](std::size_t k) {
+            const auto& [face, triangle, loop, corner] = places[k];
+            copy(parts[k].faces, all.faces, face);
+            copy(parts[k].triangles, all.triangles, triangle);
+            copy(parts[k].corners, all.corners, corner);
+            copyStarts(parts[k].firstTriangle, all.firstTriangle, face, triangle);
+            copyStarts(parts[k].firstLoop, all.firstLoop, face, loop);
+            copyStarts(parts[k].firstCorner, all.firstCorner, loop, corner);
+        });
+        return all;
+    }
+
+    /// Makes all faces, again as long as loops without area divide the edges of others.
+    Result<SolidFaces> facesByRounds() {
+        constexpr int kMaxRounds = 32;
+        EdgeSplits splits;
+        for (int round = 1;; ++round) {
+            FaceMaker maker(m_in, splits);
+            maker.isLast = round == kMaxRounds;
+            const auto goesOn = [this] { return !m_task.isCancelled(); };
+            addPieces(maker, {0, pieceCount()}, goesOn);
+            addFacets(maker, {0, facetCount()}, goesOn);
+            if (m_task.isCancelled()) return TaskContext::cancelled();
+            if (!maker.isAgain || maker.isLast) return std::move(maker.result);
+            if (maker.joined.empty()) continue;
+            joinPoints(maker.joined);
+            splits.clear();  // they are found again
+        }
+    }
+
+    void joinPoints(std::span<const PointStep> pairs) {
+        DisjointSets sets(m_in.points.size());
+        for (const PointStep& pair : pairs) sets.merge(pair.from, pair.to);
+        for (std::uint32_t& point : m_in.welded) point = sets.rootOf(point);
+    }
+
+    FaceInput m_in;
+    const TaskContext& m_task;
 };
 
 }  // namespace
 
-SolidFaces solidFaces(const LatticeMesh& mesh, const SolidDiagram& diagram, const SurfacePieces& pieces,
-                      const InnerFaces& facets, std::span<const Vec3> points) {
-    return FaceBuilder(mesh, diagram, pieces, facets, points).build();
+Result<SolidFaces> solidFaces(const LatticeMesh& mesh, const SolidDiagram& diagram, const SurfacePieces& pieces,
+                              const InnerFaces& facets, std::span<const Vec3> points, const TaskContext& task) {
+    return FaceBuilder(mesh, diagram, pieces, facets, points, task).build();
 }
 
 }  // namespace rubble

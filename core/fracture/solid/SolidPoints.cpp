@@ -1,12 +1,14 @@
 #include "core/fracture/solid/SolidPoints.h"
 
 #include "core/base/DisjointSets.h"
+#include "core/base/Parallel.h"
 
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 namespace rubble {
 namespace {
@@ -56,47 +58,97 @@ Vec3 voronoiCorner(const std::array<Vec3, 4>& site) {
     return site[0] + offset;
 }
 
-}  // namespace
+/// Places points in chunks, each of which is skipped once the task is cancelled.
+class PointBuilder {
+public:
+    PointBuilder(const LatticeMesh& mesh, std::span<const Vec3> corners, const SolidDiagram& diagram,
+                 const SurfacePieces& pieces, const TaskContext& task)
+        : m_mesh(mesh), m_corners(corners), m_diagram(diagram), m_pieces(pieces), m_task(task) {
+        const std::size_t count = surfacePointCount(mesh, pieces) + diagram.sites().tetrahedra.size();
+        points.onLattice.resize(count);
+        points.placed.resize(count);
+    }
 
-SolidPoints solidPoints(const LatticeMesh& mesh, std::span<const Vec3> corners, const SolidDiagram& diagram,
-                        const SurfacePieces& pieces, const InnerFaces& faces) {
-    SolidPoints points{mesh.corners, {corners.begin(), corners.end()}};
-    const auto site = [&](std::uint32_t index) { return diagram.site(index).point; };
-    const auto add = [&](Vec3 onLattice, Vec3 placed) {
-        points.onLattice.push_back(onLattice);
-        points.placed.push_back(placed);
-    };
-    for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
-        const auto [a, b] = mesh.edges[e];
-        for (std::uint32_t c = pieces.firstCrossing[e]; c < pieces.firstCrossing[e + 1]; ++c) {
-            const EdgeCrossing& crossing = pieces.edgeCrossings[c];
-            const double place = placeOnEdge(mesh.corners[a], mesh.corners[b], site(crossing.from), site(crossing.to));
-            const auto between = [place](Vec3 from, Vec3 to) { return from + (to - from) * place; };
-            add(between(mesh.corners[a], mesh.corners[b]), between(corners[a], corners[b]));
+    void placeSurface() {
+        forEachChunk(m_corners.size(), [this](std::size_t c) { put(c, m_mesh.corners[c], m_corners[c]); });
+        forEachChunk(m_mesh.edges.size(), [this](std::size_t edge) { placeEdgeCrossings(edge); });
+        forEachChunk(m_pieces.triangleCrossings.size(), [this](std::size_t c) { placeTriangleCrossing(c); });
+    }
+
+    /// Only the corners that faces have.
+    void placeVoronoiCorners(const InnerFaces& faces) {
+        const std::uint32_t first = surfacePointCount(m_mesh, m_pieces);
+        const std::vector<Tetrahedralization::Tetrahedron>& tetrahedra = m_diagram.sites().tetrahedra;
+        std::vector<std::uint8_t> isUsed(tetrahedra.size(), 0);
+        for (const PointStep& edge : faces.edges.items) {
+            if (edge.from >= first) isUsed[edge.from - first] = 1;
+        }
+        forEachChunk(tetrahedra.size(), [&](std::size_t t) {
+            const std::array<std::uint32_t, 4>& corner = tetrahedra[t].corner;
+            const Vec3 place = isUsed[t]
+                                   ? voronoiCorner({site(corner[0]), site(corner[1]), site(corner[2]), site(corner[3])})
+                                   : Vec3(0.0);
+            put(first + t, place, place);
+        });
+    }
+
+    SolidPoints points;
+
+private:
+    template <class Work>
+    void forEachChunk(std::size_t count, const Work& work) const {
+        constexpr std::size_t kChunk = 1024;
+        forEachIndex((count + kChunk - 1) / kChunk, m_task.threads, [&](std::size_t chunk) {
+            if (m_task.isCancelled()) return;
+            const std::size_t end = std::min((chunk + 1) * kChunk, count);
+            for (std::size_t k = chunk * kChunk; k < end; ++k) work(k);
+        });
+    }
+
+    Vec3 site(std::uint32_t index) const { return m_diagram.site(index).point; }
+    void put(std::size_t point, Vec3 onLattice, Vec3 placed) {
+        points.onLattice[point] = onLattice;
+        points.placed[point] = placed;
+    }
+
+    void placeEdgeCrossings(std::size_t edge) {
+        const auto [a, b] = m_mesh.edges[edge];
+        for (std::uint32_t c = m_pieces.firstCrossing[edge]; c < m_pieces.firstCrossing[edge + 1]; ++c) {
+            const auto& [from, to] = m_pieces.edgeCrossings[c];
+            const double place = placeOnEdge(m_mesh.corners[a], m_mesh.corners[b], site(from), site(to));
+            const auto between = [place](Vec3 start, Vec3 end) { return start + (end - start) * place; };
+            put(m_corners.size() + c, between(m_mesh.corners[a], m_mesh.corners[b]),
+                between(m_corners[a], m_corners[b]));
         }
     }
-    for (const TriangleCrossing& crossing : pieces.triangleCrossings) {
-        const auto& [i, j, k] = diagram.edges()[crossing.edge].site;
-        const auto& [a, b, c] = mesh.triangles[crossing.triangle];
-        const Vec2 place = placeInTriangle(mesh.cornersOf(crossing.triangle), site(i), site(j), site(k));
+
+    void placeTriangleCrossing(std::size_t index) {
+        const TriangleCrossing& crossing = m_pieces.triangleCrossings[index];
+        const auto& [i, j, k] = m_diagram.edges()[crossing.edge].site;
+        const auto& [a, b, c] = m_mesh.triangles[crossing.triangle];
+        const Vec2 place = placeInTriangle(m_mesh.cornersOf(crossing.triangle), site(i), site(j), site(k));
         const auto within = [&](std::span<const Vec3> of) {
             return of[a] + ((of[b] - of[a]) * place.x + (of[c] - of[a]) * place.y);
         };
-        add(within(mesh.corners), within(corners));
+        put(m_corners.size() + m_pieces.edgeCrossings.size() + index, within(m_mesh.corners), within(m_corners));
     }
-    const std::uint32_t first = surfacePointCount(mesh, pieces);
-    const std::vector<Tetrahedralization::Tetrahedron>& tetrahedra = diagram.sites().tetrahedra;
-    points.onLattice.resize(first + tetrahedra.size(), Vec3(0.0));
-    std::vector<bool> isPlaced(tetrahedra.size());
-    for (const PointStep& edge : faces.edges) {
-        if (edge.from < first || isPlaced[edge.from - first]) continue;
-        const std::array<std::uint32_t, 4>& corner = tetrahedra[edge.from - first].corner;
-        points.onLattice[edge.from] =
-            voronoiCorner({site(corner[0]), site(corner[1]), site(corner[2]), site(corner[3])});
-        isPlaced[edge.from - first] = true;
-    }
-    points.placed.insert(points.placed.end(), points.onLattice.begin() + first, points.onLattice.end());
-    return points;
+
+    const LatticeMesh& m_mesh;
+    std::span<const Vec3> m_corners;
+    const SolidDiagram& m_diagram;
+    const SurfacePieces& m_pieces;
+    const TaskContext& m_task;
+};
+
+}  // namespace
+
+Result<SolidPoints> solidPoints(const LatticeMesh& mesh, std::span<const Vec3> corners, const SolidDiagram& diagram,
+                                const SurfacePieces& pieces, const InnerFaces& faces, const TaskContext& task) {
+    PointBuilder builder(mesh, corners, diagram, pieces, task);
+    builder.placeSurface();
+    builder.placeVoronoiCorners(faces);
+    if (task.isCancelled()) return TaskContext::cancelled();
+    return std::move(builder.points);
 }
 
 bool coincide(Vec3 a, Vec3 b) {
@@ -105,18 +157,32 @@ bool coincide(Vec3 a, Vec3 b) {
 }
 
 std::vector<std::uint32_t> weldedPoints(std::span<const Vec3> points, const SurfacePieces& pieces,
-                                        const InnerFaces& faces) {
-    DisjointSets sets(points.size());
-    const auto weldEnds = [&](std::uint32_t a, std::uint32_t b) {
-        if (coincide(points[a], points[b])) sets.merge(a, b);
-    };
-    for (std::uint32_t piece = 0; piece < pieces.pieceCount(); ++piece) {
-        const std::uint32_t first = pieces.firstCorner[piece], end = pieces.firstCorner[piece + 1];
-        for (std::uint32_t c = first; c < end; ++c) {
-            weldEnds(pieces.points[c], pieces.points[c + 1 < end ? c + 1 : first]);
+                                        const InnerFaces& faces, int threads) {
+    constexpr std::size_t kChunk = 1024;  // pieces or edges
+    const auto chunksOf = [](std::size_t count) { return (count + kChunk - 1) / kChunk; };
+    const std::size_t edgeChunks = chunksOf(faces.edges.items.size());
+    std::vector<std::vector<PointStep>> welds(edgeChunks + chunksOf(pieces.pieceCount()));
+    forEachIndex(welds.size(), threads, [&](std::size_t chunk) {
+        const auto weldEnds = [&](const PointStep& edge) {
+            if (coincide(points[edge.from], points[edge.to])) welds[chunk].push_back(edge);
+        };
+        if (chunk < edgeChunks) {
+            const std::size_t end = std::min((chunk + 1) * kChunk, faces.edges.items.size());
+            for (std::size_t e = chunk * kChunk; e < end; ++e) weldEnds(faces.edges.items[e]);
+            return;
         }
+        const std::size_t begin = (chunk - edgeChunks) * kChunk;
+        for (std::size_t piece = begin; piece < std::min<std::size_t>(begin + kChunk, pieces.pieceCount()); ++piece) {
+            const std::uint32_t first = pieces.firstCorner[piece], last = pieces.firstCorner[piece + 1] - 1;
+            for (std::uint32_t c = first, before = last; c <= last; before = c++) {
+                weldEnds({pieces.points[before], pieces.points[c]});
+            }
+        }
+    });
+    DisjointSets sets(points.size());
+    for (const std::vector<PointStep>& chunk : welds) {
+        for (const PointStep& edge : chunk) sets.merge(edge.from, edge.to);
     }
-    for (const PointStep& edge : faces.edges) weldEnds(edge.from, edge.to);
     return sets.roots();
 }
 

@@ -19,17 +19,19 @@ bool coincide(Vec3 a, Vec3 b);
 /// Voronoi corners; Voronoi corners outside are zero. Each is computed once, of exact numbers, with an error of a few
 /// ulp of the lattice's extent.
 struct SolidPoints {
-    std::vector<Vec3> onLattice;  // as cut: the corners of the mesh are on the lattice
-    std::vector<Vec3> placed;     // on the mesh as it was given: its corners are where they were
+    UninitializedVector<Vec3> onLattice;  // as cut: the corners of the mesh are on the lattice
+    UninitializedVector<Vec3> placed;     // on the mesh as it was given: its corners are where they were
 };
 
 /// The points of a solid. `corners`: of the mesh as it was given, in steps.
-SolidPoints solidPoints(const LatticeMesh& mesh, std::span<const Vec3> corners, const SolidDiagram& diagram,
-                        const SurfacePieces& pieces, const InnerFaces& faces);
+///
+/// Errors: Cancelled.
+Result<SolidPoints> solidPoints(const LatticeMesh& mesh, std::span<const Vec3> corners, const SolidDiagram& diagram,
+                                const SurfacePieces& pieces, const InnerFaces& faces, const TaskContext& task = {});
 
 /// The point that stands for each point: the lowest of those that are joined by edges shorter than kSolidWeldDistance
 /// in each coordinate. Corners of the mesh stand for themselves.
 std::vector<std::uint32_t> weldedPoints(std::span<const Vec3> points, const SurfacePieces& pieces,
-                                        const InnerFaces& faces);
+                                        const InnerFaces& faces, int threads = 1);
 
 }  // namespace rubble

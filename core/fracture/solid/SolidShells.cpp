@@ -1,13 +1,15 @@
 #include "core/fracture/solid/SolidShells.h"
 
 #include "core/base/DisjointSets.h"
+#include "core/base/Groups.h"
+#include "core/base/Parallel.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
-#include <tuple>
 #include <utility>
 
 namespace rubble {
@@ -15,11 +17,18 @@ namespace {
 
 class ShellBuilder {
 public:
-    ShellBuilder(const SolidFaces& faces, std::span<const Vec3> points) : m_faces(faces), m_points(points) {}
+    ShellBuilder(const SolidFaces& faces, std::span<const Vec3> points, const TaskContext& task)
+        : m_faces(faces), m_points(points), m_task(task) {}
 
-    SolidShells build() {
+    Result<SolidShells> build() {
+        groupEdges();
         DisjointSets sets = joinedSides();
+        if (m_task.isCancelled()) return TaskContext::cancelled();
         numberShells(sets);
+        forEachIndex(m_result.shells.size(), m_task.threads, [this](std::size_t shell) {
+            if (!m_task.isCancelled()) measure(m_result.shells[shell]);
+        });
+        if (m_task.isCancelled()) return TaskContext::cancelled();
         assignCavities();
         dissolveThinShells();
         return std::move(m_result);
@@ -28,10 +37,14 @@ public:
 private:
     /// An edge of a side of a face, for finding the side that continues its shell.
     struct SideEdge {
-        std::uint32_t cell, low, high;  // points
-        std::uint32_t side;             // 2 * face, + 1 if from behind
-        bool isForward;                 // from low to high, seen from outside the cell
-        auto key() const { return std::tie(cell, low, high); }
+        std::uint32_t high;  // the point of its ends with the higher number
+        std::uint32_t cell;
+        std::uint32_t direction;  // 2 * side, + 1 if it runs to `high`, seen from outside the cell
+
+        std::uint32_t side() const { return direction / 2; }  // 2 * face, + 1 if from behind
+        bool isForward() const { return direction % 2 == 1; }
+        bool isBeside(const SideEdge& other) const { return high == other.high && cell == other.cell; }
+        auto operator<=>(const SideEdge&) const = default;
     };
 
     Vec3 outwardNormal(std::uint32_t side) const {
@@ -43,12 +56,9 @@ private:
     }
 
     /// Joins the sides at an edge: where there are more than two, those that have their cell between them.
-    void joinAround(std::span<const SideEdge> edges, DisjointSets& sets) const {
-        if (edges.size() == 2) {
-            sets.merge(edges[0].side, edges[1].side);
-            return;
-        }
-        const Vec3 along = glm::normalize(m_points[edges[0].high] - m_points[edges[0].low]);
+    void joinAround(std::uint32_t low, std::span<const SideEdge> edges, DisjointSets& sets) const {
+        if (edges.size() == 2) return join(edges[0].side(), edges[1].side(), sets);
+        const Vec3 along = glm::normalize(m_points[edges[0].high] - m_points[low]);
         constexpr double kPerRadian = 1e9;  // of angles that are told apart
         constexpr std::int64_t kHalfTurn = 3'141'592'654;
         struct Around {
@@ -59,11 +69,11 @@ private:
         std::vector<Around> around;
         Vec3 right(0.0), up(0.0);
         for (const SideEdge& edge : edges) {
-            const Vec3 inward = glm::cross(outwardNormal(edge.side), edge.isForward ? along : -along);
+            const Vec3 inward = glm::cross(outwardNormal(edge.side()), edge.isForward() ? along : -along);
             if (around.empty()) right = glm::normalize(inward), up = glm::cross(along, right);
             const double angle = kPerRadian * std::atan2(glm::dot(inward, up), glm::dot(inward, right));
             const auto rounded = static_cast<std::int64_t>(std::round(angle));
-            around.push_back({rounded <= -kHalfTurn ? kHalfTurn : rounded, edge.isForward, edge.side});
+            around.push_back({rounded <= -kHalfTurn ? kHalfTurn : rounded, edge.isForward(), edge.side()});
         }
         // The cell is after a side that runs backward, and before one that runs forward; between two that coincide
         // there is nothing.
@@ -72,34 +82,52 @@ private:
         });
         for (std::size_t k = 0; k < around.size(); ++k) {
             const Around& next = around[(k + 1) % around.size()];
-            if (!around[k].isForward && next.isForward) sets.merge(around[k].side, next.side);
+            if (!around[k].isForward && next.isForward) join(around[k].side, next.side, sets);
         }
     }
 
-    /// The sides of faces, joined to shells.
-    DisjointSets joinedSides() const {
-        std::vector<SideEdge> edges;
-        for (std::uint32_t f = 0; f < m_faces.faces.size(); ++f) {
-            const SolidPartition::Face& face = m_faces.faces[f];
-            for (std::uint32_t l = m_faces.firstLoop[f]; l < m_faces.firstLoop[f + 1]; ++l) {
-                const PointLoop& loop = m_faces.loops[l];
-                for (std::size_t k = 0; k < loop.size(); ++k) {
-                    const std::uint32_t a = loop[k], b = loop[k + 1 < loop.size() ? k + 1 : 0];
-                    edges.push_back({face.fragment, std::min(a, b), std::max(a, b), 2 * f, a < b});
-                    if (face.behind == kNone) continue;
-                    edges.push_back({face.behind, std::min(a, b), std::max(a, b), 2 * f + 1, a > b});
+    /// Groups the edges of all sides by the point of their ends with the lower number.
+    void groupEdges() {
+        const std::size_t parts = groupingParts(m_task.threads);
+        m_edges = grouped<SideEdge>(m_points.size(), parts, m_task.threads, [&](std::size_t part, const auto& visit) {
+            const IndexRange range = chunkRange(m_faces.faceCount(), part, parts);
+            for (std::size_t k = range.begin; k < range.end && !m_task.isCancelled(); ++k) {
+                const std::uint32_t f = static_cast<std::uint32_t>(k);
+                const SolidPartition::Face& face = m_faces.faces[f];
+                for (std::uint32_t l = m_faces.firstLoop[f]; l < m_faces.firstLoop[f + 1]; ++l) {
+                    const std::span<const std::uint32_t> loop = m_faces.loop(l);
+                    std::uint32_t a = loop.back();
+                    for (const std::uint32_t b : loop) {
+                        const auto [low, high] = std::minmax(a, b);
+                        visit(low, SideEdge{high, face.fragment, 4 * f + (a < b ? 1 : 0)});
+                        if (face.behind != kNone) visit(low, SideEdge{high, face.behind, 4 * f + 2 + (a < b ? 0 : 1)});
+                        a = b;
+                    }
                 }
             }
-        }
-        std::sort(edges.begin(), edges.end(), [](const SideEdge& a, const SideEdge& b) {
-            return a.key() != b.key() ? a.key() < b.key() : a.side < b.side;
         });
-        DisjointSets sets(2 * m_faces.faces.size());
-        for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-            while (end < edges.size() && edges[end].key() == edges[begin].key()) ++end;
-            joinAround(std::span(edges).subspan(begin, end - begin), sets);
-        }
+    }
+
+    /// The sides of faces, joined to shells.
+    DisjointSets joinedSides() {
+        constexpr std::size_t kChunk = 1024;  // points
+        DisjointSets sets(2 * m_faces.faceCount());
+        forEachIndex((m_points.size() + kChunk - 1) / kChunk, m_task.threads, [&](std::size_t chunk) {
+            const std::size_t last = std::min((chunk + 1) * kChunk, m_points.size());
+            for (std::size_t low = chunk * kChunk; low < last && !m_task.isCancelled(); ++low) {
+                const std::span<SideEdge> edges = m_edges.of(low);
+                std::ranges::sort(edges);
+                for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+                    while (end < edges.size() && edges[end].isBeside(edges[begin])) ++end;
+                    joinAround(static_cast<std::uint32_t>(low), edges.subspan(begin, end - begin), sets);
+                }
+            }
+        });
         return sets;
+    }
+
+    void join(std::uint32_t a, std::uint32_t b, DisjointSets& sets) const {
+        m_task.threads > 1 ? sets.mergeShared(a, b) : sets.merge(a, b);
     }
 
     void numberShells(DisjointSets& sets) {
@@ -114,12 +142,11 @@ private:
             m_result.shells[shell].sides.push_back(side);
             m_result.ofSide[side] = shell;
         };
-        for (std::uint32_t f = 0; f < m_faces.faces.size(); ++f) {
+        for (std::uint32_t f = 0; f < m_faces.faceCount(); ++f) {
             const SolidPartition::Face& face = m_faces.faces[f];
             enter(2 * f, face.fragment);
             if (face.behind != kNone) enter(2 * f + 1, face.behind);
         }
-        for (SolidShell& shell : m_result.shells) measure(shell);
     }
 
     template <class Visit>
@@ -226,13 +253,15 @@ private:
 
     const SolidFaces& m_faces;
     std::span<const Vec3> m_points;
+    const TaskContext& m_task;
+    Groups<SideEdge> m_edges;  // by their lower point
     SolidShells m_result;
 };
 
 }  // namespace
 
-SolidShells solidShells(const SolidFaces& faces, std::span<const Vec3> points) {
-    return ShellBuilder(faces, points).build();
+Result<SolidShells> solidShells(const SolidFaces& faces, std::span<const Vec3> points, const TaskContext& task) {
+    return ShellBuilder(faces, points, task).build();
 }
 
 }  // namespace rubble

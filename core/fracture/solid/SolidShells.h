@@ -32,6 +32,8 @@ struct SolidShells {
 
 /// Joins the sides of faces to shells. A cavity belongs to the shell of its cell that is around it; one that is there
 /// because of rounding to the lattice, thinner than kTieDistance, to the neighbour with the largest common face.
-SolidShells solidShells(const SolidFaces& faces, std::span<const Vec3> points);
+///
+/// Errors: Cancelled.
+Result<SolidShells> solidShells(const SolidFaces& faces, std::span<const Vec3> points, const TaskContext& task = {});
 
 }  // namespace rubble

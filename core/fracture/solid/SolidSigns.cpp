@@ -73,6 +73,28 @@ Number inSphereDeterminant(const std::array<Row<Number>, 4>& rows) {
     return sum;
 }
 
+/// The sign of inSphereDeterminant(), where it is large for the extents of its rows; else 0. The determinant has 4
+/// terms of a square length and a minor, which has 6 products of three coordinates; each of these 24 products is
+/// rounded 12 times at most. Coordinates are exact.
+int clearInSphereSign(const std::array<Vec3, 4>& offsets) {
+    const auto& [a, b, c, d] = offsets;
+    const auto flat = [](const Vec3& u, const Vec3& v) { return u.x * v.y - v.x * u.y; };
+    const double ab = flat(a, b), bc = flat(b, c), cd = flat(c, d), da = flat(d, a), ac = flat(a, c), bd = flat(b, d);
+    const double abc = a.z * bc - b.z * ac + c.z * ab, bcd = b.z * cd - c.z * bd + d.z * bc;
+    const double cda = c.z * da + d.z * ac + a.z * cd, dab = d.z * ab + a.z * bd + b.z * da;
+    const auto square = [](const Vec3& u) { return u.x * u.x + u.y * u.y + u.z * u.z; };
+    const double aa = square(a), bb = square(b), cc = square(c), dd = square(d);
+    const double sum = (dd * abc - cc * dab) + (bb * cda - aa * bcd);
+    const auto largest = [&](auto coordinate) {
+        return std::max(std::max(std::abs(coordinate(a)), std::abs(coordinate(b))),
+                        std::max(std::abs(coordinate(c)), std::abs(coordinate(d))));
+    };
+    const double reach = largest([](const Vec3& u) { return u.x; }) * largest([](const Vec3& u) { return u.y; }) *
+                         largest([](const Vec3& u) { return u.z; });
+    const double bound = 512.0 * kRounding * reach * std::max(std::max(aa, bb), std::max(cc, dd));
+    return sum > bound ? 1 : sum < -bound ? -1 : 0;
+}
+
 int tieInSphere(const RankedSite& a, const RankedSite& b, const RankedSite& c, const RankedSite& d,
                 const RankedSite& p) {
     // p is below the lifted plane, that is inside, if its own weight comes first; a corner's weight lowers the plane at
@@ -106,12 +128,6 @@ PlaceOnEdge placeOnEdge(const std::array<Vec3, 3>& corners, Vec3 i, Vec3 j, Vec3
 
 }  // namespace
 
-BoundedDouble bisectorValue(Vec3 x, Vec3 i, Vec3 j) {
-    const Vec3 product = (j - i) * (2.0 * x - i - j);  // of exact differences
-    const double magnitude = std::abs(product.x) + std::abs(product.y) + std::abs(product.z);
-    return {product.x + product.y + product.z, 4.0 * kRounding * magnitude};
-}
-
 Int128 exactBisectorValue(Vec3 x, Vec3 i, Vec3 j) {
     const Vec3 apart = j - i, twice = 2.0 * x - i - j;
     return Int128{integer(apart.x)} * integer(twice.x) + Int128{integer(apart.y)} * integer(twice.y) +
@@ -120,6 +136,7 @@ Int128 exactBisectorValue(Vec3 x, Vec3 i, Vec3 j) {
 
 int inSphere(const RankedSite& a, const RankedSite& b, const RankedSite& c, const RankedSite& d, const RankedSite& p) {
     const std::array<Vec3, 4> offsets = {a.point - p.point, b.point - p.point, c.point - p.point, d.point - p.point};
+    if (const int sign = clearInSphereSign(offsets); sign != 0) return sign;
     std::array<Row<BoundedDouble>, 4> rows;
     for (int k = 0; k < 4; ++k) rows[k] = {offsets[k].x, offsets[k].y, offsets[k].z};
     if (const int sign = inSphereDeterminant(rows).sign(); sign != 0) return sign;

@@ -5,6 +5,7 @@
 #include "core/geometry/predicates/WideInteger.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -24,7 +25,11 @@ struct RankedSite {
 namespace solid_signs {
 
 /// h_ij at a point without its weights, by a filter and exactly.
-BoundedDouble bisectorValue(Vec3 x, Vec3 i, Vec3 j);
+inline BoundedDouble bisectorValue(Vec3 x, Vec3 i, Vec3 j) {
+    const Vec3 product = (j - i) * (2.0 * x - i - j);  // of exact differences
+    const double magnitude = std::abs(product.x) + std::abs(product.y) + std::abs(product.z);
+    return {product.x + product.y + product.z, 4.0 * kRounding * magnitude};
+}
 Int128 exactBisectorValue(Vec3 x, Vec3 i, Vec3 j);
 
 /// For corners with orient3d(a, b, c, d) > 0: +1 if p lies inside their sphere, -1 outside.

@@ -1,18 +1,21 @@
 #include "core/fracture/solid/SurfaceWalk.h"
 
 #include "core/base/Assert.h"
+#include "core/base/Groups.h"
 #include "core/base/Parallel.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace rubble {
 namespace {
 
-constexpr std::size_t kChunk = 2048;  // triangles, edges or corners at a time
+constexpr std::size_t kChunk = 512;  // triangles, edges or corners at a time
 
 std::size_t chunksOf(std::size_t count) { return (count + kChunk - 1) / kChunk; }
 
@@ -43,6 +46,7 @@ public:
     /// The part of a triangle in a cell; without sides if there is none.
     const std::vector<Side>& clip(std::uint32_t triangle, std::uint32_t cell) {
         m_corners = m_mesh.cornersOf(triangle);
+        m_reach = glm::max(glm::abs(m_corners[1] - m_corners[0]), glm::abs(m_corners[2] - m_corners[0]));
         m_site = m_diagram.site(cell);
         m_sides = {{0, 0}, {1, 0}, {2, 0}};
         m_bisectors.clear();
@@ -63,6 +67,7 @@ private:
     void clipBy(const SolidDiagram::Neighbour& neighbour) {
         TriangleBisector bisector{neighbour, {}};
         const Vec3 other = m_diagram.site(neighbour.site).point;
+        if (isFarFrom(other)) return;
         bool isApart = true, isInBisector = true;
         for (int c = 0; c < 3; ++c) {
             bisector.value[c] = solid_signs::bisectorValue(m_corners[c], m_site.point, other);
@@ -89,6 +94,14 @@ private:
             m_bisectors.push_back(bisector);
         }
         m_sides.swap(m_clipped);
+    }
+
+    /// Whether the triangle is so far on this side of a bisector that one of its corners shows it.
+    bool isFarFrom(Vec3 other) const {
+        const BoundedDouble first = solid_signs::bisectorValue(m_corners[0], m_site.point, other);
+        const Vec3 growth = 2.0 * glm::abs(other - m_site.point) * m_reach;  // from there to other corners, at most
+        const double most = (growth.x + growth.y + growth.z) * (1.0 + 16.0 * kRounding);
+        return first.value + 2.0 * first.error + most < 0.0 && !isTied(first, m_site.point, other);
     }
 
     /// Whether the corner between two sides is beyond a bisector.
@@ -124,6 +137,7 @@ private:
     const LatticeMesh& m_mesh;
     const SolidDiagram& m_diagram;
     std::array<Vec3, 3> m_corners;
+    Vec3 m_reach{0.0, 0.0, 0.0};  // of corners from the first, along each axis
     RankedSite m_site;
     std::uint32_t m_tiedCell = kNone;
     std::vector<TriangleBisector> m_bisectors;
@@ -150,7 +164,12 @@ std::uint32_t nextCell(const SolidDiagram& diagram, std::uint32_t cell, Vec3 fro
 struct PieceChunk {
     std::vector<TriangleCrossing> crossings;
     std::vector<std::uint32_t> triangle, cell, tiedCell, count;  // count: of corners
-    std::vector<std::uint32_t> points, behind;                   // a triangle crossing's number has kIsCrossing
+    std::vector<std::uint32_t> points, facet;                    // a triangle crossing's number has kIsCrossing
+
+    void reserve(std::size_t pieces) {
+        for (auto* perPiece : {&triangle, &cell, &tiedCell, &count}) perPiece->reserve(pieces);
+        for (auto* perCorner : {&points, &facet}) perCorner->reserve(4 * pieces);
+    }
 };
 constexpr std::uint32_t kIsCrossing = 0x80000000u;
 
@@ -171,24 +190,38 @@ public:
 private:
     void locateCorners() {
         m_cellOfCorner.resize(m_mesh.corners.size());
-        m_isTied.resize(m_mesh.corners.size());
+        m_isTied.assign(m_mesh.corners.size(), 0);
         forEachIndex(chunksOf(m_mesh.corners.size()), m_task.threads, [&](std::size_t chunk) {
             if (m_task.isCancelled()) return;
             std::uint32_t cell = 0;
+            Vec3 anchor(0.0);         // a corner in the cell
+            double clearance = -1.0;  // around it, in which all points are in the cell, and none is tied
             const std::size_t end = std::min((chunk + 1) * kChunk, m_mesh.corners.size());
             for (std::size_t c = chunk * kChunk; c < end; ++c) {
-                cell = m_cellOfCorner[c] = m_diagram.cellOf(m_mesh.corners[c], cell);
-                m_isTied[c] = isTiedIn(cell, m_mesh.corners[c]);
+                const Vec3 corner = m_mesh.corners[c];
+                if (glm::distance(corner, anchor) >= clearance) {
+                    cell = m_diagram.cellOf(corner, cell);
+                    anchor = corner;
+                    clearance = clearanceIn(cell, corner, m_isTied[c]);
+                }
+                m_cellOfCorner[c] = cell;
             }
         });
     }
 
-    bool isTiedIn(std::uint32_t cell, Vec3 corner) const {
+    /// A distance around a corner in a cell in which all points are in it, and none is tied: negative if there is none.
+    double clearanceIn(std::uint32_t cell, Vec3 corner, std::uint8_t& isCornerTied) const {
         const Vec3 here = m_diagram.site(cell).point;
-        return std::ranges::any_of(m_diagram.neighboursOf(cell), [&](const SolidDiagram::Neighbour& neighbour) {
+        double clearance = std::numeric_limits<double>::infinity();
+        for (const SolidDiagram::Neighbour& neighbour : m_diagram.neighboursOf(cell)) {
             const Vec3 other = m_diagram.site(neighbour.site).point;
-            return isTied(solid_signs::bisectorValue(corner, here, other), here, other);
-        });
+            const BoundedDouble value = solid_signs::bisectorValue(corner, here, other);
+            isCornerTied = isCornerTied || isTied(value, here, other);
+            // h grows by twice the distance of the sites a step; what is tied is within twice kTieDistance.
+            const double distance = -(value.value + 2.0 * value.error) / (2.0 * glm::distance(here, other));
+            clearance = std::min(clearance, distance * (1.0 - 64.0 * kRounding) - 4.0 * kTieDistance);
+        }
+        return clearance;
     }
 
     void crossEdges() {
@@ -220,6 +253,7 @@ private:
         forEachIndex(m_chunks.size(), m_task.threads, [&](std::size_t chunk) {
             TriangleClipper clipper(m_mesh, m_diagram);
             std::vector<std::uint32_t> cells;
+            m_chunks[chunk].reserve(kChunk + kChunk / 4);
             const std::size_t end = std::min((chunk + 1) * kChunk, m_mesh.triangles.size());
             for (std::size_t t = chunk * kChunk; t < end && !m_task.isCancelled(); ++t) {
                 divideTriangle(static_cast<std::uint32_t>(t), clipper, cells, m_chunks[chunk]);
@@ -234,7 +268,7 @@ private:
         if (m_cellOfCorner[corner[1]] == first && m_cellOfCorner[corner[2]] == first) {  // cells are convex
             addPiece(chunk, t, first, wholeTiedCell(t, first), 3);
             chunk.points.insert(chunk.points.end(), corner.begin(), corner.end());
-            chunk.behind.insert(chunk.behind.end(), 3, kNone);
+            chunk.facet.insert(chunk.facet.end(), 3, kNone);
             return;
         }
         const std::size_t firstOfTriangle = chunk.crossings.size();
@@ -246,11 +280,10 @@ private:
             for (std::size_t k = 0; k < sides.size(); ++k) {
                 const Side &before = sides[(k + sides.size() - 1) % sides.size()], &after = sides[k];
                 chunk.points.push_back(pointAt(t, cells[next], before, after, clipper, firstOfTriangle, chunk));
-                const std::uint32_t behind = after.edge >= 0 ? kNone : clipper.neighbour(after).site;
-                chunk.behind.push_back(behind);
-                if (behind != kNone && std::find(cells.begin(), cells.end(), behind) == cells.end()) {
-                    cells.push_back(behind);
-                }
+                chunk.facet.push_back(after.edge >= 0 ? kNone : clipper.neighbour(after).facet);
+                if (after.edge >= 0) continue;
+                const std::uint32_t behind = clipper.neighbour(after).site;
+                if (std::find(cells.begin(), cells.end(), behind) == cells.end()) cells.push_back(behind);
             }
         }
     }
@@ -309,24 +342,40 @@ private:
     }
 
     void joinChunks() {
-        const std::uint32_t firstFree =
-            static_cast<std::uint32_t>(m_mesh.corners.size() + m_result.edgeCrossings.size());
-        m_result.firstCorner.assign(1, 0);
-        for (const PieceChunk& chunk : m_chunks) {
-            const std::uint32_t offset = firstFree + static_cast<std::uint32_t>(m_result.triangleCrossings.size());
-            const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-            append(m_result.triangleCrossings, chunk.crossings);
-            append(m_result.triangle, chunk.triangle);
-            append(m_result.cell, chunk.cell);
-            append(m_result.tiedCell, chunk.tiedCell);
-            append(m_result.behind, chunk.behind);
-            for (const std::uint32_t count : chunk.count) {
-                m_result.firstCorner.push_back(m_result.firstCorner.back() + count);
-            }
-            for (const std::uint32_t point : chunk.points) {
-                m_result.points.push_back(point & kIsCrossing ? offset + (point & ~kIsCrossing) : point);
-            }
+        struct Place {
+            std::size_t crossing, piece, corner;
+        };
+        std::vector<Place> places(m_chunks.size() + 1, Place{0, 0, 0});
+        for (std::size_t k = 0; k < m_chunks.size(); ++k) {
+            places[k + 1] = {places[k].crossing + m_chunks[k].crossings.size(),
+                             places[k].piece + m_chunks[k].triangle.size(),
+                             places[k].corner + m_chunks[k].points.size()};
         }
+        const auto [crossings, pieces, corners] = places.back();
+        m_result.triangleCrossings.resize(crossings);
+        for (auto* perPiece : {&m_result.triangle, &m_result.cell, &m_result.tiedCell}) perPiece->resize(pieces);
+        m_result.firstCorner.resize(pieces + 1);
+        m_result.firstCorner[pieces] = static_cast<std::uint32_t>(corners);
+        for (auto* perCorner : {&m_result.points, &m_result.facet}) perCorner->resize(corners);
+        const std::size_t firstFree = m_mesh.corners.size() + m_result.edgeCrossings.size();
+        forEachIndex(m_chunks.size(), m_task.threads, [&](std::size_t k) {
+            const PieceChunk& chunk = m_chunks[k];
+            const auto [crossing, piece, corner] = places[k];
+            const auto copy = [](const auto& from, auto& to, std::size_t at) {
+                std::ranges::copy(from, to.begin() + static_cast<std::ptrdiff_t>(at));
+            };
+            copy(chunk.crossings, m_result.triangleCrossings, crossing);
+            copy(chunk.triangle, m_result.triangle, piece);
+            copy(chunk.cell, m_result.cell, piece);
+            copy(chunk.tiedCell, m_result.tiedCell, piece);
+            copy(chunk.facet, m_result.facet, corner);
+            std::exclusive_scan(chunk.count.begin(), chunk.count.end(), m_result.firstCorner.begin() + piece,
+                                static_cast<std::uint32_t>(corner));
+            const std::uint32_t offset = static_cast<std::uint32_t>(firstFree + crossing);
+            std::ranges::transform(chunk.points, m_result.points.begin() + corner, [offset](std::uint32_t point) {
+                return point & kIsCrossing ? offset + (point & ~kIsCrossing) : point;
+            });
+        });
     }
 
     const LatticeMesh& m_mesh;
@@ -340,29 +389,49 @@ private:
 
 }  // namespace
 
-void findEdges(LatticeMesh& mesh) {
+void findEdges(LatticeMesh& mesh, const TaskContext& task) {
     struct HalfEdge {
-        std::array<std::uint32_t, 2> ends;
-        std::uint32_t triangle;
-        std::uint32_t side;
+        std::uint32_t high;   // corner
+        std::uint32_t place;  // 3 * triangle + side
     };
-    std::vector<HalfEdge> all;
-    all.reserve(3 * mesh.triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-            all.push_back({{std::min(a, b), std::max(a, b)}, t, k});
+    const std::size_t parts = groupingParts(task.threads);
+    const auto forEachHalf = [&](std::size_t part, const auto& visit) {
+        const IndexRange range = chunkRange(mesh.triangles.size(), part, parts);
+        for (std::size_t t = range.begin; t < range.end && !task.isCancelled(); ++t) {
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const auto [low, high] = std::minmax(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]);
+                visit(low, HalfEdge{high, 3 * static_cast<std::uint32_t>(t) + k});
+            }
         }
-    }
-    std::sort(all.begin(), all.end(), [](const HalfEdge& a, const HalfEdge& b) {
-        return a.ends != b.ends ? a.ends < b.ends : a.triangle < b.triangle;
+    };
+    Groups<HalfEdge> atLow = grouped<HalfEdge>(mesh.corners.size(), parts, task.threads, forEachHalf);
+    const std::size_t chunks = chunksOf(mesh.corners.size());
+    const auto forEachLow = [&](std::size_t chunk, const auto& visit) {
+        if (task.isCancelled()) return;
+        const std::size_t end = std::min((chunk + 1) * kChunk, mesh.corners.size());
+        for (std::size_t low = chunk * kChunk; low < end; ++low) visit(static_cast<std::uint32_t>(low), atLow.of(low));
+    };
+    std::vector<std::uint32_t> firstEdge(chunks + 1, 0);
+    forEachIndex(chunks, task.threads, [&](std::size_t chunk) {
+        forEachLow(chunk, [&](std::uint32_t, std::span<HalfEdge> halves) {
+            std::ranges::sort(halves, {}, &HalfEdge::high);
+            for (std::size_t k = 0; k < halves.size(); ++k) {
+                firstEdge[chunk + 1] += k == 0 || halves[k].high != halves[k - 1].high;
+            }
+        });
     });
-    mesh.edges.clear();
+    std::partial_sum(firstEdge.begin(), firstEdge.end(), firstEdge.begin());
+    mesh.edges.resize(firstEdge.back());
     mesh.edgesOfTriangle.resize(mesh.triangles.size());
-    for (const HalfEdge& half : all) {
-        if (mesh.edges.empty() || mesh.edges.back() != half.ends) mesh.edges.push_back(half.ends);
-        mesh.edgesOfTriangle[half.triangle][half.side] = static_cast<std::uint32_t>(mesh.edges.size()) - 1;
-    }
+    forEachIndex(chunks, task.threads, [&](std::size_t chunk) {
+        std::uint32_t next = firstEdge[chunk];
+        forEachLow(chunk, [&](std::uint32_t low, std::span<const HalfEdge> halves) {
+            for (std::size_t k = 0; k < halves.size(); ++k) {
+                if (k == 0 || halves[k].high != halves[k - 1].high) mesh.edges[next++] = {low, halves[k].high};
+                mesh.edgesOfTriangle[halves[k].place / 3][halves[k].place % 3] = next - 1;
+            }
+        });
+    });
 }
 
 Result<SurfacePieces> walkSurface(const LatticeMesh& mesh, const SolidDiagram& diagram, const TaskContext& task) {

@@ -2,6 +2,7 @@
 
 #include "core/base/Result.h"
 #include "core/base/TaskContext.h"
+#include "core/base/UninitializedVector.h"
 #include "core/fracture/solid/SolidDiagram.h"
 
 #include <array>
@@ -25,8 +26,9 @@ struct LatticeMesh {
     }
 };
 
-/// Finds the edges of triangles that are closed.
-void findEdges(LatticeMesh& mesh);
+/// Finds the edges of triangles that are closed; not all if the task is cancelled. O(triangles) but for corners of many
+/// of them.
+void findEdges(LatticeMesh& mesh, const TaskContext& task = {});
 
 /// What is nearer to a bisector than this, in steps of the lattice, may be there because of rounding to it.
 inline constexpr double kTieDistance = 4.0;
@@ -46,17 +48,18 @@ struct TriangleCrossing {
 /// A closed mesh as divided by the cells of a diagram: convex pieces of its triangles, and the points where they end.
 ///
 /// Points are numbered: first the corners of the mesh, then the edge crossings, then the triangle crossings. Corners
-/// [firstCorner[p], firstCorner[p + 1]) are those of piece p, counter-clockwise from outside; `behind[c]` is the cell
-/// behind the edge from corner c to the next, or kNone where it lies on a mesh edge.
+/// [firstCorner[p], firstCorner[p + 1]) are those of piece p, counter-clockwise from outside; `facet[c]` is the
+/// facet of the diagram in which the edge from corner c to the next lies, or kNone where that is on a mesh edge.
 struct SurfacePieces {
     std::vector<std::uint32_t> firstCrossing;  // of each mesh edge, + 1
     std::vector<EdgeCrossing> edgeCrossings;
     std::vector<TriangleCrossing> triangleCrossings;
 
-    std::vector<std::uint32_t> triangle, cell;  // of each piece; by triangle
-    std::vector<std::uint32_t> tiedCell;     // of each piece: in whose bisector, within kTieDistance, it lies; or kNone
-    std::vector<std::uint32_t> firstCorner;  // pieces + 1
-    std::vector<std::uint32_t> points, behind;  // of each corner
+    UninitializedVector<std::uint32_t> triangle, cell;  // of each piece; by triangle
+    UninitializedVector<std::uint32_t>
+        tiedCell;  // of each piece: in whose bisector, within kTieDistance, it lies; or kNone
+    UninitializedVector<std::uint32_t> firstCorner;    // pieces + 1
+    UninitializedVector<std::uint32_t> points, facet;  // of each corner
 
     std::uint32_t pieceCount() const { return static_cast<std::uint32_t>(triangle.size()); }
 };

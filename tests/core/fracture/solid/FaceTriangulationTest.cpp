@@ -16,7 +16,7 @@ using namespace rubble;
 
 namespace {
 
-using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+using Triangles = PointTriangles;
 
 Triangles triangulated(const std::vector<Vec3>& points, const std::vector<PointLoop>& loops, Vec3 normal) {
     Triangles triangles;

@@ -244,6 +244,32 @@ private slots:
         const Result<SolidPartition> cut = cutSolid(mesh, seedsInBox(mesh, 5, 1), task);
         QVERIFY(!cut && cut.error().code == ErrorCode::Cancelled);
     }
+    /// Wherever it is cancelled, it ends soon, and it says so.
+    void cancelsInEachStage() {
+        const TriangleMesh mesh = bumpySphere(60);
+        const std::vector<Vec3> seeds = seedsInBox(mesh, 1500, 17);
+        std::vector<double> reports;
+        TaskContext task;
+        task.progress = [&](double fraction) { reports.push_back(fraction); };
+        QVERIFY(cutSolid(mesh, seeds, task));
+        QVERIFY(reports.size() >= 8 && std::ranges::is_sorted(reports));
+        QCOMPARE(reports.back(), 1.0);
+        reports.pop_back();  // then the work is done
+        for (const int threads : {1, 2}) {
+            for (const double at : reports) {
+                TaskContext cancelled;
+                cancelled.threads = threads;
+                double last = 0.0;
+                cancelled.progress = [&](double fraction) {
+                    last = fraction;
+                    if (fraction >= at) cancelled.cancel.cancel();
+                };
+                const Result<SolidPartition> cut = cutSolid(mesh, seeds, cancelled);
+                QVERIFY(!cut && cut.error().code == ErrorCode::Cancelled);
+                QCOMPARE(last, at);
+            }
+        }
+    }
     void verificationFindsFaults() {
         const TriangleMesh mesh = bumpySphere(12);
         const std::vector<Vec3> seeds = seedsInBox(mesh, 8, 16);
