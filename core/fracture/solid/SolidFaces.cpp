@@ -384,7 +384,8 @@ private:
         return all;
     }
 
-    /// Makes all faces, again as long as loops without area divide the edges of others.
+    /// Makes all faces, again as long as loops without area divide the edges of others. That ends soon on a surface
+    /// that does not cross itself.
     Result<SolidFaces> facesByRounds() {
         constexpr int kMaxRounds = 32;
         EdgeSplits splits;

@@ -34,7 +34,8 @@ struct SolidFaces {
 /// has no area or no thickness because of ties is left out, so that the rest fits together. Threads share the work as
 /// long as nothing has to be left out.
 ///
-/// Errors: Cancelled.
+/// Errors: Degenerate if there is no end of what has to be left out, as where the surface crosses itself by hardly
+/// anything; Cancelled.
 Result<SolidFaces> solidFaces(const LatticeMesh& mesh, const SolidDiagram& diagram, const SurfacePieces& pieces,
                               const InnerFaces& facets, std::span<const Vec3> points, const TaskContext& task = {});
 

@@ -148,6 +148,22 @@ TriangleMesh cubes(const std::set<Cell>& filled) {
     return mesh;
 }
 
+TriangleMesh mengerSponge(int level) {
+    std::vector<Cell> filled = {{0, 0, 0}};
+    for (int scale = 1, k = 0; k < level; ++k, scale *= 3) {
+        std::vector<Cell> all;
+        for (int part = 0; part < 27; ++part) {
+            const Cell at = {part % 3, part / 3 % 3, part / 9};
+            if (std::ranges::count(at, 1) > 1) continue;
+            for (const Cell& cell : filled) {
+                all.push_back({cell[0] + scale * at[0], cell[1] + scale * at[1], cell[2] + scale * at[2]});
+            }
+        }
+        filled = std::move(all);
+    }
+    return cubes({filled.begin(), filled.end()});
+}
+
 TriangleMesh transformed(TriangleMesh mesh, const Mat3& matrix, Vec3 offset) {
     for (Vec3& point : mesh.points) point = matrix * point + offset;
     return mesh;

@@ -18,6 +18,8 @@ TriangleMesh torus(int around, int along);
 /// The boundary of the filled cells of a grid of cubes of size 1; cells that meet only at an edge or a corner have
 /// points of their own there.
 TriangleMesh cubes(const std::set<std::array<int, 3>>& filled);
+/// A Menger sponge of cubes of size 1: level 1 has 20 cubes, and genus 5.
+TriangleMesh mengerSponge(int level);
 /// A mesh moved, scaled or turned.
 TriangleMesh transformed(TriangleMesh mesh, const Mat3& matrix, Vec3 offset = Vec3(0.0));
 /// Both meshes in one.
