@@ -3,7 +3,7 @@
 #include "core/base/Index.h"
 #include "core/base/Result.h"
 #include "core/base/TaskContext.h"
-#include "core/fracture/solid/SolidLattice.h"
+#include "core/geometry/mesh/SolidLattice.h"
 
 #include <array>
 #include <cstdint>

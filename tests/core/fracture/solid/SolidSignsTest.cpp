@@ -1,8 +1,8 @@
-// Tests core/fracture/solid/SolidSigns.cpp and core/fracture/solid/SolidLattice.cpp.
+// Tests core/fracture/solid/SolidSigns.cpp.
 #include "core/fracture/solid/SolidSigns.h"
 
 #include "core/base/Random.h"
-#include "core/fracture/solid/SolidLattice.h"
+#include "core/geometry/mesh/SolidLattice.h"
 #include "core/geometry/predicates/Predicates.h"
 #include "tests/support/TestProgram.h"
 
@@ -193,26 +193,6 @@ private slots:
         // With the highest rank, that of (far, far, far) decides, from whose face it is on the other side.
         QCOMPARE(solid_signs::inSphere(a, b, c, d, {{-far, -far, -far}, 20}), 1);
         QCOMPARE(solid_signs::inSphere(a, b, c, d, {{-far, -far, -far - 1.0}, 0}), -1);
-    }
-    void latticeKeepsPointsWithinHalfAStep() {
-        Random random(6);
-        for (int k = 0; k < 1000; ++k) {
-            const double size = std::exp2(random.between(-30.0, 30.0));
-            const Vec3 low(random.between(-size, size), random.between(-size, size), random.between(-size, size));
-            Box3 box;
-            box.include(low);
-            box.include(low + Vec3(size, 0.5 * size, random.between(0.0, size)));
-            const SolidLattice lattice(box);
-            QVERIFY(lattice.step() * kLatticeSteps <= 2.0 * box.diagonal());
-            QVERIFY(lattice.step() * kLatticeSteps >= box.diagonal());
-            const Vec3 point(random.between(box.min.x, box.max.x), random.between(box.min.y, box.max.y), box.max.z);
-            const Vec3 steps = lattice.snapped(point);
-            for (int c = 0; c < 3; ++c) {
-                QVERIFY(steps[c] >= 0.0 && steps[c] <= kLatticeSteps && steps[c] == std::floor(steps[c]));
-                QVERIFY(std::abs(lattice.origin()[c] + lattice.metres(steps)[c] - point[c]) <=
-                        0.5 * lattice.step() + 1e-15 * (std::abs(point[c]) + size));
-            }
-        }
     }
 };
 

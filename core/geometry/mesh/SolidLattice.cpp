@@ -1,4 +1,4 @@
-#include "core/fracture/solid/SolidLattice.h"
+#include "core/geometry/mesh/SolidLattice.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
