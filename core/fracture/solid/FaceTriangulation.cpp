@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <optional>
+#include <utility>
 
 namespace rubble {
 namespace {
@@ -118,17 +119,34 @@ std::vector<Vec2> seen(std::span<const Vec3> points, std::span<const std::uint32
     return ring;
 }
 
-/// Whether corners that are different points are seen at one place: a triangulation by place would mix them up.
-bool haveTwins(const Polygon& polygon, const PointLoop& names) {
-    const std::vector<Vec2> corners = cornersOf(polygon);
-    std::vector<std::uint32_t> order(corners.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return lexicographicLess(corners[a], corners[b]); });
-    for (std::size_t k = 1; k < order.size(); ++k) {
-        if (corners[order[k]] == corners[order[k - 1]] && names[order[k]] != names[order[k - 1]]) return true;
+/// Triangulates loops of a valid polygon; nothing where rounding has made it invalid. Where loops touch in different
+/// points at one place, a triangle without area leads from one to the other.
+std::optional<std::vector<std::array<std::uint32_t, 3>>> sweptTriangles(std::span<const Vec3> points,
+                                                                        std::span<const PointLoop> loops,
+                                                                        const PlaneView& view) {
+    Polygon polygon{seen(points, loops[0], view), {}};
+    std::vector<std::uint32_t> names, next;  // of each corner; as the loop goes
+    for (const PointLoop& loop : loops) {
+        const std::uint32_t first = static_cast<std::uint32_t>(names.size());
+        names.insert(names.end(), loop.begin(), loop.end());
+        for (std::uint32_t k = 1; k < loop.size(); ++k) next.push_back(first + k);
+        next.push_back(first);
     }
-    return false;
+    for (const PointLoop& hole : loops.subspan(1)) polygon.holes.push_back(seen(points, hole, view));
+    const Result<IndexLoops> swept = rubble::triangles(polygon);
+    if (!swept) return std::nullopt;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (const std::vector<std::uint32_t>& triangle : *swept) {
+        triangles.push_back({names[triangle[0]], names[triangle[1]], names[triangle[2]]});
+        for (int k = 0; k < 3; ++k) edges.emplace_back(triangle[k], triangle[(k + 1) % 3]);
+    }
+    std::ranges::sort(edges);
+    for (const auto& [from, to] : edges) {
+        if (names[to] == names[next[from]] || std::ranges::binary_search(edges, std::pair(to, from))) continue;
+        triangles.push_back({names[from], names[next[from]], names[to]});  // an edge of a loop, to another point there
+    }
+    return triangles;
 }
 
 }  // namespace
@@ -151,19 +169,9 @@ void triangulateFace(std::span<const Vec3> points, std::span<const PointLoop> lo
                      PointTriangles& triangles) {
     const PointLoop& outer = loops[0];
     if (loops.size() > 1 || outer.size() > kMaxClippedCorners) {
-        Polygon polygon{seen(points, outer, view), {}};
-        PointLoop names = outer;
-        for (const PointLoop& hole : loops.subspan(1)) {
-            polygon.holes.push_back(seen(points, hole, view));
-            names.insert(names.end(), hole.begin(), hole.end());
-        }
-        if (!haveTwins(polygon, names)) {
-            if (const Result<IndexLoops> swept = rubble::triangles(polygon)) {
-                for (const std::vector<std::uint32_t>& triangle : *swept) {
-                    triangles.push_back({names[triangle[0]], names[triangle[1]], names[triangle[2]]});
-                }
-                return;
-            }
+        if (const auto swept = sweptTriangles(points, loops, view)) {
+            triangles.insert(triangles.end(), swept->begin(), swept->end());
+            return;
         }
     }
     const PointLoop whole = loops.size() > 1 ? joinedLoops(points, loops, view) : outer;

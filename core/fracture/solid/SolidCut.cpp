@@ -1,6 +1,7 @@
 #include "core/fracture/solid/SolidCut.h"
 
 #include "core/base/Parallel.h"
+#include "core/fracture/solid/SolidPlacement.h"
 #include "core/fracture/solid/SolidPoints.h"
 #include "core/fracture/solid/SolidShells.h"
 
@@ -139,11 +140,17 @@ Result<SolidPartition> cutSolid(const TriangleMesh& mesh, std::span<const Vec3> 
     std::vector<Vec3> corners;
     corners.reserve(mesh.points.size());
     for (const Vec3 point : mesh.points) corners.push_back(lattice.steps(point));
-    const Result<SolidPoints> points = solidPoints(snapped, corners, diagram, *pieces, *facets, task);
+    Result<SolidPoints> points = solidPoints(snapped, corners, diagram, *pieces, *facets, task);
     if (!points) return points.error();
+    std::vector<Vec3> given;  // sites where they are
+    for (std::uint32_t site = 0; site < diagram.siteCount(); ++site) {
+        given.push_back(lattice.steps(seeds[diagram.sites().seedOf[site]]));
+    }
+    placeBetweenSeeds(snapped, corners, given, diagram, *pieces, *facets, points->placed);
     task.report(0.6);
     const Result<SolidFaces> faces = solidFaces(snapped, diagram, *pieces, *facets, points->onLattice, task);
     if (!faces) return faces.error();
+    placeOnSurface(snapped, corners, *pieces, faces->welded, points->placed);
     task.report(0.8);
     const Result<SolidShells> shells = solidShells(*faces, points->onLattice, task);
     if (!shells) return shells.error();

@@ -18,8 +18,7 @@ namespace rubble {
 /// The mesh has to be closed, with edges of two triangles each, counter-clockwise from outside; it may touch itself,
 /// but not cross itself. There has to be a seed.
 ///
-/// Errors: Degenerate if the surface crosses itself where a cell's edge passes, or parts of it are too close together;
-/// Cancelled.
+/// Errors: Degenerate if the surface crosses itself where a cell's edge passes; Cancelled.
 /// Source: Yan, Wang, Lévy, Liu, Efficient computation of clipped Voronoi diagram, 2013.
 Result<SolidPartition> cutSolid(const TriangleMesh& mesh, std::span<const Vec3> seeds, const TaskContext& task = {});
 

@@ -82,24 +82,10 @@ private:
         for (std::size_t k = 1; k < m_path.size(); ++k) steps.push_back({m_path[k - 1], m_path[k]});
     }
 
-    /// The corners of the mesh on whose edge or triangle a point of the surface is, or which it is; none of others.
-    std::vector<std::uint32_t> supportOf(std::uint32_t point) const {
-        const std::uint32_t corners = static_cast<std::uint32_t>(m_in.mesh.corners.size());
-        if (point < corners) return {point};
-        if (point < corners + m_in.pieces.edgeCrossings.size()) {
-            const auto above = std::ranges::upper_bound(m_in.pieces.firstCrossing, point - corners);
-            const auto& ends = m_in.mesh.edges[static_cast<std::size_t>(above - m_in.pieces.firstCrossing.begin()) - 1];
-            return {ends[0], ends[1]};
-        }
-        const std::size_t crossing = point - corners - m_in.pieces.edgeCrossings.size();
-        if (crossing >= m_in.pieces.triangleCrossings.size()) return {};
-        const auto& triangle = m_in.mesh.triangles[m_in.pieces.triangleCrossings[crossing].triangle];
-        return {triangle.begin(), triangle.end()};
-    }
-
     /// Whether points that coincide are one: not if they are on parts of the surface that only touch each other.
     bool areOne(std::uint32_t a, std::uint32_t b) const {
-        const std::vector<std::uint32_t> first = supportOf(a), second = supportOf(b);
+        const std::vector<std::uint32_t> first = supportOf(m_in.mesh, m_in.pieces, a);
+        const std::vector<std::uint32_t> second = supportOf(m_in.mesh, m_in.pieces, b);
         if (first.empty() || second.empty()) return true;
         return std::ranges::find_first_of(first, second) != first.end();
     }
@@ -268,8 +254,10 @@ public:
 
     Result<SolidFaces> build() {
         moveTiedPieces();
-        if (std::optional<SolidFaces> faces = facesAtOnce()) return std::move(*faces);
-        return facesByRounds();
+        std::optional<SolidFaces> atOnce = facesAtOnce();
+        Result<SolidFaces> faces = atOnce ? Result<SolidFaces>(std::move(*atOnce)) : facesByRounds();
+        if (faces) faces->welded = std::move(m_in.welded);
+        return faces;
     }
 
 private:

@@ -20,6 +20,7 @@ struct SolidFaces {
     UninitializedVector<std::uint32_t> firstLoop = {0};    // faces + 1: the outer loop first
     UninitializedVector<std::uint32_t> firstCorner = {0};  // loops + 1
     UninitializedVector<std::uint32_t> corners;            // points
+    std::vector<std::uint32_t> welded;                     // the point that stands for each point, as used in the faces
 
     std::uint32_t faceCount() const { return static_cast<std::uint32_t>(faces.size()); }
     std::span<const std::uint32_t> loop(std::uint32_t index) const {
@@ -34,8 +35,7 @@ struct SolidFaces {
 /// has no area or no thickness because of ties is left out, so that the rest fits together. Threads share the work as
 /// long as nothing has to be left out.
 ///
-/// Errors: Degenerate if there is no end of what has to be left out, as where the surface crosses itself by hardly
-/// anything; Cancelled.
+/// Errors: Cancelled.
 Result<SolidFaces> solidFaces(const LatticeMesh& mesh, const SolidDiagram& diagram, const SurfacePieces& pieces,
                               const InnerFaces& facets, std::span<const Vec3> points, const TaskContext& task = {});
 

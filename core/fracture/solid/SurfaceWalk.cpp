@@ -434,6 +434,20 @@ void findEdges(LatticeMesh& mesh, const TaskContext& task) {
     });
 }
 
+std::vector<std::uint32_t> supportOf(const LatticeMesh& mesh, const SurfacePieces& pieces, std::uint32_t point) {
+    const std::uint32_t corners = static_cast<std::uint32_t>(mesh.corners.size());
+    if (point < corners) return {point};
+    if (point < corners + pieces.edgeCrossings.size()) {
+        const auto above = std::ranges::upper_bound(pieces.firstCrossing, point - corners);
+        const auto& ends = mesh.edges[static_cast<std::size_t>(above - pieces.firstCrossing.begin()) - 1];
+        return {ends[0], ends[1]};
+    }
+    const std::size_t crossing = point - corners - pieces.edgeCrossings.size();
+    if (crossing >= pieces.triangleCrossings.size()) return {};
+    const auto& triangle = mesh.triangles[pieces.triangleCrossings[crossing].triangle];
+    return {triangle.begin(), triangle.end()};
+}
+
 Result<SurfacePieces> walkSurface(const LatticeMesh& mesh, const SolidDiagram& diagram, const TaskContext& task) {
     return SurfaceWalk(mesh, diagram, task).walk();
 }

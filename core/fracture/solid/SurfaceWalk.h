@@ -64,6 +64,9 @@ struct SurfacePieces {
     std::uint32_t pieceCount() const { return static_cast<std::uint32_t>(triangle.size()); }
 };
 
+/// The corners of the mesh on whose edge or triangle a point of the surface is, or which it is; none of other points.
+std::vector<std::uint32_t> supportOf(const LatticeMesh& mesh, const SurfacePieces& pieces, std::uint32_t point);
+
 /// Divides a mesh by the cells of a diagram with at least one site. The signs alone decide, so that pieces fit together
 /// without gaps whatever coincides. O(triangles + pieces), expected.
 ///
