@@ -55,7 +55,7 @@ private:
         m_isInside.assign(tetrahedra.size(), 0);
         std::vector<std::uint8_t> isKnown(tetrahedra.size(), 0);
         const Groups<std::uint32_t> edges = grouped<std::uint32_t>(tetrahedra.size(), [&](const auto& visit) {
-            for (std::uint32_t e = 0; e < m_diagram.edges().size(); ++e) {
+            for (std::uint32_t e = 0; e < m_diagram.edges().size() && !m_task.isCancelled(); ++e) {
                 const SolidDiagram::Edge& edge = m_diagram.edges()[e];
                 visit(edge.from, e), visit(edge.to, e);
             }
@@ -64,7 +64,7 @@ private:
         for (std::uint32_t t = 0; t < tetrahedra.size(); ++t) {
             if (m_diagram.isFar(t)) isKnown[t] = 1, queue.push_back(t);
         }
-        for (std::size_t k = 0; k < queue.size(); ++k) {
+        for (std::size_t k = 0; k < queue.size() && !m_task.isCancelled(); ++k) {
             const std::uint32_t t = queue[k];
             for (const std::uint32_t e : edges.of(t)) {
                 const SolidDiagram::Edge& edge = m_diagram.edges()[e];

@@ -16,23 +16,25 @@ namespace {
 class PartitionWriter {
 public:
     PartitionWriter(const SolidDiagram& diagram, const SolidFaces& faces, const SolidShells& shells,
-                    const SolidPoints& points, int threads)
+                    const SolidPoints& points, const TaskContext& task)
         : m_diagram(diagram),
           m_faces(faces),
           m_shells(shells),
           m_onLattice(points.onLattice),
           m_placed(points.placed),
-          m_threads(threads) {}
+          m_task(task) {}
 
+    /// Incomplete if the task is cancelled.
     SolidPartition write(std::size_t seedCount, const SolidLattice& lattice) {
         numberFragments(seedCount);
         addFaces();
+        if (m_task.isCancelled()) return {};
         m_result.listFaces();
         m_result.origin = lattice.origin();
         m_result.points.reserve(m_placed.size());
         for (const Vec3 point : m_placed) m_result.points.push_back(lattice.metres(point));
         m_result.volumes.resize(m_result.fragmentCount());
-        forEachIndex(m_result.fragmentCount(), m_threads, [this](std::size_t fragment) {
+        forEachIndex(m_result.fragmentCount(), m_task.threads, [this](std::size_t fragment) {
             m_result.volumes[fragment] = volumeOf(static_cast<std::uint32_t>(fragment));
         });
         m_result.duplicates = m_diagram.sites().duplicates;
@@ -74,7 +76,7 @@ private:
         m_result.faces.reserve(m_faces.faceCount());
         m_result.firstTriangle.reserve(m_faces.faceCount() + 1);
         m_result.triangles.reserve(m_faces.triangles.size());
-        for (std::uint32_t f = 0; f < m_faces.faceCount(); ++f) {
+        for (std::uint32_t f = 0; f < m_faces.faceCount() && !m_task.isCancelled(); ++f) {
             SolidPartition::Face face = m_faces.faces[f];
             face.fragment = m_fragmentOfShell[m_shells.ofSide[2 * f]];
             if (face.behind != kNone) face.behind = m_fragmentOfShell[m_shells.ofSide[2 * f + 1]];
@@ -101,7 +103,7 @@ private:
     const SolidFaces& m_faces;
     const SolidShells& m_shells;
     std::span<const Vec3> m_onLattice, m_placed;  // points, in steps
-    int m_threads;
+    const TaskContext& m_task;
     std::vector<std::uint32_t> m_fragmentOfShell;
     SolidPartition m_result;
 };
@@ -155,8 +157,7 @@ Result<SolidPartition> cutSolid(const TriangleMesh& mesh, std::span<const Vec3> 
     const Result<SolidShells> shells = solidShells(*faces, points->onLattice, task);
     if (!shells) return shells.error();
     task.report(0.95);
-    SolidPartition partition =
-        PartitionWriter(diagram, *faces, *shells, *points, task.threads).write(seeds.size(), lattice);
+    SolidPartition partition = PartitionWriter(diagram, *faces, *shells, *points, task).write(seeds.size(), lattice);
     if (task.isCancelled()) return TaskContext::cancelled();
     task.report(1.0);
     return partition;

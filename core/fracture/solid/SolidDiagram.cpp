@@ -24,7 +24,7 @@ SolidDiagram::SolidDiagram(Tetrahedralization sites, const TaskContext& task) : 
     forEachIndex(2, task.threads, [&](std::size_t part) {
         if (part == 0) return findNeighbours(task);
         findEdges(task);
-        fillEdgeTable();
+        fillEdgeTable(task);
     });
 }
 
@@ -32,6 +32,7 @@ void SolidDiagram::findNeighbours(const TaskContext& task) {
     const std::uint32_t count = siteCount();
     const Groups<std::uint32_t> all = grouped<std::uint32_t>(count, [&](const auto& visit) {
         for (const Tetrahedron& tetrahedron : m_sites.tetrahedra) {
+            if (task.isCancelled()) return;
             for (const std::uint32_t a : tetrahedron.corner) {
                 if (m_sites.isFar(a)) continue;
                 for (const std::uint32_t b : tetrahedron.corner) {
@@ -98,9 +99,11 @@ std::size_t SolidDiagram::placeOf(const std::array<std::uint32_t, 3>& site) cons
     return place;
 }
 
-void SolidDiagram::fillEdgeTable() {
+void SolidDiagram::fillEdgeTable(const TaskContext& task) {
     m_edgeTable.assign(std::bit_ceil(2 * m_edges.size() + 1), kNone);
-    for (std::uint32_t edge = 0; edge < m_edges.size(); ++edge) m_edgeTable[placeOf(m_edges[edge].site)] = edge;
+    for (std::uint32_t edge = 0; edge < m_edges.size() && !task.isCancelled(); ++edge) {
+        m_edgeTable[placeOf(m_edges[edge].site)] = edge;
+    }
 }
 
 std::uint32_t SolidDiagram::edgeOf(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {

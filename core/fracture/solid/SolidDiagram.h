@@ -52,7 +52,7 @@ public:
 private:
     void findNeighbours(const TaskContext& task);
     void findEdges(const TaskContext& task);
-    void fillEdgeTable();
+    void fillEdgeTable(const TaskContext& task);
     std::size_t placeOf(const std::array<std::uint32_t, 3>& site) const;
 
     Tetrahedralization m_sites;

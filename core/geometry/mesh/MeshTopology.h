@@ -38,14 +38,15 @@ struct Windings {
 Result<Windings> agreeWindings(const std::vector<std::array<std::uint32_t, 3>>& triangles,
                                const std::vector<std::uint32_t>& across, const TaskContext& task);
 
-/// Gives each fan of triangles around a point a point of its own, so that parts of a surface that share only corners or
-/// edges come apart. Appends the points that are copied, by index; returns the corners' new points.
-///
-/// Errors: Cancelled.
+/// Triangles whose fans have points of their own.
 struct SeparatedPoints {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<std::uint32_t> copied;  // the source of each additional point
 };
+/// Gives each fan of triangles around a point a point of its own, so that parts of a surface that share only corners or
+/// edges come apart. Appends the points that are copied, by index; returns the corners' new points.
+///
+/// Errors: Cancelled.
 Result<SeparatedPoints> separateFans(const LatticeSurface& surface, const TaskContext& task);
 
 }  // namespace rubble

@@ -1,4 +1,4 @@
-#include "bench/SolidPeers.h"
+#include "bench/solid/SolidPeers.h"
 
 #ifdef RUBBLE_HAS_MANIFOLD
 #include "core/base/Parallel.h"

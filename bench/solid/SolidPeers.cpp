@@ -1,4 +1,4 @@
-#include "bench/SolidPeers.h"
+#include "bench/solid/SolidPeers.h"
 
 #include "core/fracture/solid/SolidCut.h"
 

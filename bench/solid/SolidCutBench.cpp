@@ -2,8 +2,8 @@
 // grows with triangles and with cells; and the memory of a million triangles.
 //
 //   SolidCutBench
-#include "bench/SolidPeers.h"
 #include "bench/Timing.h"
+#include "bench/solid/SolidPeers.h"
 #include "core/fracture/solid/SolidCut.h"
 #include "core/geometry/mesh/SolidMesh.h"
 #include "tests/support/geometry/SolidShapes.h"

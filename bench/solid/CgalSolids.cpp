@@ -1,4 +1,4 @@
-#include "bench/SolidPeers.h"
+#include "bench/solid/SolidPeers.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
