@@ -78,10 +78,14 @@ void placeOnSurface(const LatticeMesh& mesh, std::span<const Vec3> corners, cons
                       [&](std::uint32_t corner) { return std::ranges::find(support, corner) == support.end(); });
     }
     for (const auto& [point, support] : common) {
-        if (support.size() == 1) placed[point] = corners[support[0]];
-        if (support.size() != 2) continue;
-        const Vec3 a = corners[support[0]], along = corners[support[1]] - a;
-        placed[point] = a + glm::dot(placed[point] - a, along) / glm::dot(along, along) * along;
+        if (support.empty() || support.size() > 2) continue;
+        Vec3 place = corners[support[0]];
+        if (support.size() == 2) {
+            const Vec3 along = corners[support[1]] - place;
+            place += glm::dot(placed[point] - place, along) / glm::dot(along, along) * along;
+        }
+        // Edges of a triangle without area meet in more than their common corner.
+        if (glm::length(place - placed[point]) <= 4.0 * kTieDistance) placed[point] = place;
     }
 }
 
