@@ -33,16 +33,6 @@ void writeCell(JsonWriter& json, const Cell& cell) {
     json.close();
 }
 
-void writeReport(JsonWriter& json, const Diagnostic& report) {
-    json.openObject();
-    json.text("code", nameOf(report.code));
-    if (report.place.seed != kNone) json.wholeNumber("seed", std::uint64_t{report.place.seed});
-    if (report.place.otherSeed != kNone) json.wholeNumber("of", std::uint64_t{report.place.otherSeed});
-    if (report.value != 0.0) json.number("amount", report.value);
-    json.text("message", report.message);
-    json.close();
-}
-
 /// Removes the repeated points of a ring and reports them.
 void cleanRing(Ring& ring, const std::string& name, std::vector<Diagnostic>& diagnostics) {
     const Ring given = ring;
@@ -57,6 +47,16 @@ void cleanRing(Ring& ring, const std::string& name, std::vector<Diagnostic>& dia
 }
 
 }  // namespace
+
+void writeFractureReport(JsonWriter& json, const Diagnostic& report) {
+    json.openObject();
+    json.text("code", nameOf(report.code));
+    if (report.place.seed != kNone) json.wholeNumber("seed", std::uint64_t{report.place.seed});
+    if (report.place.otherSeed != kNone) json.wholeNumber("of", std::uint64_t{report.place.otherSeed});
+    if (report.value != 0.0) json.number("amount", report.value);
+    json.text("message", report.message);
+    json.close();
+}
 
 Result<FractureInput> readFractureInput(std::string_view json) {
     Result<JsonDocument> document = JsonDocument::parse(json);
@@ -91,7 +91,7 @@ std::string cellsJson(const std::vector<Cell>& cells, const std::vector<std::arr
     json.rows("triangles", triangles, [](const auto& corners) {
         return std::array<std::int64_t, 3>{corners[0], corners[1], corners[2]};
     });
-    json.list("report", reports, writeReport);
+    json.list("report", reports, writeFractureReport);
     json.close();
     return std::move(json).finished();
 }

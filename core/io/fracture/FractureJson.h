@@ -15,6 +15,12 @@
 
 namespace rubble {
 
+class JsonWriter;
+
+/// Writes a diagnostic of a result of the verb `fracture`: its code, the seeds that it is about, its value as "amount"
+/// and its message.
+void writeFractureReport(JsonWriter& json, const Diagnostic& report);
+
 /// A prism and the seeds of its fracture pattern.
 struct FractureInput {
     Prism prism;
