@@ -17,8 +17,9 @@ constexpr std::size_t kMaxClippedCorners = 24;  // more are triangulated by a sw
 /// Clips ears off a ring of corners, the best shaped first.
 class EarClipper {
 public:
-    EarClipper(std::span<const Vec2> points, PointTriangles& triangles)
+    EarClipper(std::span<const Vec2> points, double tolerance, PointTriangles& triangles)
         : m_points(points),
+          m_tolerance(tolerance),
           m_next(points.size()),
           m_previous(points.size()),
           m_quality(points.size()),
@@ -39,22 +40,28 @@ public:
                 if (m_quality[k] > m_quality[best]) best = k;
             }
             const std::uint32_t before = m_previous[best], after = m_next[best];
-            m_triangles.push_back({names[before], names[best], names[after]});
+            add(names[before], names[best], names[after]);
             m_next[before] = after, m_previous[after] = before;
             m_quality[before] = qualityOf(before);
             m_quality[after] = qualityOf(after);
             any = after;
         }
-        m_triangles.push_back({names[m_previous[any]], names[any], names[m_next[any]]});
+        add(names[m_previous[any]], names[any], names[m_next[any]]);
     }
 
 private:
+    /// Adds a triangle, unless it goes there and back, as along the way to a hole.
+    void add(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        if (a != b && b != c && c != a) m_triangles.push_back({a, b, c});
+    }
+
     /// Twice the area over the square of the longest side; for corners that are no ears, lower the worse they are.
     double qualityOf(std::uint32_t corner) const {
         const std::uint32_t before = m_previous[corner], after = m_next[corner];
         const Vec2 a = m_points[before], b = m_points[corner], c = m_points[after];
         const double longest = std::max({squaredLength(b - a), squaredLength(c - b), squaredLength(a - c)});
-        if (longest == 0.0) return 0.0;
+        // The tip of a slit, where the ring goes there and back, and an edge without length: to be clipped first.
+        if (coincide(a, b) || coincide(b, c) || coincide(c, a)) return 4.0;
         const double shape = cross(b - a, c - a) / longest;
         if (orient2d(a, b, c) <= 0) return shape - 2.0;
         for (std::uint32_t k = m_next[after]; k != before; k = m_next[k]) {
@@ -65,7 +72,12 @@ private:
         return shape;
     }
 
+    bool coincide(Vec2 a, Vec2 b) const {
+        return std::abs(a.x - b.x) <= m_tolerance && std::abs(a.y - b.y) <= m_tolerance;
+    }
+
     std::span<const Vec2> m_points;
+    double m_tolerance;
     std::vector<std::uint32_t> m_next, m_previous;
     std::vector<double> m_quality;
     PointTriangles& m_triangles;
@@ -166,7 +178,7 @@ bool triangulateConvex(std::span<const Vec3> points, const PointLoop& loop, cons
 }
 
 void triangulateFace(std::span<const Vec3> points, std::span<const PointLoop> loops, const PlaneView& view,
-                     PointTriangles& triangles) {
+                     double tolerance, PointTriangles& triangles) {
     const PointLoop& outer = loops[0];
     if (loops.size() > 1 || outer.size() > kMaxClippedCorners) {
         if (const auto swept = sweptTriangles(points, loops, view)) {
@@ -176,7 +188,7 @@ void triangulateFace(std::span<const Vec3> points, std::span<const PointLoop> lo
     }
     const PointLoop whole = loops.size() > 1 ? joinedLoops(points, loops, view) : outer;
     const std::vector<Vec2> corners = seen(points, whole, view);
-    EarClipper(corners, triangles).clip(whole);
+    EarClipper(corners, tolerance, triangles).clip(whole);
 }
 
 }  // namespace rubble

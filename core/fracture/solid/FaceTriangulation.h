@@ -33,6 +33,6 @@ bool triangulateConvex(std::span<const Vec3> points, const PointLoop& loop, cons
 /// one triangle, and each other edge of a triangle is that of two in opposite directions, also where rounding has bent
 /// the polygon so that no flawless triangulation exists. O(n log n), O(n²) where rounding has bent it.
 void triangulateFace(std::span<const Vec3> points, std::span<const PointLoop> loops, const PlaneView& view,
-                     PointTriangles& triangles);
+                     double tolerance, PointTriangles& triangles);
 
 }  // namespace rubble

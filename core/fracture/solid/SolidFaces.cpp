@@ -82,12 +82,21 @@ private:
         for (std::size_t k = 1; k < m_path.size(); ++k) steps.push_back({m_path[k - 1], m_path[k]});
     }
 
-    /// Whether points that coincide are one: not if they are on parts of the surface that only touch each other.
+    /// Whether points that coincide are one: not if they are on parts of the surface that only touch each other there,
+    /// away from a common corner or edge.
     bool areOne(std::uint32_t a, std::uint32_t b) const {
         const std::vector<std::uint32_t> first = supportOf(m_in.mesh, m_in.pieces, a);
         const std::vector<std::uint32_t> second = supportOf(m_in.mesh, m_in.pieces, b);
         if (first.empty() || second.empty()) return true;
-        return std::ranges::find_first_of(first, second) != first.end();
+        std::vector<Vec3> common;
+        for (const std::uint32_t corner : first) {
+            if (std::ranges::find(second, corner) != second.end()) common.push_back(m_in.mesh.corners[corner]);
+        }
+        if (common.empty() || common.size() == 3) return !common.empty();
+        const Vec3 point = m_in.points[a], offset = point - common[0];
+        if (common.size() == 1) return glm::length(offset) <= 4.0 * kSolidWeldDistance;
+        const Vec3 along = common[1] - common[0];
+        return glm::length(glm::cross(offset, along)) <= 4.0 * kSolidWeldDistance * glm::length(along);
     }
 
     /// Has points of a face that coincide joined before the next round.
@@ -162,7 +171,7 @@ private:
         if (loops.size() > 1 || !triangulateConvex(m_in.points, loops[0], view, result.triangles)) {
             joinCoinciding(loops);
             divideTouched(loops, kSolidWeldDistance);
-            triangulateFace(m_in.points, loops, view, result.triangles);
+            triangulateFace(m_in.points, loops, view, kSolidWeldDistance, result.triangles);
         }
         result.firstTriangle.push_back(static_cast<std::uint32_t>(result.triangles.size()));
         result.faces.push_back(face);

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <utility>
 
 namespace rubble {
@@ -55,33 +56,55 @@ private:
         return side % 2 == 0 ? normal : -normal;
     }
 
+    /// A side at an edge, by the angle at which it leaves the edge.
+    struct SideAround {
+        double angle = 0.0;
+        bool isForward = false;
+        std::uint32_t side = 0;
+    };
+
+    /// Sorts sides around an edge, from the one after the widest gap on. Of sides that coincide, those that run forward
+    /// come first: between the ones and the others there is nothing.
+    static void sortAround(std::vector<SideAround>& around) {
+        constexpr double kMinAngle = 1e-6;  // smaller ones are rounding
+        std::ranges::sort(around, [](const SideAround& a, const SideAround& b) {
+            return a.angle != b.angle ? a.angle < b.angle : a.side < b.side;
+        });
+        std::size_t start = 0;
+        double widest = around.front().angle + 2.0 * std::numbers::pi - around.back().angle;
+        for (std::size_t k = 1; k < around.size(); ++k) {
+            const double gap = around[k].angle - around[k - 1].angle;
+            if (gap > widest) widest = gap, start = k;
+        }
+        std::ranges::rotate(around, around.begin() + static_cast<std::ptrdiff_t>(start));
+        const auto gapAfter = [](const SideAround& a, const SideAround& b) {
+            const double gap = b.angle - a.angle;
+            return gap < 0.0 ? gap + 2.0 * std::numbers::pi : gap;
+        };
+        for (auto begin = around.begin(); begin != around.end();) {
+            auto end = begin + 1;
+            while (end != around.end() && gapAfter(*(end - 1), *end) < kMinAngle) ++end;
+            std::stable_partition(begin, end, [](const SideAround& side) { return side.isForward; });
+            begin = end;
+        }
+    }
+
     /// Joins the sides at an edge: where there are more than two, those that have their cell between them.
     void joinAround(std::uint32_t low, std::span<const SideEdge> edges, DisjointSets& sets) const {
         if (edges.size() == 2) return join(edges[0].side(), edges[1].side(), sets);
         const Vec3 along = glm::normalize(m_points[edges[0].high] - m_points[low]);
-        constexpr double kPerRadian = 1e9;  // of angles that are told apart
-        constexpr std::int64_t kHalfTurn = 3'141'592'654;
-        struct Around {
-            std::int64_t angle;
-            bool isForward;
-            std::uint32_t side;
-        };
-        std::vector<Around> around;
+        std::vector<SideAround> around;
         Vec3 right(0.0), up(0.0);
         for (const SideEdge& edge : edges) {
             const Vec3 inward = glm::cross(outwardNormal(edge.side()), edge.isForward() ? along : -along);
             if (around.empty()) right = glm::normalize(inward), up = glm::cross(along, right);
-            const double angle = kPerRadian * std::atan2(glm::dot(inward, up), glm::dot(inward, right));
-            const auto rounded = static_cast<std::int64_t>(std::round(angle));
-            around.push_back({rounded <= -kHalfTurn ? kHalfTurn : rounded, edge.isForward(), edge.side()});
+            around.push_back(
+                {std::atan2(glm::dot(inward, up), glm::dot(inward, right)), edge.isForward(), edge.side()});
         }
-        // The cell is after a side that runs backward, and before one that runs forward; between two that coincide
-        // there is nothing.
-        std::stable_sort(around.begin(), around.end(), [](const Around& a, const Around& b) {
-            return a.angle != b.angle ? a.angle < b.angle : a.isForward && !b.isForward;
-        });
+        sortAround(around);
+        // The cell is after a side that runs backward, and before one that runs forward.
         for (std::size_t k = 0; k < around.size(); ++k) {
-            const Around& next = around[(k + 1) % around.size()];
+            const SideAround& next = around[(k + 1) % around.size()];
             if (!around[k].isForward && next.isForward) join(around[k].side, next.side, sets);
         }
     }

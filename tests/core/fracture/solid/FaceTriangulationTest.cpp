@@ -20,7 +20,7 @@ using Triangles = PointTriangles;
 
 Triangles triangulated(const std::vector<Vec3>& points, const std::vector<PointLoop>& loops, Vec3 normal) {
     Triangles triangles;
-    triangulateFace(points, loops, PlaneView(normal), triangles);
+    triangulateFace(points, loops, PlaneView(normal), 0.0, triangles);
     return triangles;
 }
 
