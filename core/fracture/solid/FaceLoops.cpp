@@ -64,17 +64,21 @@ bool EdgeSplits::add(std::uint32_t from, std::uint32_t to, std::uint32_t point, 
     const auto [low, high] = std::minmax(from, to);
     PointLoop& path = m_points[{low, high}];
     if (std::find(path.begin(), path.end(), point) != path.end()) return false;
-    const Vec3 start = points[low];
-    const double distance = glm::length(points[point] - start);
-    path.insert(std::find_if(path.begin(), path.end(),
-                             [&](std::uint32_t other) { return glm::length(points[other] - start) > distance; }),
-                point);
+    const auto apart = [&](std::uint32_t a, std::uint32_t b) { return glm::length(points[a] - points[b]); };
+    const auto next = std::find_if(path.begin(), path.end(), [&, first = low](std::uint32_t other) {
+        return apart(other, first) > apart(point, first);
+    });
+    // Parts are shorter than their edge, so that parts that are divided themselves come to an end.
+    const double length = apart(low, high);
+    const std::uint32_t before = next == path.begin() ? low : *(next - 1), after = next == path.end() ? high : *next;
+    if (apart(before, point) >= length || apart(point, after) >= length) return false;
+    path.insert(next, point);
     return true;
 }
 
 void EdgeSplits::appendPath(std::uint32_t from, std::uint32_t to, PointLoop& path) const {
     const auto found = m_points.find(std::minmax(from, to));
-    if (found == m_points.end()) return path.push_back(to);
+    if (found == m_points.end() || found->second.empty()) return path.push_back(to);
     std::uint32_t last = from;
     const auto append = [&](std::uint32_t point) {
         appendPath(last, point, path);

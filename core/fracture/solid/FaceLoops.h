@@ -17,7 +17,7 @@ class EdgeSplits {
 public:
     bool isEmpty() const { return m_points.empty(); }
     void clear() { m_points.clear(); }
-    /// Divides an edge by a point on it; false if it is there already.
+    /// Divides an edge by a point on it; false if it is there already, or would leave a part that is no shorter.
     bool add(std::uint32_t from, std::uint32_t to, std::uint32_t point, std::span<const Vec3> points);
     /// Appends the points after `from` on the way to `to`, that included.
     void appendPath(std::uint32_t from, std::uint32_t to, PointLoop& path) const;

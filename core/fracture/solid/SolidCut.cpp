@@ -4,10 +4,14 @@
 #include "core/fracture/solid/SolidPlacement.h"
 #include "core/fracture/solid/SolidPoints.h"
 #include "core/fracture/solid/SolidShells.h"
+#include "core/geometry/mesh/MeshWelding.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <utility>
 
 namespace rubble {
@@ -108,6 +112,24 @@ private:
     SolidPartition m_result;
 };
 
+/// Why something cannot be on a lattice at all; nothing if it can.
+std::optional<std::string> inputFault(const TriangleMesh& mesh, std::span<const Vec3> seeds) {
+    if (seeds.empty()) return "There is no seed.";
+    if (mesh.triangles.empty()) return "The mesh has no triangles.";
+    const auto isUsable = [](Vec3 point) {
+        const Vec3 size = glm::abs(point);  // comparisons are false for what is not a number
+        return size.x < kMaxMeshCoordinate && size.y < kMaxMeshCoordinate && size.z < kMaxMeshCoordinate;
+    };
+    for (std::size_t k = 0; k < mesh.points.size(); ++k) {
+        if (!isUsable(mesh.points[k]))
+            return "Point " + std::to_string(k) + " of the mesh is not finite or too far out.";
+    }
+    for (std::size_t k = 0; k < seeds.size(); ++k) {
+        if (!isUsable(seeds[k])) return "Seed " + std::to_string(k) + " is not finite or too far out.";
+    }
+    return std::nullopt;
+}
+
 /// Corners of a mesh on a lattice, in steps.
 LatticeMesh snappedMesh(const TriangleMesh& mesh, const SolidLattice& lattice, const TaskContext& task) {
     LatticeMesh snapped;
@@ -121,6 +143,7 @@ LatticeMesh snappedMesh(const TriangleMesh& mesh, const SolidLattice& lattice, c
 }  // namespace
 
 Result<SolidPartition> cutSolid(const TriangleMesh& mesh, std::span<const Vec3> seeds, const TaskContext& task) {
+    if (const std::optional<std::string> fault = inputFault(mesh, seeds)) return Error{ErrorCode::BadInput, *fault};
     Box3 box = boundsOf(mesh);
     for (const Vec3 seed : seeds) box.include(seed);
     const SolidLattice lattice(box);

@@ -16,9 +16,10 @@ namespace rubble {
 /// neighbour with the largest common face.
 ///
 /// The mesh has to be closed, with edges of two triangles each, counter-clockwise from outside; it may touch itself,
-/// but not cross itself. There has to be a seed.
+/// but not cross itself.
 ///
-/// Errors: Degenerate if the surface crosses itself where a cell's edge passes; Cancelled.
+/// Errors: BadInput for no triangles, no seeds, or a coordinate that is not finite or beyond kMaxMeshCoordinate;
+/// Degenerate if the surface crosses itself where a cell's edge passes; Cancelled.
 /// Source: Yan, Wang, Lévy, Liu, Efficient computation of clipped Voronoi diagram, 2013.
 Result<SolidPartition> cutSolid(const TriangleMesh& mesh, std::span<const Vec3> seeds, const TaskContext& task = {});
 

@@ -64,8 +64,9 @@ std::optional<Plane> splittingPlane(const HullPart& part) {
     for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
         const HalfEdge &first = edges[k], &second = edges[k + 1];
         if (first.low != second.low || first.high != second.high) continue;
-        const Vec3 n = glm::normalize(doubleArea(mesh, first.triangle));
-        const Vec3 m = glm::normalize(doubleArea(mesh, second.triangle));
+        const Vec3 firstArea = doubleArea(mesh, first.triangle), secondArea = doubleArea(mesh, second.triangle);
+        if (firstArea == Vec3(0.0) || secondArea == Vec3(0.0)) continue;  // without a normal
+        const Vec3 n = glm::normalize(firstArea), m = glm::normalize(secondArea);
         const Vec3 a = mesh.points[first.low], b = mesh.points[first.high];
         double height = 0.0;  // of the second triangle's far corner over the first
         for (const std::uint32_t corner : mesh.triangles[second.triangle]) {

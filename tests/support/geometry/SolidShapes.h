@@ -15,8 +15,8 @@ namespace rubble::test {
 TriangleMesh bumpySphere(int n);
 /// A torus of radii 1 and 0.4, of 2 · around · along triangles.
 TriangleMesh torus(int around, int along);
-/// The boundary of the filled cells of a grid of cubes of size 1; cells that meet only at an edge or a corner have
-/// points of their own there.
+/// The boundary of the filled cells of a grid of cubes of size 1; cells that meet only at an edge or a corner share
+/// their points there.
 TriangleMesh cubes(const std::set<std::array<int, 3>>& filled);
 /// A Menger sponge of cubes of size 1: level 1 has 20 cubes, and genus 5.
 TriangleMesh mengerSponge(int level);

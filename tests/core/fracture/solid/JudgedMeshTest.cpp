@@ -1,12 +1,16 @@
 // Tests that meshes which core/geometry/mesh/MeshVerdict.cpp finds fit are cut by core/fracture/solid/SolidCut.cpp.
 #include "core/fracture/solid/SolidCut.h"
+#include "core/fracture/solid/SolidHulls.h"
 #include "core/fracture/verify/VerifySolidPartition.h"
 #include "core/geometry/mesh/MeshVerdict.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/fracture/CutFault.h"
 #include "tests/support/geometry/BrokenMeshes.h"
 #include "tests/support/geometry/SolidShapes.h"
 
 #include <QTest>
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +21,14 @@ using namespace rubble::test;
 
 namespace {
 
-std::string faultOfCut(const TriangleMesh& mesh, const std::vector<Vec3>& seeds) {
-    const Result<SolidPartition> partition = cutSolid(mesh, seeds);
-    return partition ? verifySolidPartition(*partition, mesh, seeds).value_or("") : partition.error().message;
+/// A box or a ball whose points are at random places of a lattice: it crosses, touches or folds back onto itself.
+TriangleMesh tangle(Random& random) {
+    TriangleMesh mesh = random.below(2) == 0 ? box(Vec3(0.0), Vec3(1.0)) : bumpySphere(4);
+    const double most = 1.0 + double(random.below(4));
+    for (Vec3& point : mesh.points) {
+        for (int k = 0; k < 3; ++k) point[k] = std::round(4.0 * point[k] + random.between(-most, most));
+    }
+    return mesh;
 }
 
 /// Whether a mesh of faces of the tetrahedra into which the cubes of a grid are divided, or of larger ones, is solid
@@ -55,7 +64,7 @@ private slots:
             if (mesh.triangles.empty()) continue;
             const Result<MeshVerdict> verdict = judgeMesh(mesh);
             QVERIFY2(verdict && verdict->isFit(), qPrintable(QString("seed %1").arg(seed)));
-            const std::string fault = faultOfCut(verdict->mesh, seedsInBox(mesh, 1 + int(random.below(12)), seed));
+            const std::string fault = cutFault(verdict->mesh, seedsInBox(mesh, 1 + int(random.below(12)), seed));
             QVERIFY2(fault.empty(), qPrintable(QString("seed %1: ").arg(seed) + fault.c_str()));
             ++cut;
         }
@@ -80,36 +89,68 @@ private slots:
                 continue;
             }
             ++fit;
-            const std::string fault = faultOfCut(verdict->mesh, seedsInBox(both, 1 + int(random.below(8)), seed));
+            const std::string fault = cutFault(verdict->mesh, seedsInBox(both, 1 + int(random.below(8)), seed));
             QVERIFY2(fault.empty(), qPrintable(name + fault.c_str()));
         }
         QVERIFY2(fit > 500 && overlapping > 200, qPrintable(QString("%1 %2").arg(fit).arg(overlapping)));
     }
-    /// Shells that cross, touch or fold at random places.
     void whatIsFitIsCut() {
         int fit = 0;
         for (std::uint64_t seed = 0; seed < 3'000; ++seed) {
             Random random(seed);
-            TriangleMesh mesh = random.below(2) == 0 ? box(Vec3(0.0), Vec3(1.0)) : bumpySphere(4);
-            const double most = 1.0 + double(random.below(4));
-            for (Vec3& point : mesh.points) {
-                for (int k = 0; k < 3; ++k) point[k] = std::round(4.0 * point[k] + random.between(-most, most));
-            }
+            const TriangleMesh mesh = tangle(random);
             const Result<MeshVerdict> verdict = judgeMesh(mesh);
             QVERIFY(verdict);
             if (!verdict->isFit()) continue;
             ++fit;
-            const std::string fault = faultOfCut(verdict->mesh, seedsInBox(mesh, 1 + int(random.below(8)), seed));
+            const std::string fault = cutFault(verdict->mesh, seedsInBox(mesh, 1 + int(random.below(8)), seed));
             QVERIFY2(fault.empty(), qPrintable(QString("seed %1: ").arg(seed) + fault.c_str()));
         }
         QVERIFY2(fit > 100, qPrintable(QString::number(fit)));
+    }
+    /// What is fit has hulls that hold each fragment, whatever folds in it.
+    void whatIsFitHasHulls() {
+        for (std::uint64_t seed = 0; seed < 3'000; ++seed) {
+            Random random(seed);
+            const TriangleMesh mesh = tangle(random);
+            const Result<MeshVerdict> verdict = judgeMesh(mesh);
+            if (!verdict->isFit()) continue;
+            const Result<SolidPartition> partition = cutSolid(verdict->mesh, seedsInBox(mesh, 3, seed));
+            QVERIFY(partition);
+            const Result<std::vector<std::vector<Polytope>>> hulls = fragmentHulls(*partition);
+            QVERIFY2(hulls, qPrintable(QString("seed %1").arg(seed)));
+            for (std::uint32_t k = 0; k < partition->fragmentCount(); ++k) {
+                for (const Vec3 point : meshOf(*partition, k).points) {
+                    const bool isHeld = std::ranges::any_of((*hulls)[k], [&](const Polytope& hull) {
+                        return std::ranges::all_of(hull.planes, [&](const Plane& plane) {
+                            return glm::dot(plane.normal, point) <= plane.offset + 1e-8;
+                        });
+                    });
+                    QVERIFY2(isHeld, qPrintable(QString("seed %1, fragment %2").arg(seed).arg(k)));
+                }
+            }
+        }
+    }
+    /// What is not fit is not to be cut; where it is nevertheless, that ends, with an error or with something.
+    void whatIsNotFitEnds() {
+        int refused = 0;
+        for (std::uint64_t seed = 0; seed < 3'000; ++seed) {
+            Random random(seed);
+            const TriangleMesh mesh = tangle(random);
+            if (judgeMesh(mesh)->isFit()) continue;
+            const Result<SolidPartition> partition = cutSolid(mesh, seedsInBox(mesh, 1 + int(random.below(8)), seed));
+            if (partition) continue;
+            QCOMPARE(partition.error().code, ErrorCode::Degenerate);
+            ++refused;
+        }
+        QVERIFY2(refused > 50, qPrintable(QString::number(refused)));
     }
     void partsThatShareAnEdgeOrCornerAreCut() {
         for (const TriangleMesh& mesh : {cubes({{0, 0, 0}, {1, 1, 0}}), cubes({{0, 0, 0}, {1, 1, 1}}),
                                          insideOut(cubes({{0, 0, 0}, {1, 1, 0}, {2, 0, 0}}))}) {
             const Result<MeshVerdict> verdict = judgeMesh(mesh);
             QVERIFY(verdict && verdict->isFit());
-            QCOMPARE(faultOfCut(verdict->mesh, seedsInBox(mesh, 12, 3)), std::string());
+            QCOMPARE(cutFault(verdict->mesh, seedsInBox(mesh, 12, 3)), std::string());
             const Result<SolidPartition> one = cutSolid(verdict->mesh, std::vector{Vec3(0.1)});
             QVERIFY(one);
             QCOMPARE(one->fragmentCount(), verdict->partCount);
@@ -122,7 +163,7 @@ private slots:
         const Result<MeshVerdict> verdict = judgeMesh(mesh);
         QVERIFY(verdict && verdict->isFit());
         for (const int count : {1, 2, 5, 20}) {
-            const std::string fault = faultOfCut(verdict->mesh, seedsInBox(mesh, count, 4));
+            const std::string fault = cutFault(verdict->mesh, seedsInBox(mesh, count, 4));
             QVERIFY2(fault.empty(), qPrintable(QString("%1 seeds: ").arg(count) + fault.c_str()));
         }
     }

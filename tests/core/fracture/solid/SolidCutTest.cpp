@@ -8,6 +8,7 @@
 #include "core/fracture/verify/VerifySolidPartition.h"
 #include "core/geometry/mesh/SolidMesh.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/fracture/CutFault.h"
 #include "tests/support/geometry/SolidShapes.h"
 
 #include <QTest>
@@ -16,16 +17,12 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 using namespace rubble;
 using namespace rubble::test;
 
 namespace {
-
-std::string cutFault(const TriangleMesh& mesh, const std::vector<Vec3>& seeds) {
-    const Result<SolidPartition> partition = cutSolid(mesh, seeds);
-    return partition ? verifySolidPartition(*partition, mesh, seeds).value_or("") : partition.error().message;
-}
 
 /// Seeds in the middles of the cells of a grid over a mesh's box.
 std::vector<Vec3> gridSeeds(const TriangleMesh& mesh, int count) {
@@ -274,6 +271,18 @@ private slots:
         const TriangleMesh crossing = together(block(2, 2, 2), transformed(block(2, 2, 2), Mat3(1.0), Vec3(1.0)));
         const Result<SolidPartition> cut = cutSolid(crossing, seedsInBox(crossing, 50, 15));
         if (!cut) QCOMPARE(cut.error().code, ErrorCode::Degenerate);
+    }
+    void whatIsNoNumberIsRefused() {
+        const double none = std::numeric_limits<double>::quiet_NaN(), far = 1e300;
+        const TriangleMesh cube = block(1, 1, 1);
+        for (const double bad : {none, far, std::numeric_limits<double>::infinity()}) {
+            TriangleMesh mesh = cube;
+            mesh.points[3].y = bad;
+            QCOMPARE(cutSolid(mesh, std::vector{Vec3(0.5)}).error().code, ErrorCode::BadInput);
+            QCOMPARE(cutSolid(cube, std::vector{Vec3(0.5), Vec3(0.1, 0.1, bad)}).error().code, ErrorCode::BadInput);
+        }
+        QCOMPARE(cutSolid(cube, std::vector<Vec3>()).error().code, ErrorCode::BadInput);
+        QCOMPARE(cutSolid(TriangleMesh(), std::vector{Vec3(0.5)}).error().code, ErrorCode::BadInput);
     }
     void cancels() {
         TaskContext task;

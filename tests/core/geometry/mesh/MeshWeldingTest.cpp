@@ -1,5 +1,6 @@
 #include "core/geometry/mesh/MeshWelding.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/BrokenMeshes.h"
 #include "tests/support/geometry/Outlines.h"
 #include "tests/support/geometry/Solids.h"
 
@@ -8,34 +9,20 @@
 #include <limits>
 
 using namespace rubble;
-
-namespace {
-
-/// Gives every triangle its own points, as in an STL file.
-TriangleMesh unwelded(const TriangleMesh& mesh) {
-    TriangleMesh result;
-    for (const auto& triangle : mesh.triangles) {
-        const auto first = static_cast<std::uint32_t>(result.points.size());
-        for (const std::uint32_t corner : triangle) result.points.push_back(mesh.points[corner]);
-        result.triangles.push_back({first, first + 1, first + 2});
-    }
-    return result;
-}
-
-}  // namespace
+using test::unshared;
 
 class MeshWeldingTest : public QObject {
     Q_OBJECT
 private slots:
     void equalPointsAreWelded() {
-        const Result<WeldedMesh> box = welded(unwelded(prismSolid(unitSquare(), 1.0)));
+        const Result<WeldedMesh> box = welded(unshared(prismSolid(unitSquare(), 1.0)));
         QCOMPARE(box->mesh.points.size(), std::size_t{8});
         QCOMPARE(box->mesh.triangles.size(), std::size_t{12});
         QCOMPARE(box->mergedPoints, std::size_t{0});
         QCOMPARE(box->droppedTriangles, std::size_t{0});
     }
     void nearPointsAreWeldedAndCounted() {
-        TriangleMesh box = unwelded(prismSolid(unitSquare(), 1.0));
+        TriangleMesh box = unshared(prismSolid(unitSquare(), 1.0));
         box.points[35].x += 1e-6;
         const Result<WeldedMesh> result = welded(box);
         QCOMPARE(result->mesh.points.size(), std::size_t{8});
@@ -43,7 +30,7 @@ private slots:
         QVERIFY(std::abs(result->maxMergeDistance - 1e-6) < 1e-12);
     }
     void pointsBeyondTheToleranceAreKept() {
-        TriangleMesh box = unwelded(prismSolid(unitSquare(), 1.0));
+        TriangleMesh box = unshared(prismSolid(unitSquare(), 1.0));
         box.points[4].x += 2e-5;  // the tolerance is 1.7e-5
         QCOMPARE(welded(box)->mesh.points.size(), std::size_t{9});
     }
