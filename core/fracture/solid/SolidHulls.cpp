@@ -36,10 +36,15 @@ Result<HullPart> hullPart(TriangleMesh mesh) {
     return HullPart{std::move(mesh), std::move(*hull), volume, around - volume};
 }
 
-/// How deep a point is below the surface of a hull.
-double depthIn(const Polytope& hull, Vec3 point) {
-    double depth = std::numeric_limits<double>::infinity();
-    for (const Plane& plane : hull.planes) depth = std::min(depth, plane.offset - glm::dot(plane.normal, point));
+/// How deep a point is below the surface of a hull, if deeper than `least`; else that or less, in less time. `nearest`:
+/// the face to try first, which becomes the nearest one.
+double depthIn(const Polytope& hull, Vec3 point, double least, std::size_t& nearest) {
+    const auto depthBelow = [&](const Plane& plane) { return plane.offset - glm::dot(plane.normal, point); };
+    double depth = depthBelow(hull.planes[nearest]);
+    for (std::size_t k = 0; k < hull.planes.size() && depth > least; ++k) {
+        const double below = depthBelow(hull.planes[k]);
+        if (below < depth) depth = below, nearest = k;
+    }
     return depth;
 }
 
@@ -60,6 +65,7 @@ std::optional<Plane> splittingPlane(const HullPart& part) {
     std::ranges::sort(edges, {}, [](const HalfEdge& e) { return std::tuple(e.low, e.high, e.triangle); });
     const double flat = 1e-6 * boundsOf(mesh).diagonal();
     double deepest = flat;
+    std::size_t nearest = 0;
     std::optional<Plane> best;
     for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
         const HalfEdge &first = edges[k], &second = edges[k + 1];
@@ -73,7 +79,7 @@ std::optional<Plane> splittingPlane(const HullPart& part) {
             if (corner != first.low && corner != first.high) height = glm::dot(n, mesh.points[corner] - a);
         }
         if (height <= flat) continue;
-        const double depth = depthIn(part.hull, (a + b) / 2.0);
+        const double depth = depthIn(part.hull, (a + b) / 2.0, deepest, nearest);
         const Vec3 normal = n - m;
         if (depth <= deepest || glm::length(normal) < 1e-3) continue;
         deepest = depth;
