@@ -20,6 +20,7 @@ enum class DiagnosticCode {
     LostPiece,          // a merge, split or setting of a piece that does not exist
     LooseCut,           // a cut that ends within a piece or does not separate it
     NoRoom,             // a scatter placed fewer seeds than requested
+    NeedsPlane,         // a layer of a pattern that has no effect on a mesh
     Gap,                // area that no piece covers
     ThinPiece,          // too thin for a hull; its mass is transferred to a neighbour
     VanishedPiece,      // narrower than the gap between pieces, in whole or in part
@@ -49,7 +50,7 @@ enum class DiagnosticCode {
     LongPath,           // of a file of an export: another system cannot open it
     ManyHullCorners,    // of a hull of an export: an engine does not take it, or simulates it slowly
 };
-inline constexpr int kDiagnosticCodes = 35;
+inline constexpr int kDiagnosticCodes = 36;
 
 /// The code's name in JSON, messages and lists: "DuplicateSeed".
 const char* nameOf(DiagnosticCode code);

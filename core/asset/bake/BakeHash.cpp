@@ -68,6 +68,10 @@ void addHeld(Hasher& hasher, const PlacedSeeds& placed) {
         hasher.add(std::as_bytes(std::span(words).first(count)));
         count = 0;
     }
+    const auto isRaised = [](const PlacedSeeds::Seed& seed) { return seed.height != 0.0; };
+    if (std::ranges::none_of(placed.seeds, isRaised)) return;
+    hasher.add(std::string_view("heights"));
+    for (const PlacedSeeds::Seed& seed : placed.seeds) hasher.add(seed.height);
 }
 
 void addHeld(Hasher& hasher, const CrackLines& layer) {
@@ -92,14 +96,18 @@ void add(Hasher& hasher, const PatternLayer& layer) {
     hasher.add(std::uint64_t{layer.id});
     hasher.add(layer.randomSeed);
     hasher.add(std::uint64_t{layer.parameters.index()});
-    for (const LayerParameter& parameter : kindOf(layer.parameters).parameters)
+    for (const LayerParameter& parameter : kindOf(layer.parameters).parameters) {
+        if (!isWritten(parameter, layer.parameters)) continue;
+        if (parameter.isSpatial) hasher.add(parameter.name);
         add(hasher, parameter, layer.parameters);
+    }
     std::visit([&](const auto& parameters) { addHeld(hasher, parameters); }, layer.parameters);
     hasher.add(std::uint64_t{layer.overrides.size()});
     for (const SeedOverride& change : layer.overrides) {
         hasher.add(std::uint64_t{change.index});
         hasher.add(std::uint64_t{change.isDeleted});
         add(hasher, change.isDeleted ? Vec2{0.0, 0.0} : change.position);
+        if (!change.isDeleted && change.height != 0.0) add(hasher, Vec2{1.0, change.height});
     }
     if (layer.scatteredIn) add(hasher, *layer.scatteredIn);
 }

@@ -23,6 +23,7 @@ constexpr std::array kGrainParameters{
                               .hint = "Mean length of fragments divided by their mean width",
                               .range = {1.0, kMaxGrainRatio},
                               .sliderRange = {1.0, 10.0}}),
+    parameter<&Grain::tilt>(tiltParameter("Tilt of the grain out of the xy plane; 90°: along z")),
 };
 
 }  // namespace

@@ -26,6 +26,8 @@ std::optional<std::string> PlacedSeeds::fault() const {
             return name() + " is at (" + messageText(seed.position.x) + ", " + messageText(seed.position.y) +
                    "), which is not finite";
         }
+        if (!std::isfinite(seed.height))
+            return name() + " is at a height of " + messageText(seed.height) + ", which is not finite";
     }
     return std::nullopt;
 }
@@ -35,6 +37,12 @@ Status PlacedSeeds::apply(const LayerContext& context, SeedSet& all) const {
     all.positions.reserve(all.size() + seeds.size());
     all.ids.reserve(all.positions.capacity());
     for (const Seed& seed : seeds) all.add({context.layerId, seed.index}, seed.position, true);
+    return success();
+}
+
+Status PlacedSeeds::applyInSolid(const SolidLayerContext& context, SeedSet& all) const {
+    if (seeds.size() > kMaxSeeds - all.size()) return tooManySeeds(context);
+    for (const Seed& seed : seeds) all.add({context.layerId, seed.index}, Vec3(seed.position, seed.height), true);
     return success();
 }
 

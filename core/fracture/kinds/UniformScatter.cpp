@@ -4,6 +4,7 @@
 #include "core/fracture/layer/LayerKind.h"
 #include "core/fracture/layer/OutlineFollowing.h"
 #include "core/fracture/sampling/ScatterArea.h"
+#include "core/fracture/sampling/SolidScatterDomain.h"
 
 namespace rubble {
 namespace {
@@ -34,6 +35,13 @@ Status UniformScatter::apply(const LayerContext& context, SeedSet& seeds) const 
     const std::size_t first = seeds.size();
     if (const Status done = scatter(*wanted, *area, context, seeds); !done) return done;
     return followOutline(context, first, domain, seeds);
+}
+
+Status UniformScatter::applyInSolid(const SolidLayerContext& context, SeedSet& seeds) const {
+    const SolidScatterDomain filled{context.domain, domain};
+    const Result<std::uint32_t> wanted = seedsToAdd(count, filled.volume(), context, seeds);
+    if (!wanted) return wanted.error();
+    return scatter(*wanted, filled, context, seeds);
 }
 
 }  // namespace rubble

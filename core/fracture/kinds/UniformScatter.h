@@ -13,6 +13,7 @@ struct UniformScatter {
 
     bool operator==(const UniformScatter&) const = default;
     Status apply(const LayerContext& context, SeedSet& seeds) const;
+    Status applyInSolid(const SolidLayerContext& context, SeedSet& seeds) const;
     double estimatedPieces(double area) const { return count.in(area); }
     static const LayerKind kKind;
 };

@@ -8,10 +8,12 @@ namespace rubble {
 
 /// Forward declarations for the headers of the layer kinds, which keep Pattern.h cheap to include.
 struct Box2;
+struct Box3;
 struct CutSet;
 struct LayerContext;
 struct LayerKind;
 struct Polygon;
 struct SeedSet;
+struct SolidLayerContext;
 
 }  // namespace rubble

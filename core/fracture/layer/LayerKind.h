@@ -11,6 +11,7 @@ namespace rubble {
 //   - its parameters as members with defaults, and an equality operator,
 //   - `static const LayerKind kKind`, which describes it,
 //   - `apply(context, seeds)` or `cut(context, cuts)`,
+//   - `applyInSolid(context, seeds)`, unless it needs a plane,
 // and where needed
 //   - `static Kind defaultsFor(const Box2& bounds)`, the parameters of a new layer in a domain with these bounds,
 //   - `const char* summary() const` in place of LayerKind::summary, if it depends on parameters,

@@ -18,10 +18,11 @@ std::string unitText(Quantity quantity) {
 
 std::string pointText(Vec2 point) { return "(" + messageText(point.x) + ", " + messageText(point.y) + ")"; }
 
-std::string countText(const SeedCount& count) {
+std::string countText(const SeedCount& count, SeedSpace space = SeedSpace::Plane) {
     switch (count.by) {
         case CountBy::Number: break;
-        case CountBy::Density: return messageText(count.amount) + " per square metre";
+        case CountBy::Density:
+            return messageText(count.amount) + (space == SeedSpace::Plane ? " per square metre" : " per cubic metre");
         case CountBy::FragmentSize: return messageText(count.amount) + " m per fragment";
     }
     return messageText(count.amount);
@@ -62,9 +63,9 @@ std::optional<std::string> parameterFault(const LayerParameter& parameter, const
     return fault(messageText(number));
 }
 
-std::string parameterText(const LayerParameter& parameter, const ParameterValue& value) {
+std::string parameterText(const LayerParameter& parameter, const ParameterValue& value, SeedSpace space) {
     if (const auto* point = std::get_if<Vec2>(&value)) return pointText(*point) + unitText(parameter.quantity);
-    if (const auto* count = std::get_if<SeedCount>(&value)) return countText(*count);
+    if (const auto* count = std::get_if<SeedCount>(&value)) return countText(*count, space);
     const double number = std::get<double>(value);
     if (parameter.type == ParameterType::Option) {
         return std::string(parameter.options[static_cast<std::size_t>(number)].name);

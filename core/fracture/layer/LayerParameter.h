@@ -5,6 +5,7 @@
 
 #include <array>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -55,6 +56,7 @@ struct LayerParameter {
     SliderRange sliderRange = {};
     std::span<const ParameterOption> options = {};  // in the order of the enumerators
     bool (*usedIf)(const void* kind) = nullptr;     // null: always; else depends on other parameters, see usedIf<>()
+    bool isSpatial = false;                         // has an effect on closed meshes only: see isShown()
     ParameterType type = ParameterType::Real;       // set by parameter<>(), as are the next two
     ParameterValue (*readFrom)(const void* kind) = nullptr;  // of a struct of that kind
     void (*writeTo)(void* kind, const ParameterValue&) = nullptr;
@@ -150,11 +152,28 @@ inline constexpr LayerParameter kRingSpacingParameter{
     .range = {0.1, 10.0},
     .sliderRange = {0.25, 4.0, true}};
 
+/// The tilt of a direction out of the xy plane, in space.
+constexpr LayerParameter tiltParameter(const char* hint) {
+    return {.name = "tilt",
+            .caption = "Tilt",
+            .hint = hint,
+            .quantity = Quantity::Angle,
+            .range = {-std::numbers::pi / 2.0, std::numbers::pi / 2.0},
+            .sliderRange = {-std::numbers::pi / 2.0, std::numbers::pi / 2.0},
+            .isSpatial = true};
+}
+
+/// Whether a parameter is shown for seeds in a plane or in a solid.
+inline bool isShown(const LayerParameter& parameter, SeedSpace space) {
+    return !parameter.isSpatial || space == SeedSpace::Solid;
+}
+
 /// The fault of a parameter's value, as the end of a sentence that starts with the layer's name; nothing if it is
 /// valid.
 std::optional<std::string> parameterFault(const LayerParameter& parameter, const ParameterValue& value);
 
-/// A parameter's value as text: "20", "0.3 m", "8 per square metre", "(0.5, 1) m", "outline".
-std::string parameterText(const LayerParameter& parameter, const ParameterValue& value);
+/// A parameter's value as text: "20", "0.3 m", "8 per square metre" or "8 per cubic metre", "(0.5, 1) m", "outline".
+std::string parameterText(const LayerParameter& parameter, const ParameterValue& value,
+                          SeedSpace space = SeedSpace::Plane);
 
 }  // namespace rubble

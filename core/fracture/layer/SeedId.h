@@ -27,6 +27,7 @@ struct SeedOverride {
     std::uint32_t index = 0;  // of the seed in its layer
     bool isDeleted = false;
     Vec2 position{0.0, 0.0};  // its new position, unless deleted
+    double height = 0.0;      // its new z, m, of seeds in space
     bool operator==(const SeedOverride&) const = default;
 };
 

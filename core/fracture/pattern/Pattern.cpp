@@ -3,7 +3,9 @@
 #include "core/base/MessageText.h"
 #include "core/fracture/layer/LayerContext.h"
 #include "core/fracture/layer/LayerKind.h"
+#include "core/fracture/pattern/PatternKind.h"
 #include "core/fracture/pattern/PatternPartition.h"
+#include "core/fracture/pattern/SolidPatternCut.h"
 #include "core/geometry/polygon/PolygonFaults.h"
 
 #include <algorithm>
@@ -18,6 +20,9 @@ std::optional<std::string> overrideFault(const std::vector<SeedOverride>& overri
         const std::string seed = "the change to seed " + std::to_string(change.index);
         if (k > 0 && change.index <= overrides[k - 1].index) {
             return seed + " does not come after the one to seed " + std::to_string(overrides[k - 1].index);
+        }
+        if (!change.isDeleted && !std::isfinite(change.height)) {
+            return seed + " moves it to a height of " + messageText(change.height) + ", which is not finite";
         }
         if (!change.isDeleted && !(std::isfinite(change.position.x) && std::isfinite(change.position.y))) {
             return seed + " moves it to (" + messageText(change.position.x) + ", " + messageText(change.position.y) +
@@ -37,7 +42,7 @@ std::optional<std::string> scatteredInFault(const Polygon& outline) {
 }
 
 /// Moves and deletes seeds of the last layer, which start at `first`, ascending by index.
-void applyOverrides(const LayerContext& context, std::size_t first, SeedSet& seeds) {
+void applyOverrides(const EvaluatedLayer& context, std::size_t first, SeedSet& seeds) {
     if (context.overrides.empty()) return;
     std::vector<bool> isDeleted(seeds.size() - first, false);
     const auto begin = seeds.ids.begin() + static_cast<std::ptrdiff_t>(first);
@@ -51,7 +56,8 @@ void applyOverrides(const LayerContext& context, std::size_t first, SeedSet& see
             continue;
         }
         const std::size_t seed = static_cast<std::size_t>(found - seeds.ids.begin());
-        seeds.positions[seed] = change.isDeleted ? seeds.positions[seed] : change.position;
+        if (!change.isDeleted) seeds.positions[seed] = change.position;
+        if (!change.isDeleted && !seeds.heights.empty()) seeds.heights[seed] = change.height;
         seeds.isLocked[seed] = true;
         isDeleted[seed - first] = change.isDeleted;
     }
@@ -68,6 +74,12 @@ std::optional<std::string> parametersFault(const Parameters& parameters) {
     } else {
         return std::nullopt;
     }
+}
+
+Diagnostic needsPlane(const PatternLayer& layer) {
+    return diagnostic(DiagnosticCode::NeedsPlane, {.layer = layer.id},
+                      "Layer " + std::to_string(layer.id) + " (" + kindOf(layer.parameters).caption +
+                          ") needs a plane and has no effect on a mesh.");
 }
 
 /// The densities of enabled layers. Those of later kinds come first: their sum depends on the order in its last bits.
@@ -113,14 +125,11 @@ Result<Seeds> seedsOf(const Pattern& pattern, const Polygon& outline, const Task
     for (const PatternLayer& layer : pattern.layers) {
         if (!layer.isOn) continue;
         if (task.isCancelled()) return TaskContext::cancelled();
-        const LayerContext context{.layerId = layer.id,
-                                   .randomSeed = layer.randomSeed,
-                                   .overrides = layer.overrides,
-                                   .outline = outline,
-                                   .task = task,
-                                   .cellsOf = cells,
-                                   .densities = densitiesOf(std::span(pattern.layers.data(), &layer), outline),
-                                   .scatteredIn = layer.scatteredIn ? &*layer.scatteredIn : nullptr};
+        const LayerContext context{{layer.id, layer.randomSeed, layer.overrides, task},
+                                   outline,
+                                   cells,
+                                   densitiesOf(std::span(pattern.layers.data(), &layer), outline),
+                                   layer.scatteredIn ? &*layer.scatteredIn : nullptr};
         const std::size_t first = seeds.size();
         const Status applied = std::visit(
             [&](const auto& parameters) -> Status {
@@ -131,7 +140,36 @@ Result<Seeds> seedsOf(const Pattern& pattern, const Polygon& outline, const Task
         if (!applied) return applied.error();
         applyOverrides(context, first, seeds);
     }
-    return Seeds{std::move(seeds.positions), std::move(seeds.ids), std::move(seeds.diagnostics)};
+    return Seeds{std::move(seeds.positions), {}, std::move(seeds.ids), std::move(seeds.diagnostics)};
+}
+
+Result<Seeds> seedsOf(const Pattern& pattern, const SolidDomain& domain, const TaskContext& task) {
+    if (std::optional<std::string> fault = verifyPattern(pattern)) return Error{ErrorCode::BadInput, *fault};
+    const auto cells = [&](std::span<const Vec3> positions) {
+        return cutWithPattern(pattern, domain.mesh(), positions, task);
+    };
+    SeedSet seeds;
+    for (const PatternLayer& layer : pattern.layers) {
+        if (!layer.isOn) continue;
+        if (task.isCancelled()) return TaskContext::cancelled();
+        const SolidLayerContext context{{layer.id, layer.randomSeed, layer.overrides, task}, domain, cells};
+        if (!kindOf(layer.parameters).isSpatial) {
+            seeds.diagnostics.push_back(needsPlane(layer));
+            continue;
+        }
+        const std::size_t first = seeds.size();
+        const Status applied = std::visit(
+            [&](const auto& parameters) -> Status {
+                if constexpr (requires { parameters.applyInSolid(context, seeds); })
+                    return parameters.applyInSolid(context, seeds);
+                return success();
+            },
+            layer.parameters);
+        if (!applied) return applied.error();
+        applyOverrides(context, first, seeds);
+    }
+    return Seeds{std::move(seeds.positions), std::move(seeds.heights), std::move(seeds.ids),
+                 std::move(seeds.diagnostics)};
 }
 
 }  // namespace rubble

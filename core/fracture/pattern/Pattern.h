@@ -14,6 +14,8 @@
 
 namespace rubble {
 
+class SolidDomain;
+
 /// One step of a pattern.
 struct PatternLayer {
     std::uint32_t id = 0;  // unique in the project
@@ -33,12 +35,16 @@ struct Pattern {
     bool operator==(const Pattern&) const = default;
 };
 
-/// The seeds of a pattern on an outline.
+/// The seeds of a pattern on an outline, or in a closed mesh.
 struct Seeds {
     std::vector<Vec2> positions;
-    std::vector<SeedId> ids;  // one per position
-    /// LostOverride, at the layer and the index of the seed; NoRoom, at the layer, whose value is the number of seeds.
+    std::vector<double> heights;  // z of each, m; empty: all lie in the plane
+    std::vector<SeedId> ids;      // one per position
+    /// LostOverride, at the layer and the index of the seed; NoRoom, at the layer, whose value is the number of seeds;
+    /// NeedsPlane, at the layer.
     std::vector<Diagnostic> diagnostics;
+
+    Vec3 at(std::size_t seed) const { return {positions[seed], heights.empty() ? 0.0 : heights[seed]}; }
 };
 
 /// Returns a sentence that names the first invalid parameter and its layer; nothing if the pattern is valid.
@@ -49,5 +55,12 @@ std::optional<std::string> verifyPattern(const Pattern& pattern);
 /// Errors: BadInput if verifyPattern() finds a fault; Limit above kMaxSeeds; Crossing if the outline is not
 /// valid; Cancelled.
 Result<Seeds> seedsOf(const Pattern& pattern, const Polygon& outline, const TaskContext& task = {});
+
+/// The seeds of a pattern in a closed mesh, with heights. They are named as in the plane. Layers that need a plane have
+/// no effect. The same pattern and mesh give the same bits.
+///
+/// Errors: BadInput if verifyPattern() finds a fault; Limit above kMaxSeeds; those of cutWithPattern() if a layer moves
+/// seeds; Cancelled.
+Result<Seeds> seedsOf(const Pattern& pattern, const SolidDomain& domain, const TaskContext& task = {});
 
 }  // namespace rubble

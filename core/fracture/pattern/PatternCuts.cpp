@@ -20,7 +20,7 @@ Result<CutSet> cutsOf(const Pattern& pattern, const Polygon& outline, const Task
     for (const PatternLayer& layer : pattern.layers) {
         if (!isCutting(layer)) continue;
         if (task.isCancelled()) return TaskContext::cancelled();
-        const LayerContext context{layer.id, layer.randomSeed, layer.overrides, outline, task};
+        const LayerContext context{{layer.id, layer.randomSeed, layer.overrides, task}, outline};
         const Status cut = std::visit(
             [&](const auto& parameters) -> Status {
                 if constexpr (requires { parameters.cut(context, cuts); }) return parameters.cut(context, cuts);

@@ -1,5 +1,6 @@
 #include "core/fracture/pattern/PatternKind.h"
 
+#include "core/fracture/layer/LayerContext.h"
 #include "core/geometry/polygon/Polygon.h"
 
 #include <array>
@@ -21,6 +22,10 @@ PatternKind patternKind() {
     if constexpr (requires(const Kind& layer) { layer.elementCount(); }) {
         kind.elementCount = [](const LayerParameters& parameters) { return std::get<Kind>(parameters).elementCount(); };
     }
+    kind.isSpatial = Kind::kKind.role == LayerRole::Measures ||
+                     requires(const Kind& layer, const SolidLayerContext& context, SeedSet& seeds) {
+        layer.applyInSolid(context, seeds);
+    };
     return kind;
 }
 
@@ -35,6 +40,14 @@ const auto& allKinds() { return kindsOf(static_cast<const LayerParameters*>(null
 }  // namespace
 
 const PatternKind& kindOf(const LayerParameters& parameters) { return allKinds()[parameters.index()]; }
+
+bool isWritten(const LayerParameter& parameter, const LayerParameters& layer) {
+    const auto isDefault = [&]<class Kind>(const Kind&) {
+        const Kind defaults;
+        return parameter.readFrom(&defaults) == parameter.read(layer);
+    };
+    return !parameter.isSpatial || !std::visit(isDefault, layer);
+}
 
 std::span<const PatternKind* const> patternKinds() {
     static const auto kPointers = [] {

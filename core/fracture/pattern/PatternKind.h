@@ -15,10 +15,15 @@ struct PatternKind : LayerKind {
     LayerParameters (*defaultsFor)(const Box2& bounds);
     /// The number of elements that a layer holds besides its parameters, such as placed seeds; null: it holds none.
     std::size_t (*elementCount)(const LayerParameters& parameters);
+    /// Whether it has an effect on a closed mesh; the others need a plane.
+    bool isSpatial = false;
 };
 
 /// The kind of a layer.
 const PatternKind& kindOf(const LayerParameters& parameters);
+/// Whether files and hashes contain a parameter of a layer: a spatial one only where it differs from its default, so
+/// that those of patterns in the plane stay as they are.
+bool isWritten(const LayerParameter& parameter, const LayerParameters& layer);
 /// All kinds, in the order of LayerParameters.
 std::span<const PatternKind* const> patternKinds();
 

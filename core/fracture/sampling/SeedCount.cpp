@@ -5,9 +5,10 @@
 
 namespace rubble {
 
-double SeedCount::in(double area) const {
+double SeedCount::in(double size, SeedSpace space) const {
     if (by == CountBy::Number) return amount;
-    const double exact = by == CountBy::Density ? area * amount : area / amount / amount;
+    const double exact =
+        by == CountBy::Density ? size * amount : size / amount / amount / (space == SeedSpace::Solid ? amount : 1.0);
     return std::max(1.0, std::floor(exact + 0.5));
 }
 

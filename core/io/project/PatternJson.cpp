@@ -68,16 +68,23 @@ ParameterValue readParameter(const JsonValue& value, const LayerParameter& param
     return value.number();
 }
 
+/// Writes the height of a seed in space, unless it is zero.
+void writeHeight(JsonWriter& json, double height) {
+    if (height != 0.0) json.number("height", height);
+}
+double readHeight(const JsonValue& object) { return object["height"].isPresent() ? object["height"].number() : 0.0; }
+
 void writeSeed(JsonWriter& json, const PlacedSeeds::Seed& seed) {
     json.openObject({}, JsonLayout::Inline);
     json.wholeNumber("index", seed.index);
     json.numbers("position", {seed.position.x, seed.position.y});
+    writeHeight(json, seed.height);
     json.close();
 }
 
 PlacedSeeds::Seed readSeed(const JsonValue& value) {
-    value.requireObject({"index", "position"});
-    return {.index = value["index"].index(), .position = value["position"].point()};
+    value.requireObject({"index", "position"}, {"height"});
+    return {.index = value["index"].index(), .position = value["position"].point(), .height = readHeight(value)};
 }
 
 // Data that a kind has besides its parameters: its key, and how it is written and read.
@@ -115,18 +122,24 @@ void writeData(JsonWriter& json, const DensityImage& layer) { writeGreyImage(jso
 void readData(const JsonValue& value, DensityImage& layer) { layer.image = readGreyImage(value); }
 
 void writeParameters(JsonWriter& json, const LayerParameters& parameters) {
-    for (const LayerParameter& each : kindOf(parameters).parameters) writeParameter(json, each, parameters);
+    for (const LayerParameter& each : kindOf(parameters).parameters) {
+        if (isWritten(each, parameters)) writeParameter(json, each, parameters);
+    }
     std::visit([&](const auto& kind) { writeData(json, kind); }, parameters);
 }
 
 LayerParameters readParameters(const PatternKind& kind, const JsonValue& value) {
-    LayerParameters read = kind.defaultsFor({{0.0, 0.0}, {1.0, 1.0}});  // all values are overwritten
+    LayerParameters read = kind.defaultsFor({{0.0, 0.0}, {1.0, 1.0}});  // all but spatial values are overwritten
     const std::string_view data = std::visit([](const auto& parameters) { return dataKey(parameters); }, read);
-    std::vector<std::string_view> keys;
-    for (const LayerParameter& parameter : kind.parameters) keys.push_back(parameter.name);
+    std::vector<std::string_view> keys, spatialKeys;
+    for (const LayerParameter& parameter : kind.parameters)
+        (parameter.isSpatial ? spatialKeys : keys).push_back(parameter.name);
     if (!data.empty()) keys.push_back(data);
-    value.requireObject(keys);
-    for (const LayerParameter& each : kind.parameters) each.write(read, readParameter(value[each.name], each));
+    value.requireObject(keys, spatialKeys);
+    for (const LayerParameter& each : kind.parameters) {
+        const JsonValue given = value[each.name];
+        if (!each.isSpatial || given.isPresent()) each.write(read, readParameter(given, each));
+    }
     if (!data.empty()) std::visit([&](auto& parameters) { readData(value[data], parameters); }, read);
     return read;
 }
@@ -136,14 +149,16 @@ void writeOverride(JsonWriter& json, const SeedOverride& change) {
     json.wholeNumber("index", change.index);
     json.boolean("deleted", change.isDeleted);
     json.numbers("position", {change.position.x, change.position.y});
+    writeHeight(json, change.height);
     json.close();
 }
 
 SeedOverride readOverride(const JsonValue& value) {
-    value.requireObject({"index", "deleted", "position"});
+    value.requireObject({"index", "deleted", "position"}, {"height"});
     return {.index = value["index"].index(),
             .isDeleted = value["deleted"].boolean(),
-            .position = value["position"].point()};
+            .position = value["position"].point(),
+            .height = readHeight(value)};
 }
 
 void writeLayer(JsonWriter& json, const PatternLayer& layer) {

@@ -16,7 +16,7 @@ namespace {
 
 Status cutBy(const CrackLines& layer, CutSet& cuts, const TaskContext& task = {}) {
     const Polygon outline = unitSquare();
-    return layer.cut({.layerId = 7, .randomSeed = 0, .overrides = {}, .outline = outline, .task = task}, cuts);
+    return layer.cut({{.layerId = 7, .randomSeed = 0, .overrides = {}, .task = task}, outline}, cuts);
 }
 
 std::string faultOf(const CrackLines& layer) { return layer.fault().value_or(""); }

@@ -19,8 +19,7 @@ private slots:
         SeedSet seeds;
         seeds.add({1, 0}, {0.5, 0.5}, false);
         const PlacedSeeds placed{{{0, {0.1, 0.2}}, {3, {0.4, 0.3}}}};
-        QVERIFY(
-            placed.apply({.layerId = 7, .randomSeed = 0, .overrides = {}, .outline = outline, .task = task}, seeds));
+        QVERIFY(placed.apply({{.layerId = 7, .randomSeed = 0, .overrides = {}, .task = task}, outline}, seeds));
         QCOMPARE(seeds.size(), std::size_t{3});
         QCOMPARE(seeds.positions[2], Vec2(0.4, 0.3));
         QCOMPARE(seeds.ids[2].text(), "7.3");

@@ -14,7 +14,7 @@ const Polygon kSquare = unitSquare();
 const TaskContext kTask;
 
 LayerContext layer(std::uint32_t id) {
-    return {.layerId = id, .randomSeed = 3, .overrides = {}, .outline = kSquare, .task = kTask};
+    return {{.layerId = id, .randomSeed = 3, .overrides = {}, .task = kTask}, kSquare};
 }
 
 }  // namespace
@@ -59,8 +59,7 @@ private slots:
         QCOMPARE(seeds.positions[3], Vec2(1.0, 2.0));
         TaskContext cancelled;
         cancelled.cancel.cancel();
-        const LayerContext context{
-            .layerId = 4, .randomSeed = 3, .overrides = {}, .outline = kSquare, .task = cancelled};
+        const LayerContext context{{.layerId = 4, .randomSeed = 3, .overrides = {}, .task = cancelled}, kSquare};
         QCOMPARE(scatter(4, Corner{}, context, seeds).error().code, ErrorCode::Cancelled);
     }
 };

@@ -272,7 +272,7 @@ private slots:
             seeds.add({0, 0}, {0.5, 0.5}, false);
             const Status applied = std::visit(
                 [&](const auto& parameters) -> Status {
-                    const LayerContext context{layer.id, layer.randomSeed, layer.overrides, outline, task};
+                    const LayerContext context{{layer.id, layer.randomSeed, layer.overrides, task}, outline};
                     if constexpr (requires { parameters.apply(context, seeds); })
                         return parameters.apply(context, seeds);
                     if constexpr (requires { parameters.cut(context, cuts); }) return parameters.cut(context, cuts);
