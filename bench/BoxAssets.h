@@ -14,7 +14,7 @@ inline Asset boxAsset(const SeedList& seeds) {
     asset.id = 1;
     asset.name = "box";
     asset.material = 1;
-    asset.prism = {{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}, {}}, 0.5};
+    asset.shape = Prism{{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}, {}}, 0.5};
     asset.pattern.layers.push_back({.id = 1, .parameters = std::move(placed)});
     return asset;
 }
@@ -30,7 +30,7 @@ inline Project wallProject(std::uint32_t fragments) {
     Project project;
     project.nextId = 10;
     project.materials = {{.id = 1, .name = "stone"}};
-    Asset wall{.id = 2, .name = "wall", .material = 1, .prism = {rectangleOutline(1.5, 1.0), 0.25}};
+    Asset wall{.id = 2, .name = "wall", .material = 1, .shape = Prism{rectangleOutline(1.5, 1.0), 0.25}};
     wall.pattern.layers = {{.id = 3, .randomSeed = 1, .parameters = UniformScatter{.count = fragments}}};
     project.assets = {wall};
     project.instances = {{.id = 4, .name = "wall", .asset = 2}};

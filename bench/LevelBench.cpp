@@ -18,7 +18,7 @@ Pattern scattered(std::uint32_t layer, std::uint32_t count) {
 
 Asset box(std::uint32_t pieces) {
     Asset asset{.id = 1, .name = "box", .material = 1};
-    asset.prism = {{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}, {}}, 0.5};
+    asset.shape = Prism{{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}, {}}, 0.5};
     asset.pattern = scattered(1, pieces);
     return asset;
 }

@@ -47,7 +47,7 @@ double repaintTime(const Asset& asset) {
     BondPainter painter(document, selection);
     PatternCanvas canvas(document, selection, bakes, painter);
     selection.prune(document.project());
-    PlanarFracture cut = planarFracture(recipeOf(asset), asset.prism, {}).value();
+    PlanarFracture cut = planarFracture(recipeOf(asset), asset.prism(), {}).value();
     bakes.setPattern(asset.id,
                      std::make_shared<BakedPattern>(BakedPattern{.asset = std::make_shared<const Asset>(asset),
                                                                  .seeds = std::move(cut.seeds),
@@ -72,7 +72,7 @@ void measureRebuild() {
         "| 500 pieces | cells, ms | fragments, ms | painting, ms | cells : painting | fragments : painting |\n");
     std::printf("| --- | --- | --- | --- | --- | --- |\n");
     for (const auto& [name, asset] : patternAssets(kFew)) {
-        const double cells = medianOf([&] { planarFracture(recipeOf(asset), asset.prism, {}).value(); });
+        const double cells = medianOf([&] { planarFracture(recipeOf(asset), asset.prism(), {}).value(); });
         const double fragments = medianOf([&] { bake(asset).value(); });
         const double painting = repaintTime(asset);
         std::printf("| %s | %.3f | %.3f | %.3f | %.2f | %.2f |\n", name.c_str(), cells, fragments, painting,

@@ -36,7 +36,7 @@ Id addBonded(Project& project, Vec2 size, double depth, std::uint32_t fragments,
         project,
         {.name = "wall",
          .material = stone,
-         .prism = {{rectangle({-size.x / 2.0, -size.y / 2.0}, {size.x / 2.0, size.y / 2.0}), {}}, depth}},
+         .shape = Prism{{rectangle({-size.x / 2.0, -size.y / 2.0}, {size.x / 2.0, size.y / 2.0}), {}}, depth}},
         {UniformScatter{.count = fragments}});
     project.assets.back().breakAs = BreakAs::Bonded;
     project.assets.back().bonding.impulsePerArea = impulsePerArea;

@@ -14,7 +14,7 @@ double debrisCase(std::size_t n) {
     Project project;
     project.materials = {{.id = 1, .name = "stone"}};
     Asset asset{.id = 2, .name = "block", .material = 1};
-    asset.prism = {{{{0.0, 0.0}, {size, 0.0}, {size, size}, {0.0, size}}, {}}, 0.5};
+    asset.shape = Prism{{{{0.0, 0.0}, {size, 0.0}, {size, size}, {0.0, size}}, {}}, 0.5};
     PlacedSeeds cells;
     for (std::uint32_t k = 0; k < side * side; ++k) {
         cells.seeds.push_back({k, {0.5 + static_cast<double>(k % side), 0.5 + static_cast<double>(k / side)}});

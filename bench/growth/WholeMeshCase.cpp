@@ -14,10 +14,10 @@ namespace {
 /// A prism on a regular n-gon, without seeds.
 Asset regularPrism(std::size_t n) {
     Asset asset{.id = 1, .name = "prism"};
-    asset.prism.depth = 0.5;
+    asset.prism().depth = 0.5;
     for (std::size_t k = 0; k < n; ++k) {
         const double angle = 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(n);
-        asset.prism.outline.outer.push_back({std::cos(angle), std::sin(angle)});
+        asset.prism().outline.outer.push_back({std::cos(angle), std::sin(angle)});
     }
     return asset;
 }

@@ -148,7 +148,7 @@ void AssetActions::addSeedsFromMesh() {
     std::optional<SourceScene> mesh = readMesh(path, importer, window);
     if (!mesh) return;
     const Asset& asset = *m_workspace.asset();
-    MeshSeedsDialog dialog(fileNameText(path), std::move(*mesh), asset.prism.outline, window);
+    MeshSeedsDialog dialog(fileNameText(path), std::move(*mesh), asset.prism().outline, window);
     if (dialog.exec() != QDialog::Accepted) return;
     m_workspace.document().push(addLayer(m_workspace.project(), asset.id, dialog.seeds()).edit);
 }

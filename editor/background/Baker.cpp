@@ -35,15 +35,15 @@ std::optional<PatternRequest> enteredFragmentRequest(std::shared_ptr<const Asset
 
 Result<PlanarFracture> cutFor(const PatternRequest& request, const TaskContext& task) {
     const Asset& asset = *request.asset;
-    if (request.parent.empty()) return planarFracture(recipeOf(asset), asset.prism, task);
+    if (request.parent.empty()) return planarFracture(recipeOf(asset), asset.prism(), task);
     const std::string id = std::to_string(asset.id) + "/" + request.parent;
     const Level& level = *levelFor(asset, request.parent, levelOf(request.parent));
-    return planarFracture(recipeOf(asset, id, level, request.solid.offset), request.solid.prism, task);
+    return planarFracture(recipeOf(asset, id, level, Vec3(request.solid.offset, 0.0)), request.solid.prism, task);
 }
 
 /// Whether the whole of both has the same pattern: edits of deeper levels do not change it.
 bool isSameWhole(const Asset& a, const Asset& b) {
-    return a.prism == b.prism && a.pattern == b.pattern && a.shaping == b.shaping && a.edits == b.edits;
+    return isSameShape(a, b) && a.pattern == b.pattern && a.shaping == b.shaping && a.edits == b.edits;
 }
 
 /// Null if cancelled.
@@ -76,7 +76,7 @@ BakeQueue::Work patternWork(const std::shared_ptr<const Asset>& asset, const Sel
     std::vector<PatternRequest> requests;
     if (std::optional<PatternRequest> entered = enteredFragmentRequest(asset, selection, bakes))
         requests.push_back(std::move(*entered));
-    requests.push_back({asset, {}, {}, bakes.findPattern(asset->id)});
+    if (asset->isPrism()) requests.push_back({asset, {}, {}, bakes.findPattern(asset->id)});
     return [&bakes, requests = std::move(requests)](const TaskContext& task) -> BakeQueue::Delivery {
         std::vector<std::shared_ptr<const BakedPattern>> patterns;
         for (const PatternRequest& request : requests) {

@@ -1,6 +1,7 @@
 #include "editor/commands/AssetPatterns.h"
 
 #include "core/asset/bake/Bake.h"
+#include "core/asset/project/AssetShape.h"
 #include "core/asset/project/FragmentLevels.h"
 #include "editor/document/ShownText.h"
 
@@ -106,7 +107,7 @@ std::size_t depthAt(const Asset& asset, std::size_t index) {
 }
 
 Box2 domainBounds(const Asset& asset, std::size_t index) {
-    const Box2 bounds = boundsOf(asset.prism.outline.outer);
+    const Box2 bounds = planeBoundsOf(asset);
     if (index == 0) return bounds;
     const auto depth = static_cast<double>(depthAt(asset, index));
     const Vec2 half = bounds.size() / 2.0 * std::pow(kTypicalFragmentSize, depth);

@@ -3,6 +3,7 @@
 #include "core/asset/bake/FragmentLookup.h"
 #include "core/fracture/pattern/PatternPartition.h"
 #include "core/geometry/polygon/AreaMoments.h"
+#include "core/structure/bonds/FragmentSilhouette.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/document/CellSelection.h"
 
@@ -79,7 +80,8 @@ std::vector<SelectedFragment> selectedDescendants(const Bake& bake, const Fragme
         const FragmentPath path = bake.fragmentPath(root);
         if (!isWithin(path, parent) || parentOf(path) == parent) continue;
         const Fragment solid = bake.fragment(root).solid;
-        fragments.push_back({path, area(solid.outline()), splitLine(solid.outline(), Vec2{solid.offset()})});
+        const Polygon outline = silhouetteOf(solid);
+        fragments.push_back({path, area(outline), splitLine(outline, Vec2{solid.offset()})});
     }
     return fragments;
 }

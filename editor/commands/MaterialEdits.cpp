@@ -1,5 +1,6 @@
 #include "editor/commands/MaterialEdits.h"
 
+#include "core/asset/project/AssetShape.h"
 #include "core/asset/project/Names.h"
 #include "core/asset/strength/Threshold.h"
 
@@ -29,7 +30,7 @@ Id findOrAddMaterial(const Project& project, const MaterialPreset& preset, Edit&
 
 void applyPattern(const Project& project, const MaterialPreset& preset, Asset& asset, Edit& edit) {
     if (preset.pattern.layers.empty()) return;
-    asset.pattern = patternWithin(preset, boundsOf(asset.prism.outline.outer));
+    asset.pattern = patternWithin(preset, planeBoundsOf(asset));
     for (PatternLayer& layer : asset.pattern.layers) {
         layer.id = edit.allocateId(project);
         layer.randomSeed = layer.id;

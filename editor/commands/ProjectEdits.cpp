@@ -1,5 +1,6 @@
 #include "editor/commands/ProjectEdits.h"
 
+#include "core/asset/project/AssetShape.h"
 #include "core/asset/project/Ids.h"
 #include "core/asset/project/Names.h"
 #include "core/asset/strength/Threshold.h"
@@ -37,8 +38,16 @@ void addRemoval(Id id, Edit& edit) {
 
 /// The largest horizontal extent of an asset from its axis, at any rotation about the vertical, m.
 double horizontalExtent(const Asset& asset) {
-    double extent = asset.prism.depth / 2.0;
-    for (const Vec2 corner : asset.prism.outline.outer) extent = std::max(extent, std::abs(corner.x));
+    if (const ClosedMesh* mesh = asset.mesh()) {
+        double extent = 0.0;
+        for (int k = 0; k < 8; ++k) {
+            const Vec3 corner = mesh->bounds.corner(k);
+            extent = std::max(extent, std::hypot(corner.x, corner.z));
+        }
+        return extent;
+    }
+    double extent = asset.prism().depth / 2.0;
+    for (const Vec2 corner : asset.prism().outline.outer) extent = std::max(extent, std::abs(corner.x));
     return extent;
 }
 
@@ -49,7 +58,7 @@ Pose poseBesideScene(const Project& project, const Asset& asset) {
         const Asset& other = elementWith(project.assets, instance.asset);
         right = std::max(right, instance.pose.position.x + horizontalExtent(other));
     }
-    const double bottom = boundsOf(asset.prism.outline.outer).min.y;
+    const double bottom = boundsOf(asset).min.y;
     return {.position = {right + kGapBetweenAssets + horizontalExtent(asset), project.ground.height - bottom, 0.0}};
 }
 
@@ -195,7 +204,7 @@ Edit editBetween(const QString& text, const Project& from, const Project& to) {
 
 Addition addAsset(const Project& project, const std::string& name, const Prism& prism) {
     Addition addition{{.text = ProjectEditsTexts::tr("Add Asset")}};
-    Asset asset{.name = uniqueName(project.assets, name), .prism = prism};
+    Asset asset{.name = uniqueName(project.assets, name), .shape = prism};
     asset.material = firstOrNewMaterial(project, addition.edit);
     if (const Material* material = findMaterial(project, asset.material)) deriveThresholdIfKnown(asset, *material);
     asset.id = addition.id = addition.edit.allocateId(project);

@@ -2,11 +2,13 @@
 
 #include "core/asset/bake/FractureResult.h"
 #include "core/asset/bake/FragmentLookup.h"
+#include "core/asset/bake/SolidShaping.h"
 #include "core/asset/project/FragmentLevels.h"
 #include "core/asset/strength/Threshold.h"
 #include "core/fracture/pattern/SeedEdits.h"
 #include "core/fracture/sampling/PairIndex.h"
 #include "core/geometry/polygon/PolygonFaults.h"
+#include "core/structure/bonds/FragmentSilhouette.h"
 #include "editor/commands/AssetPatterns.h"
 #include "editor/commands/FragmentEdits.h"
 
@@ -71,10 +73,18 @@ double limitOfTinyFragments(const Asset& asset, const Bake& baked, SmallPieces s
     for (const Diagnostic& problem : problemsOf(asset, baked, {.most = baked.fragmentCount()})) {
         if (problem.code != DiagnosticCode::TinyPiece) continue;
         const Fragment solid = baked.fragment(problem.place.fragment).solid;
-        const Partition& pieces = solid.all().partition;
+        const std::optional<ExtrudedFragment> extruded = solid.extruded();
+        if (!extruded) {
+            const double whole = baked.whole.volume;
+            const std::uint32_t siblings = solid.all().count();
+            limit = std::max(limit, solid.volume() / minFragmentVolume(small, whole, siblings));
+            continue;
+        }
+        const Partition& pieces = solid.all().extruded()->partition;
         const std::vector<double> areas = pieceAreas(pieces);
         const double whole = std::accumulate(areas.begin(), areas.end(), 0.0);
-        limit = std::max(limit, areas[solid.piece()] / minPieceArea(small, whole, pieces.pieceCount(), solid.depth()));
+        limit = std::max(limit,
+                         areas[extruded->piece()] / minPieceArea(small, whole, pieces.pieceCount(), extruded->depth()));
     }
     return limit;
 }
@@ -129,13 +139,14 @@ struct FracturedOutline {
 };
 std::optional<FracturedOutline> fracturedOutline(const Asset& asset, const FragmentPath& parent,
                                                  const TaskContext& task) {
-    if (parent.empty()) return FracturedOutline{asset.prism.outline, asset.pattern};
+    if (!asset.isPrism()) return std::nullopt;
+    if (parent.empty()) return FracturedOutline{asset.prism().outline, asset.pattern};
     const Level* level = levelFor(asset, parent, levelOf(parent));
     const Result<Bake> baked = bake(asset, task);
     if (!baked || !level) return std::nullopt;
     const std::uint32_t fragment = fragmentAt(*baked, parent).value_or(kNone);
     if (fragment == kNone) return std::nullopt;
-    return FracturedOutline{baked->fragment(fragment).solid.outline(),
+    return FracturedOutline{baked->fragment(fragment).solid.extruded()->outline(),
                             patternFor(baked->fragmentId(fragment), level->pattern)};
 }
 
@@ -174,7 +185,7 @@ void splitRepeatedly(Asset& asset, const std::set<FragmentPath>& fragments, cons
             } else if (!others.contains(path) && parents.contains(parentOf(path))) {
                 const Fragment solid = baked->fragment(k).solid;
                 if (solid.isConvex() || solid.hulls().size() <= ProblemLimits{}.hulls) continue;
-                asset.edits.push_back(FragmentSplit{path, splitLine(solid.outline(), Vec2{solid.offset()})});
+                asset.edits.push_back(FragmentSplit{path, splitLine(silhouetteOf(solid), Vec2{solid.offset()})});
             }
         }
         if (asset.edits.size() == before) return;
@@ -196,7 +207,8 @@ bool canFix(const Project& project, const Diagnostic& problem, QuickFix fix) {
         case QuickFix::DeleteSeed: return isOfSeed(problem.code) && seedOf(problem.place) && problem.place.level == 0;
         case QuickFix::RemoveOverride: return problem.code == DiagnosticCode::LostOverride && seedOf(problem.place);
         case QuickFix::DeletePoint:
-            return problem.code == DiagnosticCode::FaultyOutline && repeatedPoint(asset->prism.outline);
+            return problem.code == DiagnosticCode::FaultyOutline && asset->isPrism() &&
+                   repeatedPoint(asset->prism().outline);
         case QuickFix::Relax:
             return problem.code == DiagnosticCode::Sliver || problem.code == DiagnosticCode::TinyPiece;
         case QuickFix::MergeTinyFragments: return problem.code == DiagnosticCode::TinyPiece;
@@ -264,7 +276,7 @@ Edit applyFix(const Project& project, std::span<const Diagnostic> problems, Quic
         switch (fix) {
             case QuickFix::DeleteSeed: deleteSeed(asset.pattern, *seedOf(problem.place)); break;
             case QuickFix::RemoveOverride: restoreSeed(asset.pattern, *seedOf(problem.place)); break;
-            case QuickFix::DeletePoint: deleteRepeatedPoints(asset.prism.outline); break;
+            case QuickFix::DeletePoint: deleteRepeatedPoints(asset.prism().outline); break;
             case QuickFix::MergeTinyFragments: merged.insert(problem.place.asset); break;
             case QuickFix::ReduceCount: reduceCount(asset, problem, task); break;
             case QuickFix::SplitFragment: split[problem.place.asset].insert(problem.place.path); break;

@@ -87,20 +87,23 @@ void scale(Surface& surface, const Scaling& map, double factorOfDepth) {
 
 }  // namespace
 
-Vec3 sizeOf(const Asset& asset) { return {boundsOf(asset.prism.outline.outer).size(), asset.prism.depth}; }
-
 Asset resized(Asset asset, Vec3 size) {
-    const Box2 bounds = boundsOf(asset.prism.outline.outer);
+    const Vec3 before = sizeOf(asset);
+    const Box2 bounds = planeBoundsOf(asset);
     const Scaling map{bounds, (bounds.min + bounds.max) / 2.0, Vec2{size} / bounds.size(), Vec2{size}};
     if (asset.surface) {
         auto surface = std::make_shared<Surface>(*asset.surface);
-        scale(*surface, map, size.z / asset.prism.depth);
+        scale(*surface, map, size.z / before.z);
         asset.surface = std::move(surface);
     }
-    scale(asset.prism.outline, map);
+    if (asset.isPrism()) {
+        scale(asset.prism().outline, map);
+        asset.prism().depth = size.z;
+    } else {
+        asset.shape = scaled(*asset.mesh(), size / before);
+    }
     scale(asset.pattern, map);
     scale(asset.bonding, map);
-    asset.prism.depth = size.z;
     return asset;
 }
 

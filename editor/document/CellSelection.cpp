@@ -1,5 +1,6 @@
 #include "editor/document/CellSelection.h"
 
+#include "core/asset/project/AssetShape.h"
 #include "core/fracture/pattern/PatternPartition.h"
 #include "core/fracture/voronoi/VoronoiPartition.h"
 
@@ -56,7 +57,7 @@ std::vector<bool> selectedPieces(const BakedPattern& pattern, const FragmentSele
 }
 
 double minimumSharedEdge(const BakedPattern& pattern) {
-    return kMinSharedEdge * boundsOf(pattern.asset->prism.outline.outer).diagonal();
+    return kMinSharedEdge * planeBoundsOf(*pattern.asset).diagonal();
 }
 
 }  // namespace rubble

@@ -26,17 +26,19 @@ std::optional<FragmentSolid> fragmentSolid(const Bakes& bakes, Id asset, const F
         const std::optional<std::uint32_t> number = fragmentAt(*bake, fragment);
         if (!number || *number == kNone) return std::nullopt;
         const Fragment solid = bake->fragment(*number).solid;
-        return FragmentSolid{{solid.outline(), solid.depth()}, Vec2{solid.offset()}};
+        const std::optional<ExtrudedFragment> extruded = solid.extruded();
+        if (!extruded) return std::nullopt;
+        return FragmentSolid{{extruded->outline(), extruded->depth()}, Vec2{solid.offset()}};
     }
     const std::shared_ptr<const BakedPattern> before = bakes.findPattern(asset, fragment);
     if (!before) return std::nullopt;
-    return FragmentSolid{before->asset->prism, before->offset};
+    return FragmentSolid{before->asset->prism(), before->offset};
 }
 
 Asset fragmentAsAsset(Asset asset, const FragmentPath& fragment, Prism prism) {
     const Level* level = levelFor(asset, fragment, levelOf(fragment));
     asset.pattern = level ? Pattern(level->pattern) : Pattern();
-    asset.prism = std::move(prism);
+    asset.shape = std::move(prism);
     return asset;
 }
 

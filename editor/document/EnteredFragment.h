@@ -14,7 +14,8 @@ struct FragmentSolid {
     Prism prism;            // in the fragment's frame, like its seeds
     Vec2 offset{0.0, 0.0};  // of that frame in the asset's, m
 };
-/// The solid in the last bake; if that failed, in the last pattern. None if the fragment does not exist.
+/// The solid in the last bake; if that failed, in the last pattern. None if the fragment does not exist, or is one of a
+/// mesh.
 std::optional<FragmentSolid> fragmentSolid(const Bakes& bakes, Id asset, const FragmentPath& fragment);
 
 /// A fractured fragment as an asset of its own: `asset` with the fragment's prism and pattern in place of its own.

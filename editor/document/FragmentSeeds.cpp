@@ -1,7 +1,7 @@
 #include "editor/document/FragmentSeeds.h"
 
 #include "core/asset/bake/FragmentLookup.h"
-#include "core/fracture/pattern/PatternPartition.h"
+#include "core/fracture/fragments/FragmentName.h"
 
 namespace rubble {
 
@@ -20,7 +20,7 @@ std::vector<std::optional<SeedId>> seedsOfFragments(const Bake& bake, const Frag
         for (std::uint32_t k = 0; k < fracture.fragments.count(); ++k) {
             std::optional<SeedId>& seed = seeds[fracture.first + k];
             if (fracture.parent == *fractured) {
-                seed = cellId(fracture.fragments.partition, fracture.fragments[k].piece(), fracture.seeds.ids);
+                seed = cellId(fracture.fragments[k], fracture.seeds.ids);
             } else if (fracture.parent != kNone) {
                 seed = seeds[fracture.parent];  // it has a lower index
             }

@@ -1,5 +1,6 @@
 #include "editor/views/Views.h"
 
+#include "core/asset/project/AssetShape.h"
 #include "editor/background/OverlapWatch.h"
 #include "editor/canvas/tools/OutlineTool.h"
 #include "editor/canvas/widget/PatternCanvas.h"
@@ -302,7 +303,7 @@ void Views::frameTrial(const Shot& shot, Id tried) {
     const auto* thrown = std::get_if<Throw>(&shot.action);
     const Asset* asset = thrown != nullptr ? findAsset(m_workspace.project(), thrown->asset) : nullptr;
     if (asset == nullptr) return;
-    const Vec3 around(0.5 * glm::length(Vec3(boundsOf(asset->prism.outline.outer).size(), asset->prism.depth)));
+    const Vec3 around(0.5 * glm::length(sizeOf(*asset)));
     Box3 way{thrown->from - around, thrown->from + around};
     way.min.y = std::min(way.min.y, m_workspace.project().ground.height);
     m_scene->viewport().frame(way);

@@ -88,7 +88,7 @@ private slots:
             for (std::uint32_t k = 0; k < m_bake.fragmentCount(); ++k) isFound |= isSuch(m_bake.fragment(k).solid);
             return isFound;
         };
-        QVERIFY(has([](const Fragment& solid) { return !solid.outline().holes.empty(); }));
+        QVERIFY(has([](const Fragment& solid) { return !solid.extruded()->outline().holes.empty(); }));
         QVERIFY(has([](const Fragment& solid) { return solid.partOfCell() != kNone; }));
         QVERIFY(has([](const Fragment& solid) { return solid.hulls().size() > 1; }));
     }

@@ -72,7 +72,7 @@ private slots:
         exportAsset(project.assets[0].name);
         write(m_packs / kSceneName, QByteArray::fromStdString(sceneFileJson(project, {})));
         for (const fs::path& path : {m_packs, m_packs / kSceneName}) QCOMPARE(check(path).exit, 0);
-        project.assets[0].prism.depth *= 2.0;
+        project.assets[0].prism().depth *= 2.0;
         write(m_packs / kSceneName, QByteArray::fromStdString(sceneFileJson(project, {})));
         for (const fs::path& path : {m_packs, m_packs / kSceneName}) {
             const CheckRun run = check(path);
@@ -181,7 +181,7 @@ private slots:
     void hullsOfManyCornersAreReported() {
         const auto checkDisc = [&](int corners, const QStringList& options) {
             Project project = boxProject(UniformScatter{.count = 1});
-            Ring& outline = project.assets[0].prism.outline.outer;
+            Ring& outline = project.assets[0].prism().outline.outer;
             outline.clear();
             for (int k = 0; k < corners; ++k) {
                 const double angle = 2.0 * std::numbers::pi * k / corners;

@@ -48,7 +48,7 @@ struct RandomRun {
 
 RandomRun randomRun(const char* name, Random& random) {
     RandomRun run{*loadProject(std::string(RUBBLE_SOURCE_DIR "/projects/") + name + ".rubble"), {}};
-    const Box2 front = boundsOf(run.project.assets[0].prism.outline.outer);
+    const Box2 front = boundsOf(run.project.assets[0].prism().outline.outer);
     run.project.shots.clear();
     run.project.playTests.clear();
     const std::uint64_t count = 1 + random.below(3);

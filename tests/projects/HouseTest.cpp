@@ -17,7 +17,7 @@ using namespace rubble::test;
 namespace {
 
 /// The seeds of an asset's first level on its outline.
-std::vector<Vec2> seedsOfAsset(const Asset& asset) { return seedsOf(asset.pattern, asset.prism.outline)->positions; }
+std::vector<Vec2> seedsOfAsset(const Asset& asset) { return seedsOf(asset.pattern, asset.prism().outline)->positions; }
 
 /// An instance with its body in its own frame. The house's prisms are convex.
 struct Placed {
@@ -28,7 +28,7 @@ struct Placed {
 std::vector<Placed> placedBodies(const Project& project) {
     std::vector<Placed> bodies;
     for (const Instance& instance : project.instances) {
-        const Prism& prism = findAsset(project, instance.asset)->prism;
+        const Prism& prism = findAsset(project, instance.asset)->prism();
         bodies.push_back({&instance, extruded(prism.outline.outer, -prism.depth / 2.0, prism.depth / 2.0)});
     }
     return bodies;
@@ -58,15 +58,15 @@ private slots:
         QCOMPARE(counts, (std::map<std::string, int>{{"gable", 2}, {"roof", 4}, {"wall", 71}}));
     }
     void hasTheThesisDimensions() {
-        const Ring& gable = findAsset(m_house, "gable")->prism.outline.outer;
+        const Ring& gable = findAsset(m_house, "gable")->prism().outline.outer;
         QCOMPARE(glm::distance(gable[0], gable[1]), 5.0);
         QVERIFY(std::abs(glm::distance(gable[1], gable[2]) - 2.89) < 1e-15);
         QVERIFY(std::abs(glm::distance(gable[2], gable[0]) - 2.89) < 1e-15);
-        QCOMPARE(findAsset(m_house, "gable")->prism.depth, 0.5);
-        QCOMPARE(boundsOf(findAsset(m_house, "wall")->prism.outline.outer).size(), Vec2(1.0, 1.0));
-        QCOMPARE(findAsset(m_house, "wall")->prism.depth, 0.5);
-        QCOMPARE(boundsOf(findAsset(m_house, "roof")->prism.outline.outer).size(), Vec2(3.5, 3.0));
-        QCOMPARE(findAsset(m_house, "roof")->prism.depth, 0.25);
+        QCOMPARE(findAsset(m_house, "gable")->prism().depth, 0.5);
+        QCOMPARE(boundsOf(findAsset(m_house, "wall")->prism().outline.outer).size(), Vec2(1.0, 1.0));
+        QCOMPARE(findAsset(m_house, "wall")->prism().depth, 0.5);
+        QCOMPARE(boundsOf(findAsset(m_house, "roof")->prism().outline.outer).size(), Vec2(3.5, 3.0));
+        QCOMPARE(findAsset(m_house, "roof")->prism().depth, 0.25);
     }
     void largerAssetsHaveMoreSeeds() {
         const std::size_t wall = seedsOfAsset(*findAsset(m_house, "wall")).size();

@@ -63,7 +63,7 @@ Project plateOf(const std::string& material, Vec3 size) {
     const Id id = test::addMaterial(project, materialOf(findMaterial(library, material)->preset, 0));
     Asset plate{.name = "plate",
                 .material = id,
-                .prism = {{rectangle({-size.x / 2.0, -size.y / 2.0}, {size.x / 2.0, size.y / 2.0}), {}}, size.z}};
+                .shape = Prism{{rectangle({-size.x / 2.0, -size.y / 2.0}, {size.x / 2.0, size.y / 2.0}), {}}, size.z}};
     deriveThreshold(plate);
     const Id asset = test::addAsset(project, plate, {UniformScatter{.count = 12}});
     test::addInstance(project, asset, "plate", {});
@@ -75,7 +75,7 @@ Project plateOf(const std::string& material, Vec3 size) {
 bool breaks(const Project& project, double mass, double speed) {
     Session session = test::sessionOf(project, {.dt = 1.0 / 240.0});
     const double radius = 0.05;
-    const double front = project.assets[0].prism.depth / 2.0 + radius;
+    const double front = project.assets[0].prism().depth / 2.0 + radius;
     test::addInput(session, ShotInput{"ball", Throw{.kind = ProjectileKind::Ball,
                                                     .size = Vec3(2.0 * radius),
                                                     .mass = mass,

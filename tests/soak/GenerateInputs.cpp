@@ -48,7 +48,7 @@ private:
     /// The mass of an instance, kg, at most.
     double massOf(const Instance& one) const {
         const Asset& asset = *findAsset(project(), one.asset);
-        const double volume = massOfPrism(asset.prism.outline, asset.prism.depth).volume;
+        const double volume = massOfPrism(asset.prism().outline, asset.prism().depth).volume;
         return volume * findMaterial(project(), asset.material)->density;
     }
 

@@ -94,14 +94,14 @@ Asset randomAsset(Random& random, Project& project, const RandomScene& scene) {
     Asset asset{.id = id,
                 .name = "asset " + std::to_string(id),
                 .material = project.materials[random.below(project.materials.size())].id,
-                .prism = randomPrism(random, size)};
+                .shape = randomPrism(random, size)};
     asset.pattern = randomPattern(random, size, project.nextId);
     const double density = findMaterial(project, asset.material)->density;
     const double momentum = density * size * scene.speed;  // N·s/m²: of a layer of that thickness
-    asset.threshold = momentum * size * asset.prism.depth * magnitudeIn(random, 0.003, 1.0);
+    asset.threshold = momentum * size * asset.prism().depth * magnitudeIn(random, 0.003, 1.0);
     while (chance(random, 0.2) && asset.levels.size() < 2) {
         asset.levels.push_back({.pattern = {{{.id = project.nextId++, .parameters = UniformScatter{3}}}},
-                                .minimumVolume = chance(random, 0.5) ? 0.0 : 1e-3 * size * size * asset.prism.depth});
+                                .minimumVolume = chance(random, 0.5) ? 0.0 : 1e-3 * size * size * asset.prism().depth});
     }
     if (chance(random, 0.1)) asset.shaping.gap = 0.01 * size;
     if (chance(random, 0.15)) asset.shaping.smallPieces.rule = SmallPieceRule::Merge;
@@ -111,7 +111,7 @@ Asset randomAsset(Random& random, Project& project, const RandomScene& scene) {
         asset.cutAtImpact = CutAtImpact{.fragments = 2 + static_cast<std::uint32_t>(random.below(20)),
                                         .falloffRadius = size * magnitudeIn(random, 0.05, 1.0)};
     }
-    asset.bonding = randomBonding(random, asset.prism, size, momentum);
+    asset.bonding = randomBonding(random, asset.prism(), size, momentum);
     const Bake baked = smallBake(asset, project.nextId);
     if (asset.breakAs == BreakAs::Bonded && chance(random, 0.3)) addClusters(random, asset, baked);
     return asset;
@@ -122,7 +122,7 @@ void addFloor(Random& random, Project& project, const RandomScene& scene) {
     const double half = scene.size * random.between(1.0, 3.0), thick = scene.size * random.between(0.05, 0.5);
     const Id id = project.nextId++;
     Asset floor{.id = id, .name = "floor", .material = project.materials[0].id};
-    floor.prism = {{{{-half, -thick}, {half, -thick}, {half, 0.0}, {-half, 0.0}}, {}}, 2.0 * half};
+    floor.shape = Prism{{{{-half, -thick}, {half, -thick}, {half, 0.0}, {-half, 0.0}}, {}}, 2.0 * half};
     floor.pattern.layers = {{.id = project.nextId++, .randomSeed = id, .parameters = UniformScatter{8}}};
     project.assets.push_back(floor);
     project.instances.push_back({.id = project.nextId++,
@@ -144,12 +144,13 @@ public:
     void add() {
         const Asset& asset = m_project.assets[m_random.below(m_project.assets.size())];
         const Quat orientation = randomRotation(m_random);
-        const double below = heightOf(asset.prism, orientation, -1.0), above = heightOf(asset.prism, orientation, 1.0);
+        const double below = heightOf(asset.prism(), orientation, -1.0),
+                     above = heightOf(asset.prism(), orientation, 1.0);
         Vec3 at(m_last.x, m_top + below, m_last.z);
         switch (m_random.below(5)) {
             case 0: break;  // on the last one
-            case 1: at = sideways(asset.prism, orientation, below, 0.0); break;
-            case 2: at = sideways(asset.prism, orientation, below, m_size * m_random.between(0.01, 0.5)); break;
+            case 1: at = sideways(asset.prism(), orientation, below, 0.0); break;
+            case 2: at = sideways(asset.prism(), orientation, below, m_size * m_random.between(0.01, 0.5)); break;
             case 3: at.y += m_size * magnitudeIn(m_random, 0.05, 4.0); break;
             default:
                 at += m_size *
@@ -158,7 +159,7 @@ public:
         place(asset, {at, orientation});
         m_last = at;
         m_top = at.y + above;
-        m_right = std::max(m_right, at.x + extentOf(asset.prism, orientation));
+        m_right = std::max(m_right, at.x + extentOf(asset.prism(), orientation));
     }
 
 private:

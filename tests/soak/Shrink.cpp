@@ -138,8 +138,8 @@ private:
             change([](Asset& asset) { asset.bonding.minimumIsland = 1; });
             change([](Asset& asset) { asset.shaping = {}; });
             change([](Asset& asset) { asset.cutAtImpact.reset(); });
-            change([](Asset& asset) { asset.prism.outline.holes.clear(); });
-            change([](Asset& asset) { makeBox(asset.prism); });
+            change([](Asset& asset) { asset.prism().outline.holes.clear(); });
+            change([](Asset& asset) { makeBox(asset.prism()); });
             simplifyPattern(k, change);
         }
     }
@@ -215,7 +215,7 @@ private:
                 });
             }
             for (std::size_t k = 0; k < m_best.one.project.assets.size(); ++k) {
-                attempt([&](SoakCase& one) { roundPrism(one.project.assets[k].prism, digits); });
+                attempt([&](SoakCase& one) { roundPrism(one.project.assets[k].prism(), digits); });
                 attempt([&](SoakCase& one) { roundStrength(one.project.assets[k], digits); });
             }
             for (std::size_t k = 0; k < m_best.one.inputs.size(); ++k) {

@@ -47,7 +47,9 @@ public:
     /// Makes room for the fragments of one level, so that they are not moved while others are added. Each corner of a
     /// fragment is a vertex of two fans and of two quads.
     void reserve(const Fragments& fragments) {
-        const std::size_t corners = fragments.partition.corners.size(), count = fragments.partition.pieceCount();
+        const ExtrudedPieces* pieces = fragments.extruded();
+        if (!pieces) return;
+        const std::size_t corners = pieces->partition.corners.size(), count = pieces->partition.pieceCount();
         m_geometry->vertices.reserve(m_geometry->vertices.size() + 6 * corners + 2 * count);
         m_geometry->indices.reserve(m_geometry->indices.size() + 12 * corners);
         m_geometry->boxes.reserve(m_geometry->boxes.size() + count);
@@ -64,7 +66,7 @@ public:
                                   .volume = solid.volume(),
                                   .parent = fragment.parent,
                                   .parentVolumeFraction = parent / m_model.bake->whole.volume,
-                                  .aspect = aspectRatio(solid.outline()),
+                                  .aspect = solid.aspectRatio(),
                                   .level = fragment.level,
                                   .colour = colour});
         const SolidPart part{m_mesher.fragmentMesh(fragment, cuts.cornersOf(number)), m_mortar.around(fragment)};
@@ -83,10 +85,8 @@ public:
             for (Vec3& position : parts[0].mesh.positions) position += centre;
         }
         const Colour colour = fragmentColour(std::to_string(m_model.asset.id));
-        m_model.solids.push_back({.offset = offset,
-                                  .volume = bake.whole.volume,
-                                  .aspect = aspectRatio(m_model.asset.prism.outline),
-                                  .colour = colour});
+        m_model.solids.push_back(
+            {.offset = offset, .volume = bake.whole.volume, .aspect = wholeAspect(bake), .colour = colour});
         addSolid(*m_geometry, parts, texture());
         if (!m_hulls) return;
         std::vector<Polytope> hulls = bake.wholeHulls;
@@ -103,6 +103,9 @@ public:
     }
 
 private:
+    double wholeAspect(const Bake& bake) const {
+        return m_model.asset.isPrism() ? aspectRatio(m_model.asset.prism().outline) : aspectRatio(bake.whole);
+    }
     /// The fragments of the whole with their mortar, in its frame.
     std::vector<SolidPart> partsWithin(const Bake& bake, Vec3 offset, const RoughCuts& cuts) const {
         std::vector<SolidPart> parts;

@@ -55,7 +55,7 @@ std::shared_ptr<const SceneGeometry> arrowOf(const PrismFit& prism) {
 
 /// Adds the prism as the hull of a body without geometry.
 void addPrism(RenderScene& scene, const PrismFit& prism) {
-    const AssetModel model = modelOf({.prism = {prism.outline, prism.depth}}, nullptr, {});
+    const AssetModel model = modelOf({.shape = Prism{prism.outline, prism.depth}}, nullptr, {});
     if (model.solids.empty()) return;
     const auto noGeometry = std::make_shared<SceneGeometry>();
     noGeometry->boxes = model.geometry->boxes;

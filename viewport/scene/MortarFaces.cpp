@@ -1,5 +1,6 @@
 #include "viewport/scene/MortarFaces.h"
 
+#include "core/asset/project/AssetShape.h"
 #include "core/fracture/pattern/PatternCuts.h"
 #include "core/geometry/polygon/ConvexParts.h"
 #include "core/geometry/polygon/IndexedCorners.h"
@@ -50,14 +51,15 @@ void addCaps(std::vector<PlainFace>& faces, const Ring& ring, double z) {
 
 MortarFaces::MortarFaces(const Asset& asset)
     : m_joint(jointWidthOf(asset.pattern)),
-      m_recess(std::min(kRecessOfJoint * m_joint, kMaxRecessOfDepth * asset.prism.depth)) {}
+      m_recess(std::min(kRecessOfJoint * m_joint, kMaxRecessOfDepth * sizeOf(asset).z)) {}
 
 std::vector<PlainFace> MortarFaces::around(const BakedFragment& fragment) const {
     std::vector<PlainFace> faces;
-    if (!isThere() || fragment.level > 0) return faces;
-    const Polygon cell = fragment.solid.cell();
-    const std::vector<std::uint32_t> neighbours = fragment.solid.cellNeighbours();
-    const double z = fragment.solid.depth() / 2.0 - m_recess;
+    const std::optional<ExtrudedFragment> extruded = fragment.solid.extruded();
+    if (!isThere() || fragment.level > 0 || !extruded) return faces;
+    const Polygon cell = extruded->cell();
+    const std::vector<std::uint32_t> neighbours = extruded->cellNeighbours();
+    const double z = extruded->depth() / 2.0 - m_recess;
     if (cell.holes.empty() && isConvex(cell.outer)) {
         Ring ring = cell.outer;
         for (std::size_t k = 0; k < cell.outer.size() && !ring.empty(); ++k) {

@@ -17,7 +17,7 @@ bool isSameBake(const std::shared_ptr<const Bake>& a, const std::shared_ptr<cons
 bool isModelOf(const AssetModel& model, const Asset& asset, std::uint32_t variant,
                const std::shared_ptr<const Bake>& bake, const SceneOptions& options) {
     return model.asset.id == asset.id && model.variant == variant && model.level == options.level &&
-           isSameBake(model.bake, bake) && (bake || model.asset.prism == asset.prism) &&
+           isSameBake(model.bake, bake) && (bake || isSameShape(model.asset, asset)) &&
            model.asset.surface == asset.surface && model.asset.texture == asset.texture &&
            model.asset.insideUvScale == asset.insideUvScale &&
            model.asset.shaping.roughness == asset.shaping.roughness && (model.hulls || !options.hasHulls) &&

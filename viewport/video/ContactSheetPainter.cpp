@@ -1,5 +1,6 @@
 #include "viewport/video/ContactSheetPainter.h"
 
+#include "core/asset/project/AssetShape.h"
 #include "core/base/OutOfMemory.h"
 #include "core/base/limits/Threads.h"
 #include "viewport/scene/play/SessionSceneBuilder.h"
@@ -18,9 +19,8 @@ constexpr double kAzimuthOffset =
     0.35;  // rad, to the right of the shot, so that the projectile does not hide the impact
 
 /// The bounding box of an instance in the world.
-Box3 boundsOfInstance(const Instance& instance, const Prism& prism) {
-    const Box2 outline = boundsOf(prism.outline.outer);
-    const Box3 local{Vec3(outline.min, -prism.depth / 2.0), Vec3(outline.max, prism.depth / 2.0)};
+Box3 boundsOfInstance(const Instance& instance, const Asset& asset) {
+    const Box3 local = boundsOf(asset);
     Box3 box;
     for (int corner = 0; corner < 8; ++corner) {
         box.include(instance.pose.position + instance.pose.orientation * local.corner(corner));
@@ -46,11 +46,11 @@ std::optional<ShotPath> pathOfShot(const SheetRequest& request) {
 /// The box around the instance nearest to the shot, or the first one, with space for falling debris.
 Box3 boundsUnderShot(const SheetRequest& request) {
     const std::optional<ShotPath> shot = pathOfShot(request);
-    const Prism& prism = findAsset(request.project, request.asset)->prism;
+    const Asset& asset = *findAsset(request.project, request.asset);
     Box3 nearest;
     for (const Instance& instance : request.project.instances) {
         if (instance.asset != request.asset) continue;
-        const Box3 box = boundsOfInstance(instance, prism);
+        const Box3 box = boundsOfInstance(instance, asset);
         const bool isNearer = shot && glm::distance(box.centre(), shot->at) < glm::distance(nearest.centre(), shot->at);
         if (nearest.isEmpty() || isNearer) nearest = box;
     }

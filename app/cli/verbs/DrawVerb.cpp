@@ -37,7 +37,8 @@ PatternSvgOptions svgOptions(const std::vector<std::string>& words) {
 /// Fractures the asset in the plane and adds its warnings.
 Result<PatternPanel> panelOf(const Asset& asset, std::vector<AssetWarnings>& all, const CliContext& context) {
     const TaskContext task{.cancel = context.cancel};
-    Result<PlanarFracture> cut = planarFracture(recipeOf(asset), asset.prism, task);
+    if (!asset.isPrism()) return Error{ErrorCode::Unsupported, "It is a mesh, which has no plan to draw."};
+    Result<PlanarFracture> cut = planarFracture(recipeOf(asset), asset.prism(), task);
     if (!cut) return cut.error();
     std::vector<Diagnostic> warnings = cut->seeds.diagnostics;
     warnings.insert(warnings.end(), cut->partition.diagnostics.begin(), cut->partition.diagnostics.end());

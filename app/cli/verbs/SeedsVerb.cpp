@@ -104,7 +104,9 @@ Status addVertexSeeds(const SeedsOptions& options, VerbReport& report, const Cli
     VertexView view = options.view;
     if (options.along != "z") view.along = options.along == "x" ? FileAxis::X : FileAxis::Y;
     const AssetChange change = [&](Project& project, Asset& asset) -> Result<ChangedAsset> {
-        Result<VertexSeeds> found = seedsAtVertices(*mesh, view, asset.prism.outline);
+        if (!asset.isPrism())
+            return Error{ErrorCode::Unsupported, "Seeds at the points of a mesh need the outline of a prism."};
+        Result<VertexSeeds> found = seedsAtVertices(*mesh, view, asset.prism().outline);
         if (!found) return found.error();
         const std::size_t count = found->seeds.seeds.size();
         const std::string omissions = found->omissionText();

@@ -83,7 +83,9 @@ Status checkSize(const LevelWork& work, const Bake& bake) {
     BakeEstimate estimate{static_cast<double>(bake.fragmentCount()), static_cast<double>(bake.fractures.size())};
     for (std::size_t k = 0; k < work.parents.size(); ++k) {
         const Fragment solid = bake.fragment(work.parents[k]).solid;
-        const double pieces = estimatedPieces(work.levels[k]->pattern, solid.volume() / solid.depth());
+        const std::optional<ExtrudedFragment> extruded = solid.extruded();
+        const double filled = extruded ? solid.volume() / extruded->depth() : solid.volume();
+        const double pieces = estimatedPieces(work.levels[k]->pattern, filled);
         estimate.fragments += pieces;
         estimate.largest = std::max(estimate.largest, pieces);
         estimate.fractures += 1.0;
@@ -99,8 +101,8 @@ void fracture(const Asset& asset, const Bake& bake, const TaskContext& task, Lev
     forEachIndex(work.parents.size(), task.threads, [&](std::size_t k) {
         const std::uint32_t parent = work.parents[k];
         const Fragment solid = bake.fragment(parent).solid;
-        const Recipe recipe = recipeOf(asset, bake.fragmentId(parent), *work.levels[k], Vec2{solid.offset()});
-        work.fractures[k] = fractureResult(recipe, {solid.outline(), solid.depth()}, quiet);
+        const Recipe recipe = recipeOf(asset, bake.fragmentId(parent), *work.levels[k], solid.offset());
+        work.fractures[k] = fractureResult(recipe, solid, quiet);
     });
 }
 
@@ -155,6 +157,17 @@ void reportLost(const Asset& asset, Bake& bake) {
     }
 }
 
+/// Adds the mass and the hulls of the whole.
+Status addWhole(const Asset& asset, const Prism& prism, const TaskContext& task, Bake& bake) {
+    const ClosedMesh* mesh = asset.mesh();
+    bake.whole = mesh ? mesh->mass : massOfPrism(prism.outline, prism.depth);
+    Result<std::vector<Polytope>> hulls =
+        mesh ? meshHulls(*mesh, bake.whole.centre, task) : prismHulls(prism, Vec2{bake.whole.centre});
+    if (!hulls) return hulls.error();
+    bake.wholeHulls = std::move(*hulls);
+    return success();
+}
+
 }  // namespace
 
 std::uint32_t Bake::fragmentCount() const {
@@ -193,7 +206,7 @@ const BakedFracture* Bake::fractureOf(std::uint32_t parent) const {
 }
 
 Result<Bake> bake(const Asset& asset, const TaskContext& task) {
-    if (const std::optional<std::string> fault = prismRangeFault("Asset " + quotedName(asset.name), asset.prism)) {
+    if (const std::optional<std::string> fault = shapeRangeFault("Asset " + quotedName(asset.name), asset)) {
         return Error{ErrorCode::BadInput, *fault};
     }
     if (const std::optional<std::string> fault = sizeFault(estimateOf(asset))) {
@@ -201,15 +214,12 @@ Result<Bake> bake(const Asset& asset, const TaskContext& task) {
     }
     const std::size_t levels = maxLevels(asset);
     Result<FractureResult> first =
-        fractureResult(recipeOf(asset), asset.prism, task.stage(0.0, 1.0 / static_cast<double>(levels + 1)));
+        fractureResult(recipeOf(asset), asset, task.stage(0.0, 1.0 / static_cast<double>(levels + 1)));
     if (!first) return ofAsset(asset, first.error());
     Bake result;
     result.asset = asset.id;
     result.input = bakeInputHash(asset);
-    result.whole = massOfPrism(first->prism.outline, first->prism.depth);
-    Result<std::vector<Polytope>> hulls = prismHulls(first->prism, Vec2{result.whole.centre});
-    if (!hulls) return ofAsset(asset, hulls.error());
-    result.wholeHulls = std::move(*hulls);
+    if (const Status made = addWhole(asset, first->prism, task, result); !made) return ofAsset(asset, made.error());
     CappedDiagnostics diagnostics;
     append(std::move(*first), kNone, result, diagnostics);
 

@@ -4,7 +4,7 @@
 #include "core/asset/project/Project.h"
 #include "core/base/Hash.h"
 #include "core/base/TaskContext.h"
-#include "core/fracture/pieces/Fragment.h"
+#include "core/fracture/fragments/Fragment.h"
 
 #include <string>
 #include <vector>
@@ -35,7 +35,7 @@ struct BakedFragment {
 struct Bake {
     Id asset = 0;
     ContentHash input;                     // bakeInputHash() of the asset
-    MassProperties whole;                  // of the prism, at density 1
+    MassProperties whole;                  // of the asset, at density 1
     std::vector<Polytope> wholeHulls;      // in the frame of the whole's centre of mass
     std::vector<BakedFracture> fractures;  // of the whole, then ascending parent
     std::vector<Diagnostic> diagnostics;   // level by level
@@ -56,7 +56,7 @@ struct Bake {
 
 /// Carries out an asset's recipe: seeds, partition and fragments, level by level.
 ///
-/// Errors, each with the asset's name: BadInput for a prism out of range (prismRangeFault()); those of
+/// Errors, each with the asset's name: BadInput for a shape out of range (shapeRangeFault()); those of
 /// validated(Prism), seedsOf() and triangulate(); Limit if the bake would be too large (sizeFault()), before it starts
 /// or before a level; Cancelled.
 Result<Bake> bake(const Asset& asset, const TaskContext& task = {});

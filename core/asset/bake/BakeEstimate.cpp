@@ -1,5 +1,6 @@
 #include "core/asset/bake/BakeEstimate.h"
 
+#include "core/asset/project/AssetShape.h"
 #include "core/base/MessageText.h"
 #include "core/fracture/pattern/PieceEstimate.h"
 
@@ -41,8 +42,9 @@ double BakeEstimate::bytes(MemoryStage stage) const {
 }
 
 BakeEstimate estimateOf(const Asset& asset) {
-    const double whole = std::abs(area(asset.prism.outline));
-    const double volume = whole * asset.prism.depth;
+    // What patterns fill: the outline, or the mesh.
+    const double volume = volumeOf(asset);
+    const double whole = asset.isPrism() ? std::abs(area(asset.prism().outline)) : volume;
     double count = estimatedPieces(asset.pattern, whole);
     BakeEstimate estimate{count, 1.0, count};
     for (const Level& level : asset.levels) {

@@ -34,6 +34,13 @@ void add(Hasher& hasher, const Prism& prism) {
     hasher.add(prism.depth);
 }
 
+/// A mesh starts with a word that the number of an outline's corners cannot be.
+void add(Hasher& hasher, const ClosedMesh& mesh) {
+    hasher.add(std::uint64_t{1} << 63);
+    hasher.add(mesh.hash.high);
+    hasher.add(mesh.hash.low);
+}
+
 /// A plain number is hashed alone, as before there were other counts; others start with a word that no number can be.
 void add(Hasher& hasher, const SeedCount& count) {
     if (count.by == CountBy::Number) return hasher.add(static_cast<std::uint64_t>(count.amount));
@@ -172,7 +179,11 @@ ContentHash bakeInputHash(const Asset& asset) {
     Hasher hasher;
     hasher.add(kBakeVersion);
     hasher.add(std::uint64_t{asset.id});
-    add(hasher, asset.prism);
+    if (const ClosedMesh* mesh = asset.mesh()) {
+        add(hasher, *mesh);
+    } else {
+        add(hasher, asset.prism());
+    }
     add(hasher, asset.pattern);
     hasher.add(std::uint64_t{asset.levels.size()});
     for (const Level& level : asset.levels) add(hasher, level);

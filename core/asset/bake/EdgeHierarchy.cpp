@@ -57,7 +57,8 @@ std::vector<PieceEdge> EdgeHierarchy::edgesOf(FracturePiece piece) const {
 
 std::vector<PieceEdge> EdgeHierarchy::edgesOf(std::uint32_t fragment) const {
     const std::uint32_t fracture = m_bake.fractureContaining(fragment);
-    return edgesOf({fracture, fragmentsOf(fracture).pieceOfFragment[fragment - m_bake.fractures[fracture].first]});
+    return edgesOf(
+        {fracture, fragmentsOf(fracture).extruded()->pieceOfFragment[fragment - m_bake.fractures[fracture].first]});
 }
 
 EdgeHierarchy::FragmentEdges EdgeHierarchy::indexedEdgesOf(std::uint32_t fragment) const {
@@ -102,8 +103,8 @@ std::vector<EdgeOverlap> EdgeHierarchy::overlapsOf(const PieceEdge& edge) const 
 
 std::vector<EdgeInterval> EdgeHierarchy::intervalsOf(const PieceEdge& edge) const {
     const Fragments& fragments = fragmentsOf(edge.fracture);
-    const std::uint32_t fragment = fragments.fragmentOfPiece[edge.piece];
-    const bool isFragment = fragment != kNone && fragments.pieceOfFragment[fragment] == edge.piece;
+    const std::uint32_t fragment = fragments.extruded()->fragmentOfPiece[edge.piece];
+    const bool isFragment = fragment != kNone && fragments.extruded()->pieceOfFragment[fragment] == edge.piece;
     const BakedFracture* pieces =
         isFragment ? m_bake.fractureOf(m_bake.fractures[edge.fracture].first + fragment) : nullptr;
     if (pieces) return m_intervals[static_cast<std::size_t>(pieces - m_bake.fractures.data())][edge.number];

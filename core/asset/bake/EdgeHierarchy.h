@@ -43,7 +43,7 @@ public:
     EdgeHierarchy(const Bake& bake, double tolerance);
 
     const Fragments& fragmentsOf(std::uint32_t fracture) const { return m_bake.fractures[fracture].fragments; }
-    const Partition& shapesOf(std::uint32_t fracture) const { return fragmentsOf(fracture).shapes(); }
+    const Partition& shapesOf(std::uint32_t fracture) const { return fragmentsOf(fracture).extruded()->shapes(); }
     /// The origin of the shapes' points in the asset's frame.
     Vec2 originOf(std::uint32_t fracture) const;
     double lengthOf(const PieceEdge& edge) const;

@@ -2,7 +2,7 @@
 
 #include "core/asset/project/Project.h"
 #include "core/fracture/delaunay/Delaunay.h"
-#include "core/fracture/pieces/Fragment.h"
+#include "core/fracture/fragments/Fragment.h"
 
 #include <string>
 
@@ -14,12 +14,12 @@ struct Recipe {
     Shaping shaping;
     std::vector<FragmentEdit> edits;  // those with another parent are ignored
     FragmentPath place;               // of the solid; empty: the whole
-    Vec2 offset{0.0, 0.0};            // m, of its frame in the prism's
+    Vec3 offset{0.0};                 // m, of its frame in the asset's
 };
 /// The recipe of an asset's whole.
 Recipe recipeOf(const Asset& asset);
 /// The recipe of one of its fragments, located at `offset`, for a level.
-Recipe recipeOf(const Asset& asset, const std::string& fragmentId, const Level& level, Vec2 offset);
+Recipe recipeOf(const Asset& asset, const std::string& fragmentId, const Level& level, Vec3 offset);
 
 /// The width of the gaps between pieces, m: the larger of the asset's gap and the pattern's joints.
 double gapOf(const Recipe& recipe);
@@ -34,9 +34,9 @@ struct PlanarFracture {
 
 /// All stages of fracturing one solid.
 struct FractureResult {
-    Prism prism;  // validated
+    Prism prism;  // validated; empty for a mesh
     Seeds seeds;
-    Delaunay delaunay;
+    Delaunay delaunay;    // empty for a mesh
     Fragments fragments;  // with the partition
 };
 
@@ -53,6 +53,18 @@ Result<PlanarFracture> planarFracture(const Recipe& recipe, Prism prism, const T
 ///
 /// Errors: those of planarFracture() but Limit.
 Result<FractureResult> fractureResult(const Recipe& recipe, Prism prism, const TaskContext& task);
+
+/// All stages of a closed mesh: seeds in space, fragments merged and split by hand, then small ones removed.
+///
+/// Errors: those of seedsOf() and solidFragments(); Cancelled.
+Result<FractureResult> fractureResult(const Recipe& recipe, const TriangleMesh& mesh, const TaskContext& task);
+
+/// All stages of an asset's shape, or of one of its fragments.
+Result<FractureResult> fractureResult(const Recipe& recipe, const Asset& asset, const TaskContext& task);
+Result<FractureResult> fractureResult(const Recipe& recipe, const Fragment& fragment, const TaskContext& task);
+
+/// A fragment of a mesh in its own frame, m.
+TriangleMesh meshInOwnFrame(const Fragment& fragment);
 
 /// The pattern with the random seed of each layer mixed with a fragment's id, so that no two fragments fracture alike.
 Pattern patternFor(const std::string& fragmentId, Pattern pattern);

@@ -1,6 +1,6 @@
 #include "core/asset/bake/FragmentLookup.h"
 
-#include "core/fracture/pattern/PatternPartition.h"
+#include "core/fracture/fragments/FragmentName.h"
 
 namespace rubble {
 namespace {
@@ -9,12 +9,11 @@ namespace {
 std::uint32_t findByName(const FragmentPath& path, const BakedFracture& fracture) {
     const std::optional<PieceName> name = pieceNameOf(path);
     const std::string text = path.substr(path.rfind('/') + 1);
-    const Partition& partition = fracture.fragments.partition;
     for (std::uint32_t k = 0; name && k < fracture.fragments.count(); ++k) {
-        const std::uint32_t piece = fracture.fragments[k].piece();
+        const Fragment fragment = fracture.fragments[k];
         // Compare the seed first: names are slower to build.
-        if (cellId(partition, piece, fracture.seeds.ids) != name->seed) continue;
-        if (pieceName(partition, piece, fracture.seeds.ids) == text) return fracture.first + k;
+        if (cellId(fragment, fracture.seeds.ids) != name->seed) continue;
+        if (fragmentName(fragment, fracture.seeds.ids) == text) return fracture.first + k;
     }
     return kNone;
 }

@@ -76,9 +76,10 @@ class CutIntervals {
 public:
     explicit CutIntervals(const Bake& bake) : m_bake(bake) {
         for (const BakedFracture& fracture : bake.fractures) {
-            for (const MassTransfer& transfer : fracture.fragments.massTransfers) {
+            const ExtrudedPieces& pieces = *fracture.fragments.extruded();
+            for (const MassTransfer& transfer : pieces.massTransfers) {
                 if (transfer.receiver == kNone) continue;
-                const std::uint32_t fragment = fracture.fragments.fragmentOfPiece[transfer.receiver];
+                const std::uint32_t fragment = pieces.fragmentOfPiece[transfer.receiver];
                 if (fragment != kNone) m_thinPieces.emplace_back(fracture.first + fragment, transfer.thin);
             }
         }
@@ -97,7 +98,7 @@ public:
     std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours() {
         std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
         for (auto& [cut, intervals] : m_intervals) {
-            const double least = m_bake.fractures[cut.fracture].fragments.minSharedEdge;
+            const double least = m_bake.fractures[cut.fracture].fragments.extruded()->minSharedEdge;
             std::ranges::sort(intervals, {}, &Interval::begin);
             for (std::size_t k = 0; k < intervals.size(); ++k) {
                 for (std::size_t other = k + 1; other < intervals.size(); ++other) {
@@ -119,14 +120,15 @@ private:
 
     Vec2 pointOf(std::size_t fracture, std::uint32_t point) const {
         const Fragments& all = m_bake.fractures[fracture].fragments;
-        return all.partition.points[point] + all.partition.origin + Vec2{all.origin};
+        const Partition& partition = all.extruded()->partition;
+        return partition.points[point] + partition.origin + Vec2{all.origin};
     }
 
     /// Calls visit(cut, edge, neighbour) for the edges of its piece and of thin pieces that went to it.
     template <class Visit>
     void forEachEdgeOf(std::uint32_t fragment, Visit visit) const {
         const std::size_t fracture = m_bake.fractureContaining(fragment);
-        const Fragments& all = m_bake.fractures[fracture].fragments;
+        const ExtrudedPieces& all = *m_bake.fractures[fracture].fragments.extruded();
         const std::uint32_t index = fragment - m_bake.fractures[fracture].first;
         const auto visitPiece = [&](std::uint32_t piece) {
             forEachEdge(all.partition, piece, [&](std::uint32_t from, std::uint32_t to, std::uint32_t neighbour) {
@@ -176,6 +178,7 @@ private:
 }  // namespace
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> neighboursAcrossParents(const Bake& bake, std::uint32_t level) {
+    if (bake.fractures.empty() || !bake.fractures[0].fragments.extruded()) return {};
     CutIntervals intervals(bake);
     for (const BakedFracture& fracture : bake.fractures) {
         if (fracture.level > level) continue;

@@ -1,5 +1,6 @@
 #include "core/asset/bake/PrismHulls.h"
 
+#include "core/fracture/solid/SolidHulls.h"
 #include "core/geometry/polygon/ConvexParts.h"
 
 namespace rubble {
@@ -17,10 +18,22 @@ Result<std::vector<Polytope>> prismHulls(const Prism& prism, Vec2 origin) {
     return hulls;
 }
 
+Result<std::vector<Polytope>> meshHulls(const ClosedMesh& mesh, Vec3 origin, const TaskContext& task) {
+    constexpr int kCells = 32;
+    Result<std::vector<Polytope>> hulls = coarseHulls(mesh.mesh, kCells, task);
+    if (!hulls) return hulls.error();
+    for (Polytope& hull : *hulls) hull = translated(std::move(hull), -origin);
+    return hulls;
+}
+
 AssetHulls assetHulls(const Project& project) {
     AssetHulls all;
     for (const Asset& asset : project.assets) {
-        const Result<Prism> prism = validated(asset.prism);
+        if (const ClosedMesh* mesh = asset.mesh()) {
+            if (Result<std::vector<Polytope>> hulls = meshHulls(*mesh)) all[asset.id] = std::move(*hulls);
+            continue;
+        }
+        const Result<Prism> prism = validated(asset.prism());
         if (!prism) continue;
         if (Result<std::vector<Polytope>> hulls = prismHulls(*prism)) all[asset.id] = std::move(*hulls);
     }

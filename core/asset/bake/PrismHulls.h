@@ -2,6 +2,7 @@
 
 #include "core/asset/project/Project.h"
 #include "core/base/Result.h"
+#include "core/base/TaskContext.h"
 #include "core/geometry/hull/Polytope.h"
 
 #include <map>
@@ -14,10 +15,17 @@ namespace rubble {
 /// Errors: those of convexParts().
 Result<std::vector<Polytope>> prismHulls(const Prism& prism, Vec2 origin = {0.0, 0.0});
 
-/// The hulls of every asset's whole, in its prism's frame.
+/// The hulls that a closed mesh collides as, see coarseHulls(), in its own frame translated so that `origin` becomes
+/// the origin.
+///
+/// Errors: those of coarseHulls().
+Result<std::vector<Polytope>> meshHulls(const ClosedMesh& mesh, Vec3 origin = {0.0, 0.0, 0.0},
+                                        const TaskContext& task = {});
+
+/// The hulls of every asset's whole, in its own frame.
 using AssetHulls = std::map<Id, std::vector<Polytope>>;
 
-/// Leaves out assets whose prism cannot be fractured.
+/// Leaves out assets whose shape cannot be fractured.
 AssetHulls assetHulls(const Project& project);
 
 }  // namespace rubble

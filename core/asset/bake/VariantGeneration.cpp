@@ -1,5 +1,6 @@
 #include "core/asset/bake/VariantGeneration.h"
 
+#include "core/asset/project/AssetShape.h"
 #include "core/asset/project/Ranges.h"
 #include "core/asset/project/Variants.h"
 #include "core/base/MessageText.h"
@@ -100,7 +101,7 @@ Asset variant(const Asset& asset, const VariantRecipe& recipe, std::uint32_t num
     const auto first = std::ranges::find_if(made.pattern.layers, scatters);
     if (!recipe.kinds.empty() && first != made.pattern.layers.end()) {
         const PatternKind* kind = findKind(recipe.kinds[(number - 1) % recipe.kinds.size()]);
-        setKind(*kind, boundsOf(asset.prism.outline.outer), *first);
+        setKind(*kind, planeBoundsOf(asset), *first);
     }
     for (const VariedParameter& varied : recipe.varied) {
         const double value = random.between(varied.from, varied.to);

@@ -95,9 +95,8 @@ private:
         for (const BakedFracture& fracture : m_bake.fractures) {
             for (std::uint32_t k = 0; k < fracture.fragments.count(); ++k) {
                 const Fragment fragment = fragmentOf(fracture, k);
-                seeds.push_back(fracture.parent != kNone
-                                    ? seeds[fracture.parent]
-                                    : cellId(fragment.all().partition, fragment.piece(), fracture.seeds.ids));
+                seeds.push_back(fracture.parent != kNone ? seeds[fracture.parent]
+                                                         : cellId(fragment, fracture.seeds.ids));
             }
         }
         return seeds;
@@ -148,7 +147,7 @@ private:
             }
             problems.made.push_back(diagnostic(code, std::move(place), "Fragment " + id + " " + text, value, limit));
         };
-        const double aspect = aspectRatio(solid.outline());
+        const double aspect = solid.aspectRatio();
         if (aspect > m_limits.aspect) {
             add(DiagnosticCode::Sliver, aspect, m_limits.aspect,
                 "is " + rounded(aspect) + " times as long as wide, a sliver; up to " + rounded(m_limits.aspect) +
@@ -194,11 +193,12 @@ double badness(const Diagnostic& problem) {
 
 std::vector<Diagnostic> outlineProblems(const Asset& asset) {
     std::vector<Diagnostic> problems;
-    for (const PolygonFault& fault : polygonFaults(asset.prism.outline)) {
+    if (!asset.isPrism()) return problems;
+    for (const PolygonFault& fault : polygonFaults(asset.prism().outline)) {
         problems.push_back(outlineProblem(asset, fault));
     }
     if (!problems.empty()) return problems;
-    if (const std::optional<PolygonFault> fault = narrowFault(asset.prism.outline)) {
+    if (const std::optional<PolygonFault> fault = narrowFault(asset.prism().outline)) {
         problems.push_back(outlineProblem(asset, *fault));
     }
     return problems;

@@ -104,8 +104,10 @@ std::optional<std::string> faultOf(const Asset& asset) {
                                             {ProjectNumber::InsideUvScale, asset.insideUvScale}})) {
         return fault;
     }
-    if (Sentence fault = prismRangeFault(owner, asset.prism)) return fault;
-    if (const Result<Prism> prism = validated(asset.prism); !prism) return owner + ": " + prism.error().message;
+    if (Sentence fault = shapeRangeFault(owner, asset)) return fault;
+    if (asset.isPrism()) {
+        if (const Result<Prism> prism = validated(asset.prism()); !prism) return owner + ": " + prism.error().message;
+    }
     if (Sentence fault = verifyPattern(asset.pattern)) return owner + ": " + *fault;
     for (const Level& level : asset.levels) {
         if (Sentence fault = levelFault(owner, level)) return fault;

@@ -12,6 +12,7 @@
 #include "core/fracture/verify/VerifyNearestSeed.h"
 #include "core/fracture/verify/VerifyPartition.h"
 #include "core/fracture/verify/VerifySmallPieces.h"
+#include "core/fracture/verify/VerifySolidFragments.h"
 
 namespace rubble {
 namespace {
@@ -27,19 +28,34 @@ Recipe recipeOf(const Bake& bake, const Asset& asset, std::uint32_t parent) {
     if (parent == kNone) return recipeOf(asset);
     const BakedFragment fragment = bake.fragment(parent);
     const std::string id = bake.fragmentId(parent);
-    return recipeOf(asset, id, *levelFor(asset, pathOfId(id), fragment.level), Vec2{fragment.solid.offset()});
+    return recipeOf(asset, id, *levelFor(asset, pathOfId(id), fragment.level), fragment.solid.offset());
 }
 
-Prism prismOf(const Bake& bake, const Asset& asset, std::uint32_t parent) {
-    if (parent == kNone) return asset.prism;
-    const BakedFragment fragment = bake.fragment(parent);
-    return {fragment.solid.outline(), fragment.solid.depth()};
+/// Fractures a fragment once more; kNone: the whole.
+Result<FractureResult> fracturedAgain(const Bake& bake, const Asset& asset, std::uint32_t parent,
+                                      const Recipe& recipe) {
+    if (parent == kNone) return fractureResult(recipe, asset, {});
+    return fractureResult(recipe, bake.fragment(parent).solid, {});
+}
+
+/// What a fracture of a mesh was cut from.
+TriangleMesh meshOf(const Bake& bake, const Asset& asset, std::uint32_t parent) {
+    return parent == kNone ? asset.mesh()->mesh : meshInOwnFrame(bake.fragment(parent).solid);
+}
+
+/// Checks the fragments of a mesh, and that they are those of another time.
+Sentence solidFault(const BakedFracture& stored, const FractureResult& again, const TriangleMesh& mesh) {
+    const SolidPartition &partition = stored.fragments.solid()->partition,
+                         &expected = again.fragments.solid()->partition;
+    if (partition.points != expected.points || partition.triangles != expected.triangles)
+        return "The fragments are not those of the seeds.";
+    return verifySolidFragments(stored.fragments, mesh);
 }
 
 /// Checks the stored stages and their triangulation.
 Sentence stageFault(const BakedFracture& stored, const FractureResult& again, const Recipe& recipe) {
     const Pattern& pattern = recipe.pattern;
-    const Partition& partition = stored.fragments.partition;
+    const Partition& partition = stored.fragments.extruded()->partition;
     const std::optional<AnisotropyMap> anisotropy = AnisotropyMap::of(pattern, again.prism.outline);
     const std::vector<Vec2>& positions = again.seeds.positions;
     const std::vector<Vec2> seeds = anisotropy ? (*anisotropy)(std::span(positions)) : positions;
@@ -76,9 +92,10 @@ Sentence placeFault(const Bake& bake, const BakedFracture& stored, const Fractur
 
 Sentence fractureFault(const Bake& bake, const Asset& asset, const BakedFracture& stored) {
     const Recipe recipe = recipeOf(bake, asset, stored.parent);
-    const Result<FractureResult> again = fractureResult(recipe, prismOf(bake, asset, stored.parent), {});
+    const Result<FractureResult> again = fracturedAgain(bake, asset, stored.parent, recipe);
     if (!again) return again.error().message;
     if (Sentence fault = placeFault(bake, stored, *again)) return fault;
+    if (stored.fragments.solid()) return solidFault(stored, *again, meshOf(bake, asset, stored.parent));
     return stageFault(stored, *again, recipe);
 }
 

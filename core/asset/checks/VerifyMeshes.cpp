@@ -12,6 +12,11 @@ namespace {
 
 constexpr double kRelative = 1e-9;  // of a volume
 
+double shapeVolumeOf(const Fragment& solid) {
+    const std::optional<ExtrudedFragment> extruded = solid.extruded();
+    return extruded ? area(extruded->outline()) * extruded->depth() : solid.volume();
+}
+
 }  // namespace
 
 std::optional<std::string> verifyMeshes(const Bake& bake, const Asset& asset) {
@@ -27,7 +32,7 @@ std::optional<std::string> verifyMeshes(const Bake& bake, const Asset& asset) {
             const BakedFragment fragment = bake.fragment(k);
             const Mesh mesh = mesher.fragmentMesh(fragment, cuts.cornersOf(k));
             // Not its mass, which may include that of a thin neighbour.
-            const double volume = area(fragment.solid.outline()) * fragment.solid.depth();
+            const double volume = shapeVolumeOf(fragment.solid);
             if (auto fault = verifyMesh(mesh, isRough ? volumeOf(mesh) : volume)) {
                 return owner + "fragment " + bake.fragmentId(k) + ": " + *fault;
             }
@@ -36,7 +41,7 @@ std::optional<std::string> verifyMeshes(const Bake& bake, const Asset& asset) {
             sumGained += gained.back();
         }
         // Without gaps a rough cut moves volume between pieces: together they gain as much as their parent did.
-        const bool hasGap = fracture.fragments.shrunk != nullptr;
+        const bool hasGap = fracture.fragments.gap > 0.0;
         const double expected = fracture.parent == kNone ? 0.0 : gained[fracture.parent];
         if (hasGap || std::abs(sumGained - expected) <= kRelative * sum) continue;
         return owner + "the pieces of " + (fracture.parent == kNone ? "the whole" : bake.fragmentId(fracture.parent)) +

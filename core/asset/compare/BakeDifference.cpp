@@ -15,9 +15,10 @@ std::map<FragmentPath, std::uint32_t> numbersIn(const Bake& bake) {
 }
 
 double diagonalOf(const Bake& bake) {
-    Box2 box;
+    const bool isPrism = bake.fractures.empty() || bake.fractures[0].fragments.extruded() != nullptr;
+    Box3 box;
     for (const Polytope& hull : bake.wholeHulls) {
-        for (const Vec3& vertex : hull.vertices) box.include(Vec2{vertex});
+        for (const Vec3& vertex : hull.vertices) box.include(isPrism ? Vec3{vertex.x, vertex.y, 0.0} : vertex);
     }
     return bake.wholeHulls.empty() ? 0.0 : box.diagonal();
 }

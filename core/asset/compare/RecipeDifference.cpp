@@ -191,13 +191,34 @@ private:
 
 }  // namespace
 
+namespace {
+
+std::string meshText(const ClosedMesh& mesh) {
+    return std::to_string(mesh.mesh.triangles.size()) + " triangles, " +
+           quantityText(QuantityKind::Volume, mesh.mass.volume);
+}
+
+void addShape(const Asset& earlier, const Asset& later, Changes& changes) {
+    if (earlier.isPrism() && later.isPrism()) {
+        const Prism &from = earlier.prism(), &to = later.prism();
+        changes.add(from.outline == to.outline, "outline", outlineText(from.outline), outlineText(to.outline));
+        changes.add("depth", messageText(from.depth) + " m", messageText(to.depth) + " m");
+        return;
+    }
+    const auto text = [](const Asset& asset) {
+        return asset.isPrism() ? std::string("a prism") : meshText(*asset.mesh());
+    };
+    const bool isSame = earlier.mesh() && later.mesh() && earlier.mesh()->hash == later.mesh()->hash;
+    changes.add(isSame, "mesh", text(earlier), text(later));
+}
+
+}  // namespace
+
 std::vector<RecipeChange> recipeChanges(const Project& before, const Asset& earlier, const Project& after,
                                         const Asset& later) {
     Changes changes;
     changes.add(earlier.name == later.name, "name", shownName(earlier.name), shownName(later.name));
-    const Prism &from = earlier.prism, &to = later.prism;
-    changes.add(from.outline == to.outline, "outline", outlineText(from.outline), outlineText(to.outline));
-    changes.add("depth", messageText(from.depth) + " m", messageText(to.depth) + " m");
+    addShape(earlier, later, changes);
     changes.add("material", materialText(before, earlier.material), materialText(after, later.material));
     changes.add("inside material", materialText(before, earlier.insideMaterial),
                 materialText(after, later.insideMaterial));

@@ -134,13 +134,13 @@ ImportedAsset added(const ImportPart& part, const ImportedSolid& solid, const Im
     if (old != project.assets.end()) {
         result.asset = old->id;
         result.isReplaced = true;
-        old->prism = prism;
+        old->shape = prism;
         old->surface = solid.surface.surface;
         old->texture = solid.texture;
         return result;
     }
     Asset asset{.name = uniqueName(project.assets, part.name, source.names),
-                .prism = prism,
+                .shape = prism,
                 .surface = solid.surface.surface,
                 .texture = solid.texture};
     if (asset.name != part.name)

@@ -42,8 +42,9 @@ bool areEqual(const Surface& a, const Surface& b, double tolerance) {
 }  // namespace
 
 bool isEqual(const Asset& asset, const ImportedSolid& solid, double tolerance) {
-    if (std::abs(asset.prism.depth - solid.prism.depth) > tolerance) return false;
-    if (!areEqual(asset.prism.outline, solid.prism.outline, tolerance)) return false;
+    if (!asset.isPrism()) return false;
+    if (std::abs(asset.prism().depth - solid.prism.depth) > tolerance) return false;
+    if (!areEqual(asset.prism().outline, solid.prism.outline, tolerance)) return false;
     if (asset.texture != solid.texture) return false;
     const Surface* surface = solid.surface.surface.get();
     if (asset.surface == nullptr || surface == nullptr) return asset.surface.get() == surface;

@@ -8,7 +8,7 @@ namespace {
 /// Adds a wall and an instance of it to a project with one material. An empty pattern becomes 20 scattered seeds.
 Project withWall(Project project, Pattern pattern, const std::optional<CutAtImpact>& cut) {
     Asset wall{.id = project.nextId++, .name = "wall", .material = project.materials[0].id};
-    wall.prism = {{{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}, {}}, 0.5};
+    wall.prism() = {{{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}, {}}, 0.5};
     deriveThresholdIfKnown(wall, project.materials[0]);
     wall.pattern = std::move(pattern);
     wall.cutAtImpact = cut;

@@ -1,6 +1,7 @@
 #include "core/asset/mesh/FragmentMesh.h"
 
 #include "core/asset/mesh/ExtrudedMesh.h"
+#include "core/asset/mesh/SolidFragmentMesh.h"
 
 #include <glm/geometric.hpp>
 
@@ -55,24 +56,26 @@ ExtrudedSide sideBetween(const OutlineIndex& outline, double tolerance, std::uin
 
 }  // namespace
 
-FragmentMesher::FragmentMesher(const Asset& asset)
-    : m_asset(asset),
-      m_outline(asset.prism.outline),
-      m_outlineTolerance(kOutlineTolerance * boundsOf(asset.prism.outline.outer).diagonal()) {
+FragmentMesher::FragmentMesher(const Asset& asset) : m_asset(asset) {
+    if (!asset.isPrism()) return;
+    m_outline.emplace(asset.prism().outline);
+    m_outlineTolerance = kOutlineTolerance * boundsOf(asset.prism().outline.outer).diagonal();
     if (asset.surface && !asset.surface->triangles.empty()) m_surface.emplace(*asset.surface);
 }
 
 Mesh FragmentMesher::fragmentMesh(const BakedFragment& fragment, const EdgeCorners& rough) const {
     const Fragment& solidFragment = fragment.solid;
-    const Polygon outline = solidFragment.outline();
-    const std::vector<std::uint32_t> neighbours = solidFragment.edgeNeighbours();
+    const std::optional<ExtrudedFragment> extruded = solidFragment.extruded();
+    if (!extruded) return solidFragmentMesh(solidFragment, m_asset);
+    const Polygon outline = extruded->outline();
+    const std::vector<std::uint32_t> neighbours = extruded->edgeNeighbours();
     const auto isStraight = [](const std::vector<Vec2>& corners) { return corners.empty(); };
     const bool isPlain = std::ranges::all_of(rough, isStraight);
-    ExtrudedSolid solid{{}, {}, solidFragment.depth(), solidFragment.offset(), solidFragment.isConvex() && isPlain};
+    ExtrudedSolid solid{{}, {}, extruded->depth(), solidFragment.offset(), solidFragment.isConvex() && isPlain};
     std::size_t firstEdge = 0;  // of the ring in `neighbours`
     const Vec2 offset{solidFragment.offset()};
     const auto sideOf = [&](std::size_t edge, Vec2 a, Vec2 b) {
-        return sideBetween(m_outline, m_outlineTolerance, neighbours[firstEdge + edge], a + offset, b + offset);
+        return sideBetween(*m_outline, m_outlineTolerance, neighbours[firstEdge + edge], a + offset, b + offset);
     };
     const auto between = [&](std::size_t edge) {
         return rough.empty() ? std::span<const Vec2>() : std::span<const Vec2>(rough[firstEdge + edge]);
@@ -88,12 +91,13 @@ Mesh FragmentMesher::fragmentMesh(const BakedFragment& fragment, const EdgeCorne
 }
 
 Mesh FragmentMesher::wholeMesh(const Bake& bake) const {
-    const Polygon outline = withCanonicalWinding(m_asset.prism.outline);
+    if (const ClosedMesh* mesh = m_asset.mesh()) return solidWholeMesh(*mesh, bake.whole.centre);
+    const Polygon outline = withCanonicalWinding(m_asset.prism().outline);
     const Vec3 centre = bake.whole.centre;
-    ExtrudedSolid solid{{}, {}, m_asset.prism.depth, centre, bake.wholeHulls.size() <= 1};
+    ExtrudedSolid solid{{}, {}, m_asset.prism().depth, centre, bake.wholeHulls.size() <= 1};
     const auto sideOf = [&](std::size_t, Vec2 a, Vec2 b) {
         const Vec2 offset{centre.x, centre.y};
-        return ExtrudedSide{0, 0, FaceSide::Outside, m_outline.nearestInterval(a + offset, b + offset)};
+        return ExtrudedSide{0, 0, FaceSide::Outside, m_outline->nearestInterval(a + offset, b + offset)};
     };
     const auto addMoved = [&](Ring ring, Ring& corners) {
         for (Vec2& corner : ring) corner -= Vec2(centre.x, centre.y);

@@ -11,7 +11,7 @@
 namespace rubble {
 
 /// Points inserted into the edges of a fragment, in its frame: one list per edge, in the order of
-/// Fragment::edgeNeighbours(). Empty: every edge stays straight.
+/// ExtrudedFragment::edgeNeighbours(). Empty: every edge stays straight.
 using EdgeCorners = std::vector<std::vector<Vec2>>;
 
 /// Builds the render meshes of an asset; its outline and its imported surface are indexed once. Borrows the asset. May
@@ -28,8 +28,8 @@ public:
 
 private:
     const Asset& m_asset;
-    OutlineIndex m_outline;
-    double m_outlineTolerance;              // m
+    std::optional<OutlineIndex> m_outline;  // of a prism
+    double m_outlineTolerance = 0.0;        // m
     std::optional<SurfaceIndex> m_surface;  // none without an imported surface
 };
 

@@ -64,8 +64,8 @@ struct RoughCuts::Cut {
 };
 
 RoughCuts::RoughCuts(const Bake& bake, const Asset& asset) : m_roughness(asset.shaping.roughness) {
-    if (!(m_roughness.amplitude > 0.0)) return;
-    m_diameter = boundsOf(asset.prism.outline.outer).diagonal();
+    if (!(m_roughness.amplitude > 0.0) || !asset.isPrism()) return;
+    m_diameter = boundsOf(asset.prism().outline.outer).diagonal();
     for (const BakedFracture& fracture : bake.fractures) m_gaps.push_back(fracture.fragments.gap);
     m_edges = std::make_unique<const EdgeHierarchy>(bake, kTolerance * m_diameter);
 }
@@ -74,7 +74,7 @@ EdgeCorners RoughCuts::cornersOf(std::uint32_t fragment) const {
     EdgeCorners corners;
     if (!m_edges) return corners;
     for (const PieceEdge& edge : m_edges->edgesOf(fragment)) {
-        const Vec2 centre = m_edges->fragmentsOf(edge.fracture).records[edge.piece].moments.centre;
+        const Vec2 centre = m_edges->fragmentsOf(edge.fracture).extruded()->records[edge.piece].moments.centre;
         std::vector<Vec2>& ofEdge = corners.emplace_back();
         for (const Corner& corner : cornersOn(edge, 0.0, m_edges->lengthOf(edge))) {
             ofEdge.push_back(corner.position - centre);
@@ -210,7 +210,7 @@ double RoughCuts::clearanceIn(const EdgeInterval& interval, const Cut& cut, Vec2
 /// The distance from a point beside a gap to the part of the parent's surface that the piece had before the gap was
 /// cut.
 double RoughCuts::clearanceToSurface(const Cut& cut, Vec2 position) const {
-    return clearance(m_edges->fragmentsOf(cut.edge.fracture).partition, cut.edge.piece, position,
+    return clearance(m_edges->fragmentsOf(cut.edge.fracture).extruded()->partition, cut.edge.piece, position,
                      [](std::uint32_t, std::uint32_t neighbour) { return neighbour == kNone; });
 }
 

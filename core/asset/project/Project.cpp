@@ -1,6 +1,7 @@
 #include "core/asset/project/Project.h"
 
 #include "core/asset/project/Ids.h"
+#include "core/base/Assert.h"
 
 #include <algorithm>
 
@@ -14,8 +15,29 @@ bool isSameSurface(const std::shared_ptr<const Surface>& first, const std::share
 
 }  // namespace
 
+bool isSameShape(const Asset& first, const Asset& second) {
+    const ClosedMesh *mesh = first.mesh(), *other = second.mesh();
+    if (mesh && other) return mesh == other || mesh->hash == other->hash;
+    return !mesh && !other && first.prism() == second.prism();
+}
+
+const ClosedMesh* Asset::mesh() const {
+    const auto* mesh = std::get_if<std::shared_ptr<const ClosedMesh>>(&shape);
+    return mesh ? mesh->get() : nullptr;
+}
+
+const Prism& Asset::prism() const {
+    RUBBLE_ASSERT(isPrism());
+    return *std::get_if<Prism>(&shape);
+}
+
+Prism& Asset::prism() {
+    RUBBLE_ASSERT(isPrism());
+    return *std::get_if<Prism>(&shape);
+}
+
 bool Asset::operator==(const Asset& other) const {
-    return id == other.id && name == other.name && material == other.material && prism == other.prism &&
+    return id == other.id && name == other.name && material == other.material && isSameShape(*this, other) &&
            pattern == other.pattern && shaping == other.shaping && levels == other.levels &&
            fragmentLevels == other.fragmentLevels && fragmentThresholds == other.fragmentThresholds &&
            edits == other.edits && threshold == other.threshold && contactTime == other.contactTime &&

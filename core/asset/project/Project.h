@@ -6,6 +6,7 @@
 #include "core/asset/project/Texture.h"
 #include "core/fracture/pattern/Pattern.h"
 #include "core/fracture/pieces/Prism.h"
+#include "core/geometry/mesh/ClosedMesh.h"
 
 #include <array>
 #include <cstdint>
@@ -116,7 +117,7 @@ struct Asset {
     Id id = 0;
     std::string name;
     Id material = 0;
-    Prism prism;
+    std::variant<Prism, std::shared_ptr<const ClosedMesh>> shape;  // a mesh is never null
     Pattern pattern;
     Shaping shaping;                                    // of all levels
     std::vector<Level> levels;                          // levels[0] fractures the pattern's fragments
@@ -134,7 +135,17 @@ struct Asset {
     std::shared_ptr<const Surface> surface;             // of the imported mesh; null if not imported
     std::optional<Texture> texture;                     // of the outside; none: the material's colour alone
     bool operator==(const Asset& other) const;
+
+    /// Null if it is a prism.
+    const ClosedMesh* mesh() const;
+    bool isPrism() const { return std::holds_alternative<Prism>(shape); }
+    /// Of a prism only.
+    const Prism& prism() const;
+    Prism& prism();
 };
+
+/// Whether two assets are equal prisms, or meshes of the same content.
+bool isSameShape(const Asset& first, const Asset& second);
 
 /// An asset placed in the scene.
 struct Instance {

@@ -201,6 +201,23 @@ std::optional<std::string> prismRangeFault(const std::string& owner, const Prism
                               {ProjectNumber::OutlineSize, bounds.max.y - bounds.min.y, "height of the outline"}});
 }
 
+std::optional<std::string> shapeRangeFault(const std::string& owner, const Asset& asset) {
+    const ClosedMesh* mesh = asset.mesh();
+    if (!mesh) return prismRangeFault(owner, asset.prism());
+    constexpr std::array kAxes{"x", "y", "z"};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = mesh->bounds.min[axis], high = mesh->bounds.max[axis];
+        const std::string along = std::string(" of the mesh along ") + kAxes[static_cast<std::size_t>(axis)];
+        const std::string size = "size" + along, place = "coordinate" + along;
+        if (auto fault = rangeFault(owner, {{ProjectNumber::OutlineCoordinate, low, place.c_str()},
+                                            {ProjectNumber::OutlineCoordinate, high, place.c_str()},
+                                            {ProjectNumber::OutlineSize, high - low, size.c_str()}})) {
+            return fault;
+        }
+    }
+    return std::nullopt;
+}
+
 std::optional<std::string> cutFault(const std::string& owner, const CutAtImpact& cut) {
     if (!rangeOf(ProjectNumber::ImpactFragments).contains(cut.fragments)) {
         return owner + ": the number of fragments of the fracture at the impact is " + std::to_string(cut.fragments) +

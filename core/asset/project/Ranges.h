@@ -9,6 +9,7 @@
 
 namespace rubble {
 
+struct Asset;
 struct CutAtImpact;
 
 /// Every number of a project, except for the parameters of pattern layers (see LayerParameter::range); and the numbers
@@ -132,6 +133,8 @@ std::optional<std::string> rangeFault(const std::string& owner, ProjectNumber nu
 
 /// The same for a prism: its depth, the coordinates of its outline and holes, and the outline's size.
 std::optional<std::string> prismRangeFault(const std::string& owner, const Prism& prism);
+/// The same of an asset's shape: a mesh has the ranges of outlines in all directions.
+std::optional<std::string> shapeRangeFault(const std::string& owner, const Asset& asset);
 
 /// A fault of the fracture at the impact. `owner`: `Asset 3 "wall"`.
 std::optional<std::string> cutFault(const std::string& owner, const CutAtImpact& cut);

@@ -18,9 +18,16 @@ const double kResponse = kBendingRadius * kBendingRadius * std::sqrt(12.0 * (1.0
 
 double thicknessOf(const Prism& prism) { return std::min(prism.depth, minimumCrossSection(prism.outline)); }
 
+double thicknessOf(const Asset& asset) {
+    if (asset.isPrism()) return thicknessOf(asset.prism());
+    const ClosedMesh& mesh = *asset.mesh();
+    const Vec3 size = mesh.bounds.max - mesh.bounds.min;
+    return std::min({size.x, size.y, size.z});
+}
+
 std::optional<BendingStrength> bendingStrength(const Asset& asset, const Material& material) {
     if (!asset.contactTime || !material.tensileStrength) return std::nullopt;
-    BendingStrength strength{.thickness = thicknessOf(asset.prism)};
+    BendingStrength strength{.thickness = thicknessOf(asset)};
     strength.force = *material.tensileStrength * strength.thickness * strength.thickness / kBendingRatio;
     strength.duration = 2.0 / std::numbers::pi * *asset.contactTime;  // of half a sine wave with that peak
     if (!material.youngsModulus) return strength;

@@ -25,6 +25,8 @@ inline constexpr double kBendingRadius = 7.0;
 /// The least thickness of a prism, m: its depth, or the width of its outline through the centre of mass if that is
 /// less.
 double thicknessOf(const Prism& prism);
+/// The same of a prism; of a mesh, the least extent of its box.
+double thicknessOf(const Asset& asset);
 
 /// How a solid breaks in local bending.
 struct BendingStrength {

@@ -30,7 +30,8 @@ struct HullPart {
 };
 
 Result<HullPart> hullPart(TriangleMesh mesh) {
-    Result<Polytope> hull = convexHull(mesh.points);
+    constexpr double kFlat = 1e-10;  // of the part's size: what is flat but for the rounding of its points
+    Result<Polytope> hull = convexHull(mesh.points, kFlat * boundsOf(mesh).diagonal());
     if (!hull) return hull.error();
     const double volume = massOf(mesh.points, mesh.triangles).volume, around = massOf(*hull).volume;
     return HullPart{std::move(mesh), std::move(*hull), volume, around - volume};

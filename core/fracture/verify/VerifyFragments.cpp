@@ -18,7 +18,7 @@ constexpr double kRelative = 1e-9;  // of the prism's diameter, area or volume; 
 
 bool isFinite(Vec3 point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
 
-/// Calls visit(from, to) for every edge, in the order of Fragment::edgeNeighbours().
+/// Calls visit(from, to) for every edge, in the order of ExtrudedFragment::edgeNeighbours().
 template <class Visit>
 void forEachEdge(const Polygon& outline, Visit visit) {
     const auto visitRing = [&](const Ring& ring) {
@@ -29,13 +29,16 @@ void forEachEdge(const Polygon& outline, Visit visit) {
 }
 
 /// Verifies common properties, and that fragments and pieces refer to each other.
-Fault tableFault(const Fragments& all, const Prism& prism) {
+Fault tableFault(const Fragments& fragments, const Prism& prism) {
+    if (!fragments.extruded()) return "The fragments are not those of a prism.";
+    const ExtrudedPieces& all = *fragments.extruded();
+    const std::uint32_t count = fragments.count();
     if (all.depth != prism.depth) return "The fragments have a different depth from the prism.";
     if (all.fragmentOfPiece.size() != all.partition.pieceCount()) return "There are pieces without a fragment.";
     for (const std::uint32_t fragment : all.fragmentOfPiece) {
-        if (fragment != kNone && fragment >= all.count()) return "A piece refers to a fragment that does not exist.";
+        if (fragment != kNone && fragment >= count) return "A piece refers to a fragment that does not exist.";
     }
-    for (std::uint32_t i = 0; i < all.count(); ++i) {
+    for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint32_t piece = all.pieceOfFragment[i];
         if (piece >= all.partition.pieceCount() || all.fragmentOfPiece[piece] != i) {
             return "Fragment " + std::to_string(i) + " does not have a piece of its own.";
@@ -49,8 +52,9 @@ Fault massFault(const Fragments& all, std::uint32_t index, double slack) {
     const Fragment fragment = all[index];
     if (!(fragment.volume() > 0.0) || !std::isfinite(fragment.volume())) return "has no volume.";
     if (!isFinite(fragment.offset())) return "has an offset that is not finite.";
-    const Vec2 centre = centroid(fragment.outline());
-    if (!all.records[all.pieceOfFragment[index]].receivesMass && !(glm::length(centre) <= slack)) {
+    const ExtrudedFragment extruded = *fragment.extruded();
+    const Vec2 centre = centroid(extruded.outline());
+    if (!extruded.record().receivesMass && !(glm::length(centre) <= slack)) {
         return "does not have its centre of mass as origin.";
     }
     return std::nullopt;
@@ -61,20 +65,21 @@ Fault hullFault(const Fragment& fragment, const Polygon& outline, double slack) 
     std::vector<std::array<double, 2>> corners;
     forEachEdge(outline, [&](Vec2 corner, Vec2) { corners.push_back({corner.x, corner.y}); });
     std::sort(corners.begin(), corners.end());
+    const double depth = fragment.extruded()->depth();
     double volume = 0.0;
     const std::vector<Polytope> hulls = fragment.hulls();
     for (std::size_t k = 0; k < hulls.size(); ++k) {
         const std::string hull = "has a hull " + std::to_string(k);
         if (const Fault fault = verifyPolytope(hulls[k])) return hull + " that is not a valid polytope: " + *fault;
         for (const Vec3& vertex : hulls[k].vertices) {
-            if (std::abs(vertex.z) != fragment.depth() / 2.0 ||
+            if (std::abs(vertex.z) != depth / 2.0 ||
                 !std::binary_search(corners.begin(), corners.end(), std::array{vertex.x, vertex.y})) {
                 return hull + " with a vertex that is not a corner of the piece.";
             }
         }
         volume += massOf(hulls[k]).volume;
     }
-    const double expected = area(outline) * fragment.depth();
+    const double expected = area(outline) * depth;
     if (!(std::abs(volume - expected) <= slack + kRelative * expected)) {
         return "is filled by its hulls with " + messageText(volume) + " m³ instead of " + messageText(expected) +
                " m³.";
@@ -105,12 +110,12 @@ Fault contactFault(const ContactLists& lists, std::uint32_t index, const Fragmen
     }
     if (hasGap) return std::nullopt;
     Fault fault;
-    const std::vector<std::uint32_t> neighbours = fragment.edgeNeighbours();
+    const std::vector<std::uint32_t> neighbours = fragment.extruded()->edgeNeighbours();
     std::size_t edge = 0;
     forEachEdge(outline, [&](Vec2 from, Vec2 to) {
         const std::uint32_t behind = neighbours[edge++];
         if (behind == kNone || behind == index || findContact(contacts, behind)) return;
-        if (!(fragment.depth() * glm::distance(from, to) <= slack)) {
+        if (!(fragment.extruded()->depth() * glm::distance(from, to) <= slack)) {
             fault = "has no contact with fragment " + std::to_string(behind) + ", which it touches.";
         }
     });
@@ -118,8 +123,9 @@ Fault contactFault(const ContactLists& lists, std::uint32_t index, const Fragmen
 }
 
 Fault orderFault(const Fragments& fragments) {
+    const ExtrudedPieces& pieces = *fragments.extruded();
     const auto key = [&](std::uint32_t i) {
-        const std::span<const std::uint32_t> cells = fragments.partition.cutCellsOf(fragments[i].piece());
+        const std::span<const std::uint32_t> cells = pieces.partition.cutCellsOf(fragments[i].extruded()->piece());
         return std::tuple(fragments[i].seed(), std::vector(cells.begin(), cells.end()), fragments[i].partOfCell());
     };
     for (std::uint32_t i = 1; i < fragments.count(); ++i) {
@@ -159,13 +165,14 @@ Fault sumFault(const Fragments& fragments, const Prism& prism, double gapVolume)
 std::optional<std::string> verifyFragments(const Fragments& fragments, const Prism& prism) {
     if (Fault fault = tableFault(fragments, prism)) return fault;
     const double diameter = boundsOf(prism.outline.outer).diagonal();
-    const bool hasGap = &fragments.shapes() != &fragments.partition;
+    const ExtrudedPieces& pieces = *fragments.extruded();
+    const bool hasGap = &pieces.shapes() != &pieces.partition;
     ContactLists contacts;
     for (std::uint32_t i = 0; i < fragments.count(); ++i) contacts.push_back(fragments[i].contacts());
     for (std::uint32_t i = 0; i < fragments.count(); ++i) {
         const auto named = [&](const Fault& fault) { return "Fragment " + std::to_string(i) + " " + *fault; };
         const Fragment fragment = fragments[i];
-        const Polygon outline = fragment.outline();
+        const Polygon outline = fragment.extruded()->outline();
         const double hullSlack = kRelative * diameter * perimeter(outline) * prism.depth;
         const double bondSlack = 2.0 * kRelative * diameter * prism.depth;
         if (const Fault fault = massFault(fragments, i, kRelative * diameter)) return named(fault);
@@ -173,7 +180,7 @@ std::optional<std::string> verifyFragments(const Fragments& fragments, const Pri
         if (const Fault fault = contactFault(contacts, i, fragment, outline, bondSlack, hasGap)) return named(fault);
     }
     if (Fault fault = orderFault(fragments)) return fault;
-    return sumFault(fragments, prism, (fragments.partition.gap + fragments.gapArea) * prism.depth);
+    return sumFault(fragments, prism, (pieces.partition.gap + pieces.gapArea) * prism.depth);
 }
 
 }  // namespace rubble

@@ -34,15 +34,16 @@ std::optional<std::string> pointFault(const Partition& partition, std::uint32_t 
 }  // namespace
 
 std::optional<std::string> verifyGap(const Fragments& fragments, double gap) {
-    const Partition& partition = fragments.partition;
-    const Partition& shapes = fragments.shapes();
+    const ExtrudedPieces& pieces = *fragments.extruded();
+    const Partition& partition = pieces.partition;
+    const Partition& shapes = pieces.shapes();
     if ((gap > 0.0) != (&shapes != &partition)) return "The pieces are not shrunk as the gap requires.";
     if (!(gap > 0.0)) return std::nullopt;
     Box2 box;
     for (const std::uint32_t corner : partition.corners) box.include(partition.points[corner]);
     const double slack = kRelativeSlack * box.diagonal();
     for (std::uint32_t fragment = 0; fragment < fragments.count(); ++fragment) {
-        const std::uint32_t piece = fragments.pieceOfFragment[fragment];
+        const std::uint32_t piece = pieces.pieceOfFragment[fragment];
         const Polygon whole = pieceOutline(partition, piece);
         const std::string name = "Fragment " + std::to_string(fragment);
         for (std::uint32_t ring = shapes.ringsOfPiece[piece]; ring < shapes.ringsOfPiece[piece + 1]; ++ring) {

@@ -146,6 +146,7 @@ private:
     }
 
     Fault seedFault() const {
+        if (m_seeds.empty()) return std::nullopt;
         for (std::uint32_t f = 0; f < m_partition.faces.size(); ++f) {
             const SolidPartition::Face& face = m_partition.faces[f];
             for (const std::array<std::uint32_t, 3>& t : m_partition.trianglesOf(f)) {

@@ -1,5 +1,7 @@
 #include "core/geometry/hull/AspectRatio.h"
 
+#include "core/geometry/hull/PrincipalInertia.h"
+
 #include "core/geometry/hull/MassProperties.h"
 
 #include <cmath>
@@ -15,6 +17,14 @@ double aspectRatio(const Polygon& polygon) {
     const double mean = (xx + yy) / 2.0, spread = std::sqrt((xx - yy) * (xx - yy) / 4.0 + xy * xy);
     if (!(mean > spread)) return 1.0;
     return std::sqrt((mean + spread) / (mean - spread));
+}
+
+double aspectRatio(const MassProperties& body) {
+    const Vec3 inertia = principalInertia(body.inertia).moments;
+    const double half = (inertia.x + inertia.y + inertia.z) / 2.0;
+    std::array<double, 3> along{half - inertia.x, half - inertia.y, half - inertia.z};
+    std::ranges::sort(along);
+    return along[1] > 0.0 ? std::sqrt(along[2] / along[1]) : 1.0;
 }
 
 }  // namespace rubble

@@ -6,7 +6,11 @@
 #include "core/geometry/predicates/Predicates.h"
 
 #include <algorithm>
+#include <cmath>
 #include <compare>
+#include <numeric>
+#include <optional>
+#include <utility>
 
 namespace rubble {
 
@@ -26,12 +30,41 @@ bool areCoplanar(std::span<const Vec3> points, const HullTriangle& triangle, con
     });
 }
 
-/// The face of each triangle; coplanar neighbours share one. Faces are numbered by their first triangle.
-std::vector<std::uint32_t> faceOfTriangle(std::span<const Vec3> points, const Triangles& triangles) {
+/// Whether all corners of a triangle are within a distance, m, of the plane of another that faces the same way.
+bool areNearlyCoplanar(std::span<const Vec3> points, const HullTriangle& triangle, const HullTriangle& other,
+                       double tolerance) {
+    const auto& [a, b, c] = triangle.corners;
+    const Vec3 normal = exactCross(points[a], points[b], points[c]);
+    const double most = tolerance * glm::length(normal);
+    const bool isNear = std::ranges::all_of(other.corners, [&](std::uint32_t corner) {
+        return std::abs(glm::dot(normal, points[corner] - points[a])) <= most;
+    });
+    const auto& [d, e, f] = other.corners;
+    return isNear && glm::dot(normal, exactCross(points[d], points[e], points[f])) >= 0.0;
+}
+
+/// The triangles, the largest first.
+std::vector<std::uint32_t> byArea(std::span<const Vec3> points, const Triangles& triangles) {
+    std::vector<std::pair<double, std::uint32_t>> areas;
+    for (std::uint32_t k = 0; k < triangles.size(); ++k) {
+        const auto& [a, b, c] = triangles[k].corners;
+        const Vec3 normal = exactCross(points[a], points[b], points[c]);
+        areas.emplace_back(-glm::dot(normal, normal), k);
+    }
+    std::ranges::sort(areas);
+    std::vector<std::uint32_t> order;
+    for (const auto& [area, triangle] : areas) order.push_back(triangle);
+    return order;
+}
+
+/// The face of each triangle; coplanar neighbours share one. Faces are numbered by their first triangle in `order`.
+template <class AreCoplanar>
+std::vector<std::uint32_t> faceOfTriangle(const Triangles& triangles, std::span<const std::uint32_t> order,
+                                          AreCoplanar areCoplanar) {
     std::vector<std::uint32_t> face(triangles.size(), kNone);
     std::vector<std::uint32_t> open;
     std::uint32_t count = 0;
-    for (std::uint32_t start = 0; start < triangles.size(); ++start) {
+    for (const std::uint32_t start : order) {
         if (face[start] != kNone) continue;
         face[start] = count++;
         open.assign(1, start);
@@ -39,7 +72,7 @@ std::vector<std::uint32_t> faceOfTriangle(std::span<const Vec3> points, const Tr
             const std::uint32_t triangle = open.back();
             open.pop_back();
             for (const std::uint32_t neighbour : triangles[triangle].neighbours) {
-                if (face[neighbour] != kNone || !areCoplanar(points, triangles[start], triangles[neighbour])) continue;
+                if (face[neighbour] != kNone || !areCoplanar(triangles[start], triangles[neighbour])) continue;
                 face[neighbour] = face[start];
                 open.push_back(neighbour);
             }
@@ -56,8 +89,7 @@ struct BoundaryEdge {
 };
 
 /// The edges between different faces, sorted by face, then start.
-std::vector<BoundaryEdge> boundaryEdges(std::span<const Vec3> points, const Triangles& triangles) {
-    const std::vector<std::uint32_t> face = faceOfTriangle(points, triangles);
+std::vector<BoundaryEdge> boundaryEdges(const Triangles& triangles, const std::vector<std::uint32_t>& face) {
     std::vector<BoundaryEdge> edges;
     for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -124,12 +156,8 @@ void addEdges(Polytope& polytope) {
     std::sort(polytope.edges.begin(), polytope.edges.end());
 }
 
-}  // namespace
-
-Result<Polytope> convexHull(std::span<const Vec3> points) {
-    const Result<std::vector<HullTriangle>> triangles = hullTriangles(points);
-    if (!triangles) return triangles.error();
-    const std::vector<BoundaryEdge> edges = boundaryEdges(points, *triangles);
+/// The hull of faces of triangles; its loops have to be simple.
+Polytope polytopeOf(std::span<const Vec3> points, const std::vector<BoundaryEdge>& edges) {
     const std::vector<std::uint32_t> vertexOfPoint = vertexIndices(points.size(), edges);
     Polytope polytope;
     for (std::size_t point = 0; point < points.size(); ++point) {
@@ -145,6 +173,61 @@ Result<Polytope> convexHull(std::span<const Vec3> points) {
     for (const Loop& loop : polytope.faces) polytope.planes.push_back(planeOf(polytope.vertices, loop));
     addEdges(polytope);
     return polytope;
+}
+
+/// Whether each face is surrounded by one loop that meets no point twice, and has three corners that are vertices.
+bool areSimple(std::span<const BoundaryEdge> edges, const std::vector<std::uint32_t>& vertexOfPoint) {
+    for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+        std::size_t corners = 0;
+        for (; end < edges.size() && edges[end].face == edges[begin].face; ++end) {
+            if (end > begin && edges[end].from == edges[end - 1].from) return false;
+            corners += vertexOfPoint[edges[end].from] != kNone;
+        }
+        if (corners < 3) return false;
+        std::size_t length = 0;
+        std::uint32_t corner = edges[begin].from;
+        do {
+            const auto found = std::lower_bound(edges.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                edges.begin() + static_cast<std::ptrdiff_t>(end),
+                                                BoundaryEdge{edges[begin].face, corner, 0});
+            corner = found->to;
+            ++length;
+        } while (corner != edges[begin].from && length <= end - begin);
+        if (length != end - begin) return false;
+    }
+    return true;
+}
+
+/// The hull of faces that are flat within a tolerance; nothing if they cannot be merged to one.
+std::optional<Polytope> mergedHull(std::span<const Vec3> points, const Triangles& triangles, double tolerance) {
+    const auto areCoplanarEnough = [&](const HullTriangle& triangle, const HullTriangle& other) {
+        return areNearlyCoplanar(points, triangle, other, tolerance);
+    };
+    const std::vector<std::uint32_t> face = faceOfTriangle(triangles, byArea(points, triangles), areCoplanarEnough);
+    const std::vector<BoundaryEdge> edges = boundaryEdges(triangles, face);
+    if (edges.empty() || !areSimple(edges, vertexIndices(points.size(), edges))) return std::nullopt;
+    Polytope hull = polytopeOf(points, edges);
+    return verifyPolytope(hull) ? std::nullopt : std::optional(std::move(hull));
+}
+
+}  // namespace
+
+Result<Polytope> convexHull(std::span<const Vec3> points) {
+    const Result<Triangles> triangles = hullTriangles(points);
+    if (!triangles) return triangles.error();
+    std::vector<std::uint32_t> order(triangles->size());
+    std::iota(order.begin(), order.end(), 0u);
+    const auto areExactlyCoplanar = [&](const HullTriangle& triangle, const HullTriangle& other) {
+        return areCoplanar(points, triangle, other);
+    };
+    return polytopeOf(points, boundaryEdges(*triangles, faceOfTriangle(*triangles, order, areExactlyCoplanar)));
+}
+
+Result<Polytope> convexHull(std::span<const Vec3> points, double tolerance) {
+    const Result<Triangles> triangles = hullTriangles(points);
+    if (!triangles) return triangles.error();
+    if (std::optional<Polytope> merged = mergedHull(points, *triangles, tolerance)) return std::move(*merged);
+    return convexHull(points);
 }
 
 }  // namespace rubble

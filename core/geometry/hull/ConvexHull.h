@@ -16,4 +16,12 @@ namespace rubble {
 /// Source: Barber, Dobkin, Huhdanpaa 1996.
 Result<Polytope> convexHull(std::span<const Vec3> points);
 
+/// The same for points that are known within a tolerance, m: neighbouring triangles are one face if no corner is
+/// farther from the plane of the largest than that, so that faces of points that are coplanar but for rounding have no
+/// needles beside them, which would turn over where the hull is moved. Corners that are left with two faces are no
+/// vertices. Where faces cannot be merged so, the hull is that of the points as they are.
+///
+/// Errors: those above.
+Result<Polytope> convexHull(std::span<const Vec3> points, double tolerance);
+
 }  // namespace rubble

@@ -1,6 +1,8 @@
 #include "core/geometry/hull/InsetHull.h"
 
 #include "core/base/Assert.h"
+#include "core/geometry/hull/HalfSpaceIntersection.h"
+#include "core/geometry/hull/MassProperties.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,6 +79,32 @@ private:
     std::vector<Vec2> m_corners;  // where each side starts
 };
 
+InsetHull insetPrism(const Polytope& prism, double inset) {
+    const Ring ring = ShrinkingRing(prism, inset).ring();
+    if (ring.size() < 3) return {prism, 0.0};
+    const double front = prism.planes[0].offset - inset, back = inset - prism.planes[1].offset;
+    InsetHull hull{extruded(ring, back, front), inset};
+    return hull.polytope.vertices.empty() ? InsetHull{prism, 0.0} : hull;
+}
+
+/// The least extent of a polytope across one of its faces, m.
+double thinnestAcrossFaces(const Polytope& polytope) {
+    double thinnest = std::numeric_limits<double>::infinity();
+    for (const Plane& plane : polytope.planes) {
+        double lowest = plane.offset;
+        for (const Vec3& vertex : polytope.vertices) lowest = std::min(lowest, glm::dot(plane.normal, vertex));
+        thinnest = std::min(thinnest, plane.offset - lowest);
+    }
+    return thinnest;
+}
+
+InsetHull insetPolytope(const Polytope& polytope, double inset) {
+    std::vector<Plane> planes = polytope.planes;
+    for (Plane& plane : planes) plane.offset -= inset;
+    std::optional<Polytope> shrunk = halfSpaceIntersection(planes, massOf(polytope).centre);
+    return shrunk ? InsetHull{std::move(*shrunk), inset} : InsetHull{polytope, 0.0};
+}
+
 }  // namespace
 
 bool isPrism(const Polytope& polytope) {
@@ -105,7 +133,9 @@ bool isPrism(const Polytope& polytope) {
            polytope.planes[1].normal == Vec3(0.0, 0.0, -1.0);
 }
 
-double thinnestWidth(const Polytope& prism) {
+double thinnestWidth(const Polytope& hull) {
+    if (!isPrism(hull)) return thinnestAcrossFaces(hull);
+    const Polytope& prism = hull;
     RUBBLE_ASSERT(prism.planes.size() >= 5);
     // The width of a product of a convex ring and an interval is the smaller of theirs, and that of a ring is across
     // one of its sides.
@@ -124,14 +154,10 @@ double thinnestWidth(const Polytope& prism) {
     return thinnest;
 }
 
-InsetHull insetHull(const Polytope& prism, double distance) {
-    const double inset = std::min(distance, kMaxInset * thinnestWidth(prism));
-    if (!(inset > 0.0)) return {prism, 0.0};
-    const Ring ring = ShrinkingRing(prism, inset).ring();
-    if (ring.size() < 3) return {prism, 0.0};
-    const double front = prism.planes[0].offset - inset, back = inset - prism.planes[1].offset;
-    InsetHull hull{extruded(ring, back, front), inset};
-    return hull.polytope.vertices.empty() ? InsetHull{prism, 0.0} : hull;
+InsetHull insetHull(const Polytope& hull, double distance) {
+    const double inset = std::min(distance, kMaxInset * thinnestWidth(hull));
+    if (!(inset > 0.0)) return {hull, 0.0};
+    return isPrism(hull) ? insetPrism(hull, inset) : insetPolytope(hull, inset);
 }
 
 std::optional<Polytope> solidOf(const InsetHull& hull) {

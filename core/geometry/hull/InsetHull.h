@@ -24,13 +24,13 @@ inline constexpr double kMaxInset = 0.01;
 /// Whether a polytope has the vertices and faces of extruded(), in its order; each face may start at any vertex.
 bool isPrism(const Polytope& polytope);
 
-/// The smallest width of a prism, m. O(n) in its corners.
+/// The smallest width of a prism, m, in O(n) in its corners; of another polytope, its least extent across a face.
 /// Source: the rotating calipers of Shamos 1978, "Computational Geometry".
-double thinnestWidth(const Polytope& prism);
+double thinnestWidth(const Polytope& hull);
 
-/// A prism with its faces moved inwards by `distance` m >= 0, at most kMaxInset of its thinnestWidth(). Faces between
-/// which no room is left vanish. The prism itself where rounding leaves nothing.
-InsetHull insetHull(const Polytope& prism, double distance);
+/// A hull with its faces moved inwards by `distance` m >= 0, at most kMaxInset of its thinnestWidth(). Faces between
+/// which no room is left vanish. The hull itself where rounding leaves nothing.
+InsetHull insetHull(const Polytope& hull, double distance);
 
 /// The prism whose insetHull() this is: exactly, up to rounding, but for faces that vanished, beside which it extends
 /// up to some insets further. Nothing if the hull is not a prism.

@@ -50,8 +50,9 @@ double volumeOf(const Mesh& mesh);
 Mesh triangulated(const Mesh& mesh);
 
 /// Why a mesh is invalid: an index out of range, a face with fewer than three corners, a normal that is not of length 1
-/// or does not match its face, an inside face before an outside one, an edge without exactly two faces in opposite
-/// directions, or a volume other than `volume` (relative 1e-9). Nothing for a valid one.
+/// or does not match its face (of a needle, which is as thin as rounding, that is not checked), an inside face before
+/// an outside one, an edge without exactly two faces in opposite directions, or a volume other than `volume` (relative
+/// 1e-9). Nothing for a valid one.
 std::optional<std::string> verifyMesh(const Mesh& mesh, double volume);
 
 }  // namespace rubble

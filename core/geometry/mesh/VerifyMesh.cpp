@@ -42,13 +42,25 @@ Vec3 areaVector(const Mesh& mesh, const MeshFace& face) {
     return sum;
 }
 
-Fault normalFault(const Mesh& mesh, std::size_t index) {
+/// By how much twice the area of a face may be wrong, m², if its corners are rounded: needles have no orientation.
+double areaSlack(const Mesh& mesh, const MeshFace& face, double extent) {
+    constexpr double kRounding = 1e-11;  // of the mesh's extent
+    const std::span<const MeshCorner> corners = mesh.cornersOf(face);
+    double longest = 0.0;
+    for (const MeshCorner& corner : corners) {
+        longest =
+            std::max(longest, glm::distance(mesh.positions[corner.position], mesh.positions[corners[0].position]));
+    }
+    return kRounding * extent * longest;
+}
+
+Fault normalFault(const Mesh& mesh, std::size_t index, double extent) {
     const Vec3 normal = mesh.normals[mesh.faces[index].normal];
     if (!(std::abs(glm::length(normal) - 1.0) < kUnitLength)) return name(index) + " has a normal not of length 1.";
     const Vec3 area = areaVector(mesh, mesh.faces[index]);
-    if (glm::dot(area, normal) > 0.0 && glm::length(glm::cross(area, normal)) <= kNormalTolerance * glm::length(area)) {
-        return std::nullopt;
-    }
+    const double slack = areaSlack(mesh, mesh.faces[index], extent);
+    const double skew = glm::length(glm::cross(area, normal));
+    if (glm::dot(area, normal) > -slack && skew <= kNormalTolerance * glm::length(area) + slack) return std::nullopt;
     return name(index) + " is not counter-clockwise about its normal.";
 }
 
@@ -85,9 +97,11 @@ Fault orderFault(const Mesh& mesh) {
 }  // namespace
 
 Fault verifyMesh(const Mesh& mesh, double volume) {
+    double extent = 0.0;
+    for (const Vec3& position : mesh.positions) extent = std::max(extent, glm::length(position));
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
         if (Fault fault = faceFault(mesh, i)) return fault;
-        if (Fault fault = normalFault(mesh, i)) return fault;
+        if (Fault fault = normalFault(mesh, i, extent)) return fault;
     }
     if (Fault fault = orderFault(mesh)) return fault;
     if (Fault fault = closureFault(mesh)) return fault;

@@ -93,7 +93,7 @@ PackBuilder::PackBuilder(const PackInput& input, const TaskContext& task)
     : m_input(input), m_threshold(thresholdOf(input.asset, input.material.own)), m_bonds(input.bake.fractures.size()) {
     forEachIndex(m_bonds.size(), task.threads, [&](std::size_t k) {
         const BakedFracture& fracture = m_input.bake.fractures[k];
-        m_bonds[k] = bondsOf(fracture.fragments, fracture.seeds.positions);
+        m_bonds[k] = bondsOf(fracture);
     });
 }
 

@@ -145,6 +145,13 @@ std::shared_ptr<const Surface> readSurface(const JsonValue& value) {
                                              .triangles = value["triangles"].list(readTriangle)});
 }
 
+void writeShape(JsonWriter& json, const Asset& asset) {
+    if (const ClosedMesh* mesh = asset.mesh())
+        json.text("mesh", mesh->hash.hex());
+    else
+        writePrism(json, asset.prism());
+}
+
 void writeProperties(JsonWriter& json, const Material& material) {
     json.wholeNumber("id", material.id);
     json.text("name", material.name);
@@ -174,7 +181,7 @@ Asset readAssetMembers1(const JsonValue& value) {
     return {.id = value["id"].index(),
             .name = value["name"].text(),
             .material = value["material"].index(),
-            .prism = readPrism(value["prism"]),
+            .shape = readPrism(value["prism"]),
             .pattern = readPattern(value["pattern"]),
             .levels = value["levels"].list(readLevel),
             .threshold = value["threshold"].number(),
@@ -244,7 +251,7 @@ void writeAsset(JsonWriter& json, const Asset& asset, const ImageList& images) {
     if (asset.contactTime) json.text("strengthRule", kStrengthRules[0]);
     json.number("insideUvScale", asset.insideUvScale);
     json.wholeNumber("insideMaterial", asset.insideMaterial == 0 ? std::nullopt : std::optional{asset.insideMaterial});
-    writePrism(json, asset.prism);
+    writeShape(json, asset);
     writePattern(json, asset.pattern);
     writeShaping(json, asset.shaping);
     json.list("levels", asset.levels, writeLevel);

@@ -115,7 +115,8 @@ Result<Project> readAnyVersion(JsonDocument& document) {
 Result<RecoveredProject> recovered(Project project) {
     if (const std::optional<std::string> fault = structureFault(project)) return Error{ErrorCode::BadInput, *fault};
     for (const Asset& asset : project.assets) {
-        const Result<Prism> prism = validated(asset.prism);
+        if (!asset.isPrism()) continue;
+        const Result<Prism> prism = validated(asset.prism());
         if (!prism) return prism.error();
     }
     std::vector<std::string> faults = valueFaults(project);
@@ -137,7 +138,8 @@ Result<RecoveredProject> readRecovered(std::string_view json, std::string_view j
 
 /// Removes the repeated points of an asset's outline and its holes, and reports their number.
 void cleanOutline(Asset& asset, std::vector<Diagnostic>& notes) {
-    Polygon& outline = asset.prism.outline;
+    if (!asset.isPrism()) return;
+    Polygon& outline = asset.prism().outline;
     std::size_t count = removeRepeatedPoints(outline.outer).size();
     for (Ring& hole : outline.holes) count += removeRepeatedPoints(hole).size();
     if (count == 0) return;
@@ -151,7 +153,9 @@ bool isCleaned(const Asset& asset, const std::vector<Diagnostic>& notes) {
     return std::ranges::any_of(notes, [&](const Diagnostic& note) { return note.place.asset == asset.id; });
 }
 
-bool hasFaultyPrism(const Asset& asset) { return prismRangeFault({}, asset.prism) || !validated(asset.prism); }
+bool hasFaultyPrism(const Asset& asset) {
+    return asset.isPrism() && (prismRangeFault({}, asset.prism()) || !validated(asset.prism()));
+}
 
 }  // namespace
 

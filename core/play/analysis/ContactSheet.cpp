@@ -27,7 +27,7 @@ SheetFigures figuresOf(const Bake& bake) {
         const Fragment solid = bake.fragment(k).solid;
         const double volume = solid.volume();
         figures.smallestFragment = figures.fragments == 0 ? volume : std::min(figures.smallestFragment, volume);
-        figures.aspect = std::max(figures.aspect, aspectRatio(solid.outline()));
+        figures.aspect = std::max(figures.aspect, solid.aspectRatio());
         ++figures.fragments;
     }
     return figures;

@@ -1,6 +1,8 @@
 #include "core/play/analysis/RequirementImpulse.h"
 
+#include "core/asset/project/AssetShape.h"
 #include "core/base/Assert.h"
+#include "core/geometry/hull/PolytopeRay.h"
 #include "core/play/breaking/DamageDone.h"
 #include "core/play/breaking/MovingMass.h"
 #include "core/play/scene/Projectile.h"
@@ -123,10 +125,31 @@ Result<TouchingBodies> touchingBodies(const Project& project, const PlayAsset& a
     return TouchingBodies{standing(project, asset, support), std::move(*cube)};
 }
 
-/// The point of the front that hits meet, in the prism's frame.
+/// The point of the front of a mesh that hits meet: before its centre of mass, or of its largest hull if it has a hole
+/// there.
+Vec3 frontOf(const Bake& bake, Vec3 centre) {
+    constexpr double kFar = 1e6;  // m: beyond any asset
+    const std::vector<Polytope> hulls = wholeHullsInPrism(bake);
+    const auto frontAt = [&](Vec2 point) {
+        std::optional<Vec3> front;
+        for (const Polytope& hull : hulls) {
+            const Vec3 from{point, kFar};
+            const std::optional<PolytopeRayHit> hit = castRay(hull, {from, {0.0, 0.0, -1.0}});
+            if (hit && (!front || kFar - hit->distance > front->z)) front = Vec3{point, kFar - hit->distance};
+        }
+        return front;
+    };
+    if (const std::optional<Vec3> front = frontAt(Vec2(centre))) return *front;
+    const Polytope* largest = &*std::ranges::max_element(hulls, {}, [](const Polytope& h) { return massOf(h).volume; });
+    return *frontAt(Vec2(massOf(*largest).centre));
+}
+
+/// The point of the front that hits meet, in the asset's frame.
 Vec3 frontPoint(const Project& project, const PlayAsset& asset) {
     const Shape& shape = *asset.whole.shape;
-    const Vec2 point = hitPoint(assetOf(project, asset).prism.outline, Vec2(shape.mass.centre));
+    const Asset& authored = assetOf(project, asset);
+    if (!authored.isPrism()) return frontOf(*asset.bake, shape.mass.centre);
+    const Vec2 point = hitPoint(authored.prism().outline, Vec2(shape.mass.centre));
     return {point, supportAlong(shape, {0.0, 0.0, 1.0})};
 }
 
@@ -175,7 +198,10 @@ double cornerFraction(const Project& project, const PlayAsset& asset, const HitR
     const MovingMass struck = restingMass(*asset.whole.shape, findMaterial(project, authored.material)->density, {});
     const Vec2 centre(struck.centre);
     Vec2 farthest = centre;
-    for (const Vec2& corner : authored.prism.outline.outer) {
+    const Box2 box = planeBoundsOf(authored);
+    const Ring corners = authored.isPrism() ? authored.prism().outline.outer
+                                            : Ring{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+    for (const Vec2& corner : corners) {
         if (glm::distance(corner, centre) > glm::distance(farthest, centre)) farthest = corner;
     }
     const double atCorner = struck.inverseEffectiveMass({farthest, struck.centre.z}, {0.0, 0.0, 1.0}) + 1.0 / hit.mass;
@@ -183,7 +209,7 @@ double cornerFraction(const Project& project, const PlayAsset& asset, const HitR
 }
 
 Throw hitThrow(const Project& project, const PlayAsset& asset, const HitRequirement& hit) {
-    const Vec2 size = boundsOf(assetOf(project, asset).prism.outline.outer).size();
+    const Vec2 size = planeBoundsOf(assetOf(project, asset)).size();
     const double side = std::min(kCubeSide, kMaxCubeFraction * std::min(size.x, size.y));
     const Vec3 point = frontPoint(project, asset);
     const Vec3 half(0.0, 0.0, side / 2.0);

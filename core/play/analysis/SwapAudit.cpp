@@ -1,6 +1,7 @@
 #include "core/play/analysis/SwapAudit.h"
 
 #include "core/asset/bake/FractureResult.h"
+#include "core/asset/project/AssetShape.h"
 #include "core/asset/project/Ids.h"
 #include "core/base/Assert.h"
 #include "core/base/MessageText.h"
@@ -273,7 +274,7 @@ double driftOf(Vec3 now, Vec3 before, double scale) { return glm::length(now - b
 
 /// Measures the drift in the step of the swap in flight.
 Status measureMoving(Session session, const PlayAsset& asset, SwapAudit& audit) {
-    const double mass = massOf(session), depth = session.scene().project.assets[0].prism.depth;
+    const double mass = massOf(session), depth = sizeOf(session.scene().project.assets[0]).z;
     const Hammer blow = offCentreBlow(asset, mass * flightSpeed(asset, depth));
     if (const Status added = session.add(ShotInput{"blow", blow}); !added) return added;
     step(session, 2);
@@ -333,7 +334,7 @@ Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const 
     if (task.isCancelled()) return TaskContext::cancelled();
     scene.gravity = {0.0, -9.81, 0.0};
     scene.ground.isOn = true;
-    scene.instances[0].pose = {{0.0, authored.prism.depth / 2.0, 0.0}, kFlat};
+    scene.instances[0].pose = {{0.0, -boundsOf(authored).min.z, 0.0}, kFlat};
     Result<Session> lying = started(scene, asset);
     if (!lying) return ofAsset(authored, lying.error());
     measureLying(std::move(*lying), audit);

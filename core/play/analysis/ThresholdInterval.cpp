@@ -1,6 +1,7 @@
 #include "core/play/analysis/ThresholdInterval.h"
 
 #include "core/asset/bake/FractureResult.h"
+#include "core/asset/project/AssetShape.h"
 #include "core/asset/project/Ranges.h"
 #include "core/asset/strength/BondStrength.h"
 #include "core/base/Assert.h"
@@ -75,10 +76,14 @@ std::shared_ptr<const PlayStructure> structureOf(const Project& project,
     return playStructure(authored, *findMaterial(project, authored.material), asset, kNone);
 }
 
+/// The width of the hole that all of an asset leaves, m.
+double widthOf(const Asset& asset) {
+    return asset.isPrism() ? diameterOf(asset.prism().outline.outer) : planeBoundsOf(asset).diagonal();
+}
+
 /// Whether an asset that breaks whole leaves a hole that a requirement allows.
 bool allowsBreaking(const Asset& asset, const StrengthRequirement& requirement) {
-    return requirement.outcome == RequirementOutcome::HoleAtMost &&
-           diameterOf(asset.prism.outline.outer) <= requirement.hole;
+    return requirement.outcome == RequirementOutcome::HoleAtMost && widthOf(asset) <= requirement.hole;
 }
 
 }  // namespace

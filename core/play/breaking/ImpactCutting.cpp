@@ -22,8 +22,8 @@ constexpr int kMaxWidenings = 200;  // from the smallest falloff radius to the l
 
 /// The least distance of the seeds near the impact, m.
 double leastDistance(const Asset& asset) {
-    const double areaOfFragment = area(asset.prism.outline) / asset.cutAtImpact->fragments;
-    return std::min(std::max(asset.prism.depth / kMaxSlenderness, kMinDistance),
+    const double areaOfFragment = area(asset.prism().outline) / asset.cutAtImpact->fragments;
+    return std::min(std::max(asset.prism().depth / kMaxSlenderness, kMinDistance),
                     kMeanDistance * std::sqrt(areaOfFragment));
 }
 
@@ -32,7 +32,7 @@ double leastDistance(const Asset& asset) {
 class DistantSeeds {
 public:
     DistantSeeds(const Asset& asset, Vec2 point, Random& random)
-        : m_outline(asset.prism.outline),
+        : m_outline(asset.prism().outline),
           m_point(point),
           m_radius(asset.cutAtImpact->falloffRadius),
           m_distance(leastDistance(asset)),

@@ -137,7 +137,7 @@ std::shared_ptr<const PlayStructure> playStructure(const Asset& asset, const Mat
     const Bake& bake = *ready->bake;
     const std::uint32_t fracture = fractureIndex(bake, parent);
     const BakedFracture& baked = bake.fractures[fracture];
-    std::vector<Bond> bonds = bondsOf(baked.fragments, baked.seeds.positions);
+    std::vector<Bond> bonds = bondsOf(baked);
     std::vector<double> capacities = bondCapacities(asset, material, bake, fracture, bonds);
     std::vector<ClusterLevel> levels = clusterLevels(asset, bake, fracture, bonds);
     std::vector<Vec3> centres;

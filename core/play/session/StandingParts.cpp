@@ -2,6 +2,7 @@
 
 #include "core/base/DisjointSets.h"
 #include "core/geometry/hull/Diameter.h"
+#include "core/structure/bonds/FragmentSilhouette.h"
 
 #include <algorithm>
 #include <map>
@@ -9,10 +10,10 @@
 namespace rubble {
 namespace {
 
-/// The corners of a fragment in the plane of the prism.
+/// The corners of a fragment seen along z.
 void addCorners(const Fragment& fragment, std::vector<Vec2>& corners) {
     const Vec3 offset = fragment.offset();
-    for (const Vec2& point : fragment.outline().outer) corners.push_back(point + Vec2(offset));
+    for (const Vec2& point : silhouetteOf(fragment).outer) corners.push_back(point + Vec2(offset));
 }
 
 /// The solid of a body that is not several fragments, and those that it consists of as long as it is whole.

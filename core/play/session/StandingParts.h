@@ -22,7 +22,7 @@ StandingParts standingParts(const Session& session, Id instance);
 
 /// The width of the largest hole in a bonded instance, m: of the fragments of its first level that do not stand, sets
 /// that share faces, directly or through others of the set; the width of one is the largest distance between two of
-/// its corners, in the plane of the prism, see diameterOf(). 0 if all stand.
+/// its corners, seen along z, see diameterOf(). 0 if all stand.
 double holeWidth(const PlayStructure& structure, std::span<const std::uint32_t> standing);
 
 }  // namespace rubble

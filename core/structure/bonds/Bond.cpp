@@ -1,6 +1,7 @@
 #include "core/structure/bonds/Bond.h"
 
 #include "core/geometry/polygon/AreaMoments.h"
+#include "core/structure/bonds/FragmentSilhouette.h"
 #include "core/structure/bonds/SharedEdges.h"
 
 #include <glm/geometric.hpp>
@@ -26,8 +27,9 @@ struct BondEdge {
 /// Fragment::contacts().
 std::vector<BondEdge> bondEdges(const Fragments& fragments) {
     std::vector<BondEdge> edges;
+    const Partition& partition = fragments.extruded()->partition;
     for (const SharedEdge& edge : sharedEdges(fragments)) {
-        const Vec2 from = fragments.partition.points[edge.from], to = fragments.partition.points[edge.to];
+        const Vec2 from = partition.points[edge.from], to = partition.points[edge.to];
         edges.push_back({edge.first, edge.second, glm::distance(from, to), from, to});
     }
     std::ranges::stable_sort(edges, [](const BondEdge& a, const BondEdge& b) {
@@ -71,10 +73,10 @@ Bond bondOfEdges(std::span<const BondEdge> edges, double depth, const BondedPoin
 }
 
 /// The seeds of two fragments, m, in the frame of the offsets; nothing if they share a seed or one has none.
-std::optional<BondedPoints> seedsOfPair(const Fragments& fragments, std::span<const Vec2> seeds, const Bond& bond) {
+std::optional<BondedPoints> seedsOfPair(const Fragments& fragments, const Seeds& seeds, const Bond& bond) {
     const std::uint32_t first = fragments[bond.first].seed(), second = fragments[bond.second].seed();
-    if (first == second || first >= seeds.size() || second >= seeds.size()) return std::nullopt;
-    return BondedPoints{Vec3{seeds[first], 0.0} + fragments.origin, Vec3{seeds[second], 0.0} + fragments.origin};
+    if (first == second || first >= seeds.positions.size() || second >= seeds.positions.size()) return std::nullopt;
+    return BondedPoints{seeds.at(first) + fragments.origin, seeds.at(second) + fragments.origin};
 }
 
 bool isFiniteAndPositive(double value) { return value > 0.0 && std::isfinite(value); }
@@ -98,20 +100,46 @@ std::optional<std::string> faultOfBond(const Bond& bond, std::uint32_t nodes) {
     return std::nullopt;
 }
 
+/// The bonds of the fragments of a mesh: one for each contact.
+std::vector<Bond> solidBonds(const Fragments& fragments, const Seeds& seeds) {
+    const SolidFragments& all = *fragments.solid();
+    const Vec3 origin = all.partition.origin + fragments.origin;
+    std::vector<Bond> bonds;
+    for (const SolidContact& contact : all.contacts) {
+        const BondedPoints centres{fragments[contact.first].offset(), fragments[contact.second].offset()};
+        const Vec3 apart = centres.second - centres.first;
+        Bond bond{.first = contact.first,
+                  .second = contact.second,
+                  .area = contact.area,
+                  .centroid = contact.centroid + origin,
+                  .normal = contact.normal,
+                  .moments = contact.moments};
+        if (bond.normal == Vec3(0.0))
+            bond.normal = glm::length(apart) > 0.0 ? glm::normalize(apart) : Vec3{1.0, 0.0, 0.0};
+        bond.seedDistance = seedDistanceOf(bond, seedsOfPair(fragments, seeds, bond), centres);
+        bonds.push_back(bond);
+    }
+    return bonds;
+}
+
 }  // namespace
 
-std::vector<Bond> bondsOf(const Fragments& fragments, std::span<const Vec2> seeds) {
+std::vector<Bond> bondsOf(const BakedFracture& fracture) { return bondsOf(fracture.fragments, fracture.seeds); }
+
+std::vector<Bond> bondsOf(const Fragments& fragments, const Seeds& seeds) {
+    if (fragments.solid()) return solidBonds(fragments, seeds);
+    const ExtrudedPieces& pieces = *fragments.extruded();
     const std::vector<BondEdge> edges = bondEdges(fragments);
-    const Vec3 origin = Vec3{fragments.partition.origin, 0.0} + fragments.origin;
+    const Vec3 origin = Vec3{pieces.partition.origin, 0.0} + fragments.origin;
     std::vector<Bond> bonds;
     for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
         double length = 0.0;
         for (; end < edges.size() && edges[end].first == edges[begin].first && edges[end].second == edges[begin].second;
              ++end)
             length += edges[end].length;
-        if (length <= fragments.minSharedEdge) continue;
+        if (length <= pieces.minSharedEdge) continue;
         const BondedPoints centres{fragments[edges[begin].first].offset(), fragments[edges[begin].second].offset()};
-        Bond bond = bondOfEdges(std::span(edges).subspan(begin, end - begin), fragments.depth, centres);
+        Bond bond = bondOfEdges(std::span(edges).subspan(begin, end - begin), pieces.depth, centres);
         bond.centroid += origin;
         bond.seedDistance = seedDistanceOf(bond, seedsOfPair(fragments, seeds, bond), centres);
         bonds.push_back(bond);
@@ -144,12 +172,12 @@ double seedDistanceToFace(const Bond& bond, Vec3 point) {
 
 Bond paintedAnchor(const Fragments& fragments, std::uint32_t fragment) {
     const Fragment held = fragments[fragment];
-    const AreaMoments moments = momentsOf(held.outline());
+    const AreaMoments moments = momentsOf(silhouetteOf(held));
     Bond bond{.first = fragment,
               .area = moments.area,
               .centroid = held.offset() + Vec3{moments.centre, 0.0},
               .normal = {0.0, 0.0, 1.0},
-              .seedDistance = held.depth() / 2.0};
+              .seedDistance = depthOf(held) / 2.0};
     bond.moments[0] = {moments.xx, moments.xy, 0.0};
     bond.moments[1] = {moments.xy, moments.yy, 0.0};
     return bond;

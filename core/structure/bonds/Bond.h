@@ -1,7 +1,8 @@
 #pragma once
 
+#include "core/asset/bake/Bake.h"
 #include "core/base/Index.h"
-#include "core/fracture/pieces/Fragment.h"
+#include "core/fracture/fragments/Fragment.h"
 #include "core/geometry/predicates/Vec.h"
 
 #include <cstdint>
@@ -32,8 +33,11 @@ struct Bond {
 /// mean. Where that vanishes, since one fragment encloses the other, it leads from the centre of mass of the first to
 /// that of the second, or along x if these coincide.
 ///
-/// `seeds`: of each input index, m, in the frame of the partition; empty: none.
-std::vector<Bond> bondsOf(const Fragments& fragments, std::span<const Vec2> seeds = {});
+/// Those of a mesh are the contacts of its partition.
+///
+/// `seeds`: of each input index, m, in the frame of what was cut; empty: none.
+std::vector<Bond> bondsOf(const Fragments& fragments, const Seeds& seeds = {});
+std::vector<Bond> bondsOf(const BakedFracture& fracture);
 
 /// Two fragments, or a fragment and an anchor, as a bond sees them.
 struct BondedPoints {
@@ -53,7 +57,8 @@ double seedDistanceOf(const Bond& bond, const std::optional<BondedPoints>& seeds
 double seedDistanceToFace(const Bond& bond, Vec3 point);
 
 /// The bond of a fragment to an anchor that holds all of it, as a painted one does: over its middle plane, at half of
-/// its depth, with the normal along z. Symmetric about the middle plane, as all bonds of a prism are.
+/// its depth, with the normal along z: symmetric about the middle plane, as all bonds of a prism are. Of a mesh, over
+/// its silhouette at its centre of mass.
 Bond paintedAnchor(const Fragments& fragments, std::uint32_t fragment);
 
 /// Returns the first fault of bonds between `nodes` nodes in one sentence, or nothing: first, then second ascend,

@@ -30,9 +30,10 @@ std::uint32_t bondBetween(std::span<const Bond> bonds, std::uint32_t first, std:
 }  // namespace
 
 std::vector<FaceEdge> faceEdges(const Fragments& fragments, std::span<const Bond> bonds) {
-    const Partition& partition = fragments.partition;
-    const std::vector<bool> isOutside = pointsOutside(partition);
     std::vector<FaceEdge> edges;
+    if (!fragments.extruded()) return edges;
+    const Partition& partition = fragments.extruded()->partition;
+    const std::vector<bool> isOutside = pointsOutside(partition);
     for (const auto& [first, second, from, to] : sharedEdges(fragments)) {
         const std::uint32_t bond = bondBetween(bonds, first, second);
         if (bond == kNone) continue;

@@ -18,7 +18,8 @@ struct FaceEdge {
 };
 
 /// The edges of the faces of bonds, by piece, each once. `bonds`: by first, then second, as bondsOf() has
-/// them; edges between fragments without a bond are left out. O(n log n) in the edges.
+/// them; edges between fragments without a bond are left out. None for fragments of a
+/// mesh, whose faces are no rectangles. O(n log n) in the edges.
 std::vector<FaceEdge> faceEdges(const Fragments& fragments, std::span<const Bond> bonds);
 
 }  // namespace rubble

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/fracture/pieces/Fragment.h"
+#include "core/fracture/fragments/Fragment.h"
 
 #include <cstdint>
 #include <vector>

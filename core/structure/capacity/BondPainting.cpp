@@ -3,6 +3,7 @@
 #include "core/geometry/predicates/Predicates.h"
 #include "core/geometry/predicates/SegmentDistance.h"
 #include "core/geometry/search/BoxTree.h"
+#include "core/structure/bonds/FragmentSilhouette.h"
 
 #include <algorithm>
 
@@ -41,7 +42,7 @@ std::vector<Segment> linesOf(const BondStroke& stroke) {
 /// The outline of a fragment in the frame of its offset.
 Polygon placedOutline(const Fragment& fragment) {
     const Vec2 offset{fragment.offset()};
-    Polygon outline = fragment.outline();
+    Polygon outline = silhouetteOf(fragment);
     for (Vec2& corner : outline.outer) corner += offset;
     for (Ring& hole : outline.holes) {
         for (Vec2& corner : hole) corner += offset;

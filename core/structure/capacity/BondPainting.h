@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/asset/project/Bonding.h"
-#include "core/fracture/pieces/Fragment.h"
+#include "core/fracture/fragments/Fragment.h"
 
 #include <span>
 #include <vector>

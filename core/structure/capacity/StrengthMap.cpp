@@ -1,5 +1,6 @@
 #include "core/structure/capacity/StrengthMap.h"
 
+#include "core/asset/project/AssetShape.h"
 #include "core/geometry/predicates/SegmentDistance.h"
 
 #include <algorithm>
@@ -34,8 +35,7 @@ PixelStep pixelStep(double position, std::uint32_t count) {
 
 }  // namespace
 
-StrengthMap::StrengthMap(const Asset& asset)
-    : m_bonding(asset.bonding), m_bounds(boundsOf(asset.prism.outline.outer)) {}
+StrengthMap::StrengthMap(const Asset& asset) : m_bonding(asset.bonding), m_bounds(planeBoundsOf(asset)) {}
 
 double StrengthMap::at(Vec2 point) const {
     return byStroke(point) * byHeight(point.y - m_bounds.min.y) * byImage(point);

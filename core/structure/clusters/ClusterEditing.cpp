@@ -20,7 +20,7 @@ BondGraph fractureGraph(const Bake& bake, std::uint32_t fracture) {
     const BakedFracture& baked = bake.fractures[fracture];
     std::vector<Vec3> centres;
     for (std::uint32_t k = 0; k < baked.fragments.count(); ++k) centres.push_back(baked.fragments[k].offset());
-    return bondGraph(std::move(centres), bondsOf(baked.fragments, baked.seeds.positions));
+    return bondGraph(std::move(centres), bondsOf(baked));
 }
 
 ClusterEditing::ClusterEditing(const Asset& asset, const Bake& bake, std::uint32_t fracture, std::uint32_t level)

@@ -15,9 +15,10 @@ namespace {
 
 /// A property of fragments as one of their pieces; thin pieces are those of the fragment that has their mass.
 std::vector<bool> ofPieces(const Fragments& fragments, const std::vector<bool>& ofFragments) {
-    std::vector<bool> found(fragments.fragmentOfPiece.size(), false);
+    const UninitializedVector<std::uint32_t>& fragmentOfPiece = fragments.extruded()->fragmentOfPiece;
+    std::vector<bool> found(fragmentOfPiece.size(), false);
     for (std::size_t piece = 0; piece < found.size(); ++piece) {
-        const std::uint32_t fragment = fragments.fragmentOfPiece[piece];
+        const std::uint32_t fragment = fragmentOfPiece[piece];
         found[piece] = fragment != kNone && ofFragments[fragment];
     }
     return found;
@@ -30,7 +31,8 @@ BondMarker::BondMarker(std::shared_ptr<const Bake> bake, std::uint32_t fracture)
 
 std::unique_ptr<BondMarker> BondMarker::of(const std::shared_ptr<const Bake>& bake, const DrawablePattern& pattern) {
     const Fragments* fragments = bake ? fragmentsWithin(*bake, pattern.baked().parent) : nullptr;
-    if (!fragments || !areSamePieces(fragments->partition, pattern.partition())) return nullptr;
+    if (!fragments || !fragments->extruded() || !areSamePieces(fragments->extruded()->partition, pattern.partition()))
+        return nullptr;
     const auto found = std::ranges::find(bake->fractures, fragments,
                                          [](const BakedFracture& fracture) { return &fracture.fragments; });
     return std::make_unique<BondMarker>(bake, static_cast<std::uint32_t>(found - bake->fractures.begin()));
@@ -78,7 +80,7 @@ const std::vector<Colour>& BondMarker::coloursByCluster(const Asset& asset) {
     m_clusterColours.clear();
     if (m_clusters.empty()) return m_clusterColours;
     const std::vector<Colour> colours = clusterColours(asset, *m_bake, m_fracture);
-    for (const std::uint32_t fragment : fragments().fragmentOfPiece)
+    for (const std::uint32_t fragment : fragments().extruded()->fragmentOfPiece)
         m_clusterColours.push_back(fragment == kNone ? kUnclusteredColour : colours[fragment]);
     return m_clusterColours;
 }

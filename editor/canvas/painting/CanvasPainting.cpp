@@ -92,7 +92,7 @@ public:
     void paintWholeVoronoi() {
         // Rays end at the same point for every painted part, so that parts join seamlessly.
         const Asset& asset = *m_pattern.baked().asset;
-        const std::optional<AnisotropyMap> grain = AnisotropyMap::of(asset.pattern, asset.prism.outline);
+        const std::optional<AnisotropyMap> grain = AnisotropyMap::of(asset.pattern, asset.prism().outline);
         Box2 box = boundsOf(m_pattern.baked().triangulation.sites);
         const Vec2 around(kVoronoiExtent * box.diagonal());
         box = {box.min - around, box.max + around};
@@ -283,7 +283,7 @@ void paintGaps(QPainter& painter, const CanvasView& view, const CanvasContents& 
     const Partition& shrunk = *contents.shrunk;
     CanvasView shifted = view;
     shifted.centre -= shrunk.origin;
-    QPainterPath path = pathOf(contents.asset()->prism.outline, view);
+    QPainterPath path = pathOf(contents.asset()->prism().outline, view);
     for (std::uint32_t piece = 0; piece < shrunk.pieceCount(); ++piece) {
         const Polygon outline = pieceOutline(shrunk, piece);
         addRing(outline.outer, shifted, path);
@@ -347,7 +347,7 @@ QPainterPath pathOfPiece(const DrawablePattern& pattern, std::uint32_t piece, co
 
 double seedSpacing(const DrawablePattern& pattern, const CanvasView& view) {
     const auto count = static_cast<double>(std::max<std::size_t>(pattern.seeds().positions.size(), 1));
-    return std::sqrt(area(pattern.baked().asset->prism.outline) / count) * view.scale;
+    return std::sqrt(area(pattern.baked().asset->prism().outline) / count) * view.scale;
 }
 
 double seedRadius(const DrawablePattern& pattern, const CanvasView& view) {

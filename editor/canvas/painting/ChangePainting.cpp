@@ -1,5 +1,6 @@
 #include "editor/canvas/painting/ChangePainting.h"
 
+#include "core/structure/bonds/FragmentSilhouette.h"
 #include "editor/canvas/painting/CanvasPainting.h"
 
 #include <QCoreApplication>
@@ -59,7 +60,7 @@ QPainterPath pathOf(const Bake& bake, std::uint32_t number, const CanvasView& vi
     const Fragment solid = bake.fragment(number).solid;
     CanvasView shifted = view;
     shifted.centre -= Vec2{solid.offset()};
-    return pathOf(solid.outline(), shifted);
+    return pathOf(silhouetteOf(solid), shifted);
 }
 
 QPointF centroidOf(const Bake& bake, std::uint32_t number, const CanvasView& view) {

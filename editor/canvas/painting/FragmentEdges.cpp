@@ -7,11 +7,12 @@ namespace rubble {
 namespace {
 
 void addEdges(const Fragments& fragments, Vec2 origin, std::vector<std::array<Vec2, 2>>& edges) {
-    const Partition& shapes = fragments.shapes();
+    if (!fragments.extruded()) return;
+    const Partition& shapes = fragments.extruded()->shapes();
     const Vec2 offset = shapes.origin + Vec2{fragments.origin} - origin;
     for (std::uint32_t piece = 0; piece < shapes.pieceCount(); ++piece) {
         forEachEdge(shapes, piece, [&](std::uint32_t from, std::uint32_t to, std::uint32_t neighbour) {
-            const bool isShared = neighbour != kNone && !fragments.shrunk;
+            const bool isShared = neighbour != kNone && !fragments.extruded()->shrunk;
             if (!isShared || neighbour < piece)
                 edges.push_back({shapes.points[from] + offset, shapes.points[to] + offset});
         });

@@ -172,7 +172,7 @@ void paintFragmentLabel(QPainter& painter, const CanvasContents& contents, std::
     std::vector<LabelObstacle> obstacles{{QRectF(pointer - around, pointer + around), kPanelWeight},
                                          {pathOfPiece(pattern, piece, view).boundingRect(), kPieceWeight}};
     for (const QRectF& panel : panels) obstacles.push_back({panel, kPanelWeight});
-    const Box2 outline = boundsOf(contents.asset()->prism.outline.outer);
+    const Box2 outline = boundsOf(contents.asset()->prism().outline.outer);
     obstacles.push_back({QRectF(view.pixels(outline.min), view.pixels(outline.max)).normalized(), 1.0});
     paintCornerLabel(painter, lines, obstacles, colours, colours.panelEdge, view);
 }
@@ -185,7 +185,7 @@ void paintTriangleAt(QPainter& painter, Vec2 point, const CanvasView& view, cons
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(colours.circle, 1.5));
-    const bool hasGrain = AnisotropyMap::of(contents.asset()->pattern, contents.asset()->prism.outline).has_value();
+    const bool hasGrain = AnisotropyMap::of(contents.asset()->pattern, contents.asset()->prism().outline).has_value();
     if (const std::optional<Circle> circle = circumcircle(delaunay, triangle); circle && !hasGrain) {
         const double radius = circle->radius * view.scale;
         if (radius < kLargestCircle) painter.drawEllipse(view.pixels(circle->centre), radius, radius);

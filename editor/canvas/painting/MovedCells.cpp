@@ -83,7 +83,7 @@ std::shared_ptr<const BakedPattern> bakedOf(const DrawablePattern& whole, const 
 }  // namespace
 
 std::optional<std::vector<MovedSeed>> movedSeeds(const DrawablePattern& before, const Asset& now) {
-    if (now.prism != before.baked().asset->prism) return std::nullopt;
+    if (!isSameShape(now, *before.baked().asset)) return std::nullopt;
     PatternComparison comparison(before);
     if (!comparison.compare(before.baked().asset->pattern, now.pattern)) return std::nullopt;
     return std::move(comparison.moved);
@@ -95,7 +95,7 @@ std::shared_ptr<const MovedPart> MovedCells::movedPart(const Asset& now) {
     const std::optional<std::vector<MovedSeed>> moved = movedSeeds(*m_baked, now);
     if (!moved || moved->empty() || moved->size() > kMaxMovedSeeds) return nullptr;
     if (!m_diagram) {
-        const Result<Prism> prism = validated(now.prism);
+        const Result<Prism> prism = validated(now.prism());
         if (!prism) return nullptr;
         m_outline = prism->outline;
         m_diagram.emplace(m_baked->seeds().positions, m_baked->baked().triangulation);

@@ -78,7 +78,7 @@ const PatternLayer* BrushTool::layer() const {
 
 const Polygon& BrushTool::imageOutline() const {
     const PatternLayer* target = layer();
-    return target && target->scatteredIn ? *target->scatteredIn : m_state.displayedAsset()->prism.outline;
+    return target && target->scatteredIn ? *target->scatteredIn : m_state.displayedAsset()->prism().outline;
 }
 
 /// That of the layer as it is painted; of a layer without a picture, some times that of the pieces.

@@ -37,8 +37,11 @@ struct CanvasState {
     const Asset* asset() const { return findAsset(document.project(), selection.asset()); }
     bool isInFragment() const { return !selection.enteredFragment().empty(); }
     /// The asset whose prism and pattern are shown: the active one, or the entered fragment as an asset. Null if there
-    /// is none.
-    const Asset* displayedAsset() const { return isInFragment() ? fragment.get() : asset(); }
+    /// is none, or it is a mesh.
+    const Asset* displayedAsset() const {
+        const Asset* active = isInFragment() ? fragment.get() : asset();
+        return active && active->isPrism() ? active : nullptr;
+    }
     /// Pushes an edit of a tool; other edits end a drag.
     bool push(Edit edit) const;
     /// The displayed pattern within `copy`, a copy of the active asset that is being changed.

@@ -80,7 +80,7 @@ const Asset* OutlineTool::editableAsset() const { return m_state.isInFragment() 
 
 std::optional<OutlineTool::Handle> OutlineTool::handleAt(const CanvasPointer& pointer) const {
     if (!editableAsset()) return std::nullopt;
-    const Polygon& outline = editableAsset()->prism.outline;
+    const Polygon& outline = editableAsset()->prism().outline;
     std::optional<Handle> nearest;
     double least = kPointRadius / m_state.view.scale;
     const auto consider = [&](double away, RingPoint at, bool isEdge) {
@@ -125,7 +125,7 @@ void OutlineTool::move(const CanvasPointer& pointer) {
 }
 
 Polygon OutlineTool::dragged(const CanvasPointer& pointer) const {
-    Polygon outline = m_drag->before.prism.outline;
+    Polygon outline = m_drag->before.prism().outline;
     const RingPoint at = m_drag->handle.at;
     const Vec2 from = pointOf(outline, at);
     if (pointer.pixels == m_drag->from.pixels) return outline;
@@ -164,13 +164,13 @@ void OutlineTool::doubleClick(const CanvasPointer& pointer) {
     if (isDrawing()) return m_drawing.doubleClick(pointer);
     const std::optional<Handle> handle = handleAt(pointer);
     if (!handle || !handle->isEdge) return press(pointer);
-    const Polygon& outline = editableAsset()->prism.outline;
+    const Polygon& outline = editableAsset()->prism().outline;
     insertPoint(handle->at, nearestOnEdge(pointer.metres, pointOf(outline, handle->at),
                                           pointOf(outline, nextOf(outline, handle->at))));
 }
 
 void OutlineTool::insertPoint(RingPoint edge, Vec2 position) {
-    Polygon outline = editableAsset()->prism.outline;
+    Polygon outline = editableAsset()->prism().outline;
     Ring& ring = ringOf(outline, edge.ring);
     ring.insert(ring.begin() + edge.point + 1, position);
     if (!pushOutline(tr("Add Point"), std::move(outline))) return;
@@ -180,8 +180,8 @@ void OutlineTool::insertPoint(RingPoint edge, Vec2 position) {
 }
 
 void OutlineTool::deleteSelectedPoint() {
-    if (!editableAsset() || !m_selected || !isIn(editableAsset()->prism.outline, *m_selected)) return;
-    Polygon outline = editableAsset()->prism.outline;
+    if (!editableAsset() || !m_selected || !isIn(editableAsset()->prism().outline, *m_selected)) return;
+    Polygon outline = editableAsset()->prism().outline;
     Ring& ring = ringOf(outline, m_selected->ring);
     if (ring.size() <= 3 && m_selected->ring > 0) return deleteHole(m_selected->ring);
     ring.erase(ring.begin() + m_selected->point);
@@ -192,7 +192,7 @@ void OutlineTool::deleteSelectedPoint() {
 }
 
 void OutlineTool::deleteHole(int ring) {
-    Polygon outline = editableAsset()->prism.outline;
+    Polygon outline = editableAsset()->prism().outline;
     outline.holes.erase(outline.holes.begin() + (ring - 1));
     pushOutline(tr("Delete Hole"), std::move(outline));
     m_selected.reset();
@@ -244,7 +244,7 @@ bool OutlineTool::key(const QKeyEvent& event) {
         case Qt::Key_PageUp: selectNext(-1); return true;
         case Qt::Key_Insert: {
             if (!m_selected) return true;
-            const Polygon& outline = editableAsset()->prism.outline;
+            const Polygon& outline = editableAsset()->prism().outline;
             insertPoint(*m_selected,
                         (pointOf(outline, *m_selected) + pointOf(outline, nextOf(outline, *m_selected))) / 2.0);
             return true;
@@ -254,8 +254,8 @@ bool OutlineTool::key(const QKeyEvent& event) {
 }
 
 void OutlineTool::nudge(Vec2 by, bool isRepeated) {
-    if (!editableAsset() || !m_selected || m_drag || !isIn(editableAsset()->prism.outline, *m_selected)) return;
-    Polygon outline = editableAsset()->prism.outline;
+    if (!editableAsset() || !m_selected || m_drag || !isIn(editableAsset()->prism().outline, *m_selected)) return;
+    Polygon outline = editableAsset()->prism().outline;
     pointOf(outline, *m_selected) += by;
     pushOutline(tr("Move Point"), std::move(outline), nudgeMergeKey(isRepeated));
 }
@@ -263,7 +263,7 @@ void OutlineTool::nudge(Vec2 by, bool isRepeated) {
 /// Cycles through the points of all rings.
 void OutlineTool::selectNext(int by) {
     std::vector<RingPoint> points;
-    forEachPoint(editableAsset()->prism.outline, [&](RingPoint point) { points.push_back(point); });
+    forEachPoint(editableAsset()->prism().outline, [&](RingPoint point) { points.push_back(point); });
     const auto count = static_cast<int>(points.size());
     const auto selected = m_selected ? std::ranges::find(points, *m_selected) : points.end();
     const int now = selected == points.end() ? (by > 0 ? -1 : 0) : static_cast<int>(selected - points.begin());
@@ -285,7 +285,7 @@ void OutlineTool::paint(QPainter& painter, const CanvasColours& colours) const {
 }
 
 void OutlineTool::paintHandles(QPainter& painter, const CanvasColours& colours) const {
-    const Polygon& outline = editableAsset()->prism.outline;
+    const Polygon& outline = editableAsset()->prism().outline;
     if (m_hovered && m_hovered->isEdge && isIn(outline, m_hovered->at)) {
         painter.setPen(QPen(colours.accent, 4.0, Qt::SolidLine, Qt::RoundCap));
         painter.drawLine(m_state.view.pixels(pointOf(outline, m_hovered->at)),
@@ -327,8 +327,9 @@ void OutlineTool::fillMenu(QMenu& menu, const CanvasPointer& pointer) {
     const std::optional<Handle> handle = handleAt(pointer);
     if (handle && !handle->isEdge) m_selected = handle->at;
     if (handle && handle->isEdge) {
-        const Vec2 position = nearestOnEdge(pointer.metres, pointOf(asset->prism.outline, handle->at),
-                                            pointOf(asset->prism.outline, nextOf(asset->prism.outline, handle->at)));
+        const Vec2 position =
+            nearestOnEdge(pointer.metres, pointOf(asset->prism().outline, handle->at),
+                          pointOf(asset->prism().outline, nextOf(asset->prism().outline, handle->at)));
         menu.addAction(tr("&Add Point Here"), this, [this, at = handle->at, position] { insertPoint(at, position); });
     }
     menu.addAction(tr("&Delete Point"), this, &OutlineTool::deleteSelectedPoint)->setEnabled(m_selected.has_value());

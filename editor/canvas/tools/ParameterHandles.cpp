@@ -69,7 +69,7 @@ QString stepText(const ParameterHandle& handle) {
 
 std::vector<ParameterHandle> parameterHandles(const Asset& asset) {
     std::vector<ParameterHandle> handles;
-    const Box2 box = boundsOf(asset.prism.outline.outer);
+    const Box2 box = boundsOf(asset.prism().outline.outer);
     const Vec2 centre = (box.min + box.max) / 2.0;
     double distance = kAngleHandleDistance * box.diagonal();
     for (const PatternLayer& layer : asset.pattern.layers) {

@@ -71,7 +71,7 @@ void ShapeDrawing::doubleClick(const CanvasPointer& pointer) {
 
 void ShapeDrawing::close() {
     const Polygon drawn{draft().ring(), {}};
-    const auto outline = [&] { return m_state.asset()->prism.outline; };
+    const auto outline = [&] { return m_state.asset()->prism().outline; };
     bool isDone = false;
     switch (m_purpose) {
         case Purpose::Replace: isDone = pushOutline(tr("Draw Outline"), validated(drawn)); break;

@@ -44,8 +44,8 @@ void addRing(const Ring& ring, SnapTargets& targets) {
 SnapTargets outlineTargets(const CanvasState& state) {
     SnapTargets targets;
     if (const Asset* asset = state.displayedAsset()) {
-        addRing(asset->prism.outline.outer, targets);
-        for (const Ring& hole : asset->prism.outline.holes) addRing(hole, targets);
+        addRing(asset->prism().outline.outer, targets);
+        for (const Ring& hole : asset->prism().outline.holes) addRing(hole, targets);
     }
     return targets;
 }

@@ -150,8 +150,9 @@ void CanvasContentsUpdater::refreshShapes() {
     const auto baked = m_state.bakes.find(m_state.selection.asset());
     const FragmentPath& entered = m_state.selection.enteredFragment();
     const Fragments* fragments = baked && baked->bake ? fragmentsWithin(*baked->bake, entered) : nullptr;
-    if (fragments && m_contents.pattern && areSamePieces(fragments->partition, m_contents.pattern->partition())) {
-        m_contents.shrunk = fragments->shrunk;
+    const ExtrudedPieces* pieces = fragments ? fragments->extruded() : nullptr;
+    if (pieces && m_contents.pattern && areSamePieces(pieces->partition, m_contents.pattern->partition())) {
+        m_contents.shrunk = pieces->shrunk;
         if (m_contents.overlays.hasDeeperLevels) m_contents.deeperEdges = deeperEdges(*baked->bake, entered);
     }
     if (hadShapes || m_contents.shrunk || !m_contents.deeperEdges.empty()) m_backingStore.invalidateAll();

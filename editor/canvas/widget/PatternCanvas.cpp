@@ -138,7 +138,7 @@ void PatternCanvas::fit() {
     const Asset* shown = m_state.displayedAsset();
     if (!shown) return;
     m_state.view.size = size();
-    m_state.view = fittedBeside(m_state.view, boundsOf(shown->prism.outline.outer), legendArea());
+    m_state.view = fittedBeside(m_state.view, boundsOf(shown->prism().outline.outer), legendArea());
     updatePointer();
     update();
 }
@@ -147,7 +147,7 @@ void PatternCanvas::fit() {
 void PatternCanvas::refit() {
     const Asset* shown = m_state.displayedAsset();
     if (!shown || !m_isFitted || m_isPressed) return;
-    if (isCovered(m_state.view, boundsOf(shown->prism.outline.outer), legendArea())) fit();
+    if (isCovered(m_state.view, boundsOf(shown->prism().outline.outer), legendArea())) fit();
 }
 
 QRectF PatternCanvas::legendArea() const {
@@ -164,7 +164,7 @@ void PatternCanvas::frameSelected(std::optional<Vec2> point) {
         if (seed != kNone) include(box, shown->boxOf(seed));
     }
     if (box.min.x > box.max.x) return fit();
-    setView(framed(m_state.view, box, boundsOf(m_state.displayedAsset()->prism.outline.outer)));
+    setView(framed(m_state.view, box, boundsOf(m_state.displayedAsset()->prism().outline.outer)));
 }
 
 void PatternCanvas::setCompared(std::shared_ptr<const ComparedAsset> compared) {
@@ -307,7 +307,7 @@ void PatternCanvas::paintHighlights(QPainter& painter) const {
     const bool hasPiece = contents().pattern && contents().overlays.hasCells && m_hovered != kNone;
     if (hasPiece && !m_isPressed) paintHovered(painter, *contents().pattern, m_hovered, m_state.view, m_colours);
     if (const Asset* shown = m_state.displayedAsset())
-        paintOutline(painter, shown->prism.outline, m_state.view, m_colours);
+        paintOutline(painter, shown->prism().outline, m_state.view, m_colours);
     if (contents().pattern && contents().overlays.hasTriangles && m_pointer) {
         paintTriangleAt(painter, m_pointer->metres, m_state.view, contents(), m_colours);
     }

@@ -157,7 +157,7 @@ void StrengthPanel::refresh() {
     if (!shown) return refreshAudit();
     std::optional<ThresholdInterval> interval;
     const auto baked = m_bakes.find(shown->id);
-    if (baked && baked->bake && baked->asset->prism == shown->prism) {
+    if (baked && baked->bake && isSameShape(*baked->asset, *shown)) {
         if (Result<PlayAsset> whole = wholePlayAsset(*shown, baked->bake)) {
             m_whole = std::move(*whole);
             const Result<ThresholdInterval> found = intervalOf(*shown, baked->bake);

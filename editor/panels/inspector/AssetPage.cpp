@@ -88,7 +88,8 @@ std::vector<Asset> AssetPage::selected() const {
 QString AssetPage::faultOf(const Asset& asset) const {
     const QString name = nameFault(m_document.project(), Part::Asset, asset.id, QString::fromStdString(asset.name));
     if (!name.isEmpty()) return name;
-    const Result<Prism> prism = validated(asset.prism);
+    if (!asset.isPrism()) return {};
+    const Result<Prism> prism = validated(asset.prism());
     return prism ? QString() : QString::fromStdString(prism.error().message);
 }
 
@@ -286,17 +287,24 @@ void AssetPage::buildShape(Section& section) {
 }
 
 QString AssetPage::summary(const Asset& asset) const {
-    const Polygon& outline = asset.prism.outline;
-    const double size = area(outline);
     const Material* material = findMaterial(m_document.project(), asset.material);
-    const double mass = size * asset.prism.depth * (material ? material->density : 0.0);
+    if (const ClosedMesh* mesh = asset.mesh()) {
+        return tr("%1 · %2 · %3")
+            .arg(tr("%Ln triangle(s)", nullptr, static_cast<int>(mesh->mesh.triangles.size())),
+                 roundedQuantity(mesh->mass.volume, m_units.volumes(), locale()),
+                 localizedQuantity(QuantityKind::Mass, mesh->mass.volume * (material ? material->density : 0.0),
+                                   m_units, locale()));
+    }
+    const Polygon& outline = asset.prism().outline;
+    const double size = area(outline);
+    const double mass = size * asset.prism().depth * (material ? material->density : 0.0);
     QString kind = isRectangle(outline.outer) ? tr("Rectangle")
                                               : tr("%Ln point(s)", nullptr, static_cast<int>(outline.outer.size()));
     if (outline.outer.size() == 3) kind = tr("Triangle");
     if (!outline.holes.empty()) kind += ", " + tr("%Ln hole(s)", nullptr, static_cast<int>(outline.holes.size()));
     return tr("%1 · %2 · %3 · %4")
         .arg(kind, roundedQuantity(size, m_units.areas(), locale()),
-             roundedQuantity(size * asset.prism.depth, m_units.volumes(), locale()),
+             roundedQuantity(size * asset.prism().depth, m_units.volumes(), locale()),
              localizedQuantity(QuantityKind::Mass, mass, m_units, locale()));
 }
 

@@ -137,7 +137,8 @@ double LayerPage::domainArea(const PatternLayer& layer) const {
     const Asset* asset = findAsset(m_document.project(), m_pattern.asset);
     if (!asset) return 1.0;
     const Vec2 whole = domainBounds(*asset).size(), filled = domainBounds(*asset, m_pattern.index).size();
-    return area(asset->prism.outline) * (filled.x / whole.x) * (filled.y / whole.y);
+    const double all = asset->isPrism() ? area(asset->prism().outline) : whole.x * whole.y;
+    return all * (filled.x / whole.x) * (filled.y / whole.y);
 }
 
 void LayerPage::showOverrides(const PatternLayer& layer) {

@@ -70,9 +70,10 @@ QWidget* OutlineEditor::buttonRow() {
 
 void OutlineEditor::refresh(Id asset) {
     const Asset* shown = findAsset(m_document.project(), asset);
+    if (shown && !shown->isPrism()) shown = nullptr;
     m_model->setRing(asset, asset == m_asset ? m_model->ring() : 0);
     m_asset = asset;
-    const int rings = shown ? static_cast<int>(shown->prism.outline.holes.size()) + 1 : 1;
+    const int rings = shown ? static_cast<int>(shown->prism().outline.holes.size()) + 1 : 1;
     if (m_rings->count() != rings) {
         m_rings->clear();
         m_rings->addItem(tr("Outline"));

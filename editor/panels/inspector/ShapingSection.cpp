@@ -1,5 +1,6 @@
 #include "editor/panels/inspector/ShapingSection.h"
 
+#include "core/asset/project/AssetShape.h"
 #include "editor/document/Selection.h"
 #include "editor/widgets/ProjectRange.h"
 
@@ -17,13 +18,15 @@ bool isFraction(const SmallPieces& small) {
 }
 
 /// Changes the measure. A limit in another unit is replaced by a default.
-SmallPieces withMeasure(SmallPieces small, PieceMeasure measure, const Prism& prism) {
+SmallPieces withMeasure(SmallPieces small, PieceMeasure measure, const Asset& asset) {
     const bool wasFraction = isFraction(small);
     small.measure = measure;
     if (isFraction(small) == wasFraction && wasFraction) return small;
     constexpr double kDefaultFractionOfMean = 0.1, kDefaultFractionOfWhole = 0.001;
-    small.limit = isFraction(small) ? kDefaultFractionOfMean : kDefaultFractionOfWhole * area(prism.outline);
-    if (measure == PieceMeasure::Volume) small.limit *= prism.depth;
+    const double depth = sizeOf(asset).z;
+    const double planeArea = asset.isPrism() ? area(asset.prism().outline) : volumeOf(asset) / depth;
+    small.limit = isFraction(small) ? kDefaultFractionOfMean : kDefaultFractionOfWhole * planeArea;
+    if (measure == PieceMeasure::Volume) small.limit *= depth;
     return small;
 }
 
@@ -73,7 +76,7 @@ void ShapingSection::buildSmallPieces() {
         [](const Asset& asset) { return static_cast<Id>(asset.shaping.smallPieces.measure); },
         [](Asset& asset, Id entered) {
             asset.shaping.smallPieces =
-                withMeasure(asset.shaping.smallPieces, static_cast<PieceMeasure>(entered), asset.prism);
+                withMeasure(asset.shaping.smallPieces, static_cast<PieceMeasure>(entered), asset);
         });
     const auto bindLimit = [this](auto* control) {
         m_form.bind(

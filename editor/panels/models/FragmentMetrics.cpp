@@ -2,6 +2,7 @@
 
 #include "core/base/Parallel.h"
 #include "core/geometry/hull/AspectRatio.h"
+#include "core/structure/bonds/FragmentSilhouette.h"
 #include "editor/document/FragmentSeeds.h"
 
 #include <algorithm>
@@ -39,10 +40,9 @@ FragmentMetrics::FragmentMetrics(std::shared_ptr<const Bake> bake, double densit
 
 void FragmentMetrics::measure(std::uint32_t fragment) {
     const BakedFragment baked = m_bake->fragment(fragment);
-    const Polygon outline = baked.solid.outline();
-    column(FragmentColumn::Area)[fragment] = area(outline);
+    column(FragmentColumn::Area)[fragment] = area(silhouetteOf(baked.solid));
     column(FragmentColumn::Volume)[fragment] = baked.solid.volume();
-    column(FragmentColumn::Aspect)[fragment] = aspectRatio(outline);
+    column(FragmentColumn::Aspect)[fragment] = baked.solid.aspectRatio();
     column(FragmentColumn::Neighbours)[fragment] = static_cast<double>(baked.solid.contacts().size());
     column(FragmentColumn::Level)[fragment] = baked.level;
 }

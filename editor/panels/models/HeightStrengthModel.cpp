@@ -1,5 +1,6 @@
 #include "editor/panels/models/HeightStrengthModel.h"
 
+#include "core/asset/project/AssetShape.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 #include "editor/widgets/numbers/NumberText.h"
@@ -49,7 +50,7 @@ int HeightStrengthModel::insertAfter(int row) {
     HeightStrength added;
     if (at > 0) {
         added = strengths[at - 1];
-        const double top = boundsOf(shown->prism.outline.outer).size().y;
+        const double top = sizeOf(*shown).y;
         const double next = at < strengths.size() ? strengths[at].height : std::max(top, 2.0 * added.height);
         added.height = (added.height + next) / 2.0;
     }

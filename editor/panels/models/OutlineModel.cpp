@@ -42,8 +42,8 @@ void OutlineModel::setUnits(const Units& units) {
 
 void OutlineModel::refresh() {
     const Asset* shown = asset();
-    if (shown && m_ring > shown->prism.outline.holes.size()) m_ring = 0;
-    Ring points = shown ? ringOf(shown->prism.outline, m_ring) : Ring{};
+    if (shown && m_ring > shown->prism().outline.holes.size()) m_ring = 0;
+    Ring points = shown ? ringOf(shown->prism().outline, m_ring) : Ring{};
     if (points.size() != m_points.size()) {
         beginResetModel();
         m_points = std::move(points);
@@ -57,13 +57,13 @@ void OutlineModel::refresh() {
 bool OutlineModel::push(const QString& text, const std::function<void(Ring&)>& change) {
     const Asset* shown = asset();
     if (!shown) return false;
-    Polygon outline = shown->prism.outline;
+    Polygon outline = shown->prism().outline;
     change(ringOf(outline, m_ring));
     return pushOutline(text, std::move(outline));
 }
 
 bool OutlineModel::pushOutline(const QString& text, Polygon outline) {
-    const Result<Prism> valid = validated(Prism{outline, asset()->prism.depth});
+    const Result<Prism> valid = validated(Prism{outline, asset()->prism().depth});
     if (!valid) {
         emit refused(QString::fromStdString(valid.error().message));
         return false;
@@ -92,13 +92,13 @@ void OutlineModel::removePoints(std::vector<int> rows) {
 bool OutlineModel::addHole() {
     const Asset* shown = asset();
     if (!shown) return false;
-    const Vec2 size = boundsOf(shown->prism.outline.outer).size();
+    const Vec2 size = boundsOf(shown->prism().outline.outer).size();
     for (const double part : {0.2, 0.1, 0.05}) {
         Asset changed = *shown;
-        const Vec2 centre = centroid(shown->prism.outline);
-        changed.prism.outline.holes.push_back(squareHole(centre, part * std::min(size.x, size.y)));
-        if (!validated(changed.prism)) continue;
-        return pushOutline(tr("Add Hole"), std::move(changed.prism.outline));
+        const Vec2 centre = centroid(shown->prism().outline);
+        changed.prism().outline.holes.push_back(squareHole(centre, part * std::min(size.x, size.y)));
+        if (!validated(changed.prism())) continue;
+        return pushOutline(tr("Add Hole"), std::move(changed.prism().outline));
     }
     emit refused(tr("There is no room for a hole at the centre of the outline. Draw the hole in the canvas."));
     return false;
@@ -107,7 +107,7 @@ bool OutlineModel::addHole() {
 void OutlineModel::removeHole() {
     const Asset* shown = asset();
     if (!shown || m_ring == 0) return;
-    Polygon outline = shown->prism.outline;
+    Polygon outline = shown->prism().outline;
     outline.holes.erase(outline.holes.begin() + static_cast<std::ptrdiff_t>(m_ring) - 1);
     pushOutline(tr("Delete Hole"), std::move(outline));
 }

@@ -1,5 +1,6 @@
 #include "editor/view3d/tools/BondPaintTool.h"
 
+#include "core/asset/project/AssetShape.h"
 #include "core/structure/capacity/BondCapacities.h"
 #include "editor/widgets/input/BrushRing.h"
 #include "editor/workspace/Workspace.h"
@@ -180,7 +181,7 @@ void BondPaintTool::paintMarks(QPainter& painter) const {
         if (!isMarked[pick.fragment] || (scene.appearances[body].marks & kHidden) != 0) continue;
         const Vec3 centre = scene.origin + Vec3(glm::vec3(scene.poses[body].position)) + explodeOffset(scene, body);
         const Vec3 along = (instance ? instance->pose.orientation : Quat(1.0, 0.0, 0.0, 0.0)) * Vec3(0.0, 0.0, 1.0);
-        const auto middle = facingMiddle(m_viewport.shownCamera(), centre, along, asset()->prism.depth);
+        const auto middle = facingMiddle(m_viewport.shownCamera(), centre, along, sizeOf(*asset()).z);
         const std::optional<QPointF> at = middle ? m_viewport.pointOf(*middle) : std::nullopt;
         if (at) paintMark(painter, *at, colourOf(m_painter.settings()));
     }

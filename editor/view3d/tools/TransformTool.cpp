@@ -46,7 +46,8 @@ Quat rotationAbout(int axis, double angle) {
 
 /// The centre of an asset's box, in its prism's frame.
 Vec3 centreOf(const Asset& asset) {
-    const Box2 bounds = boundsOf(asset.prism.outline.outer);
+    if (const ClosedMesh* mesh = asset.mesh()) return mesh->bounds.centre();
+    const Box2 bounds = boundsOf(asset.prism().outline.outer);
     return {0.5 * (bounds.min + bounds.max), 0.0};
 }
 

@@ -43,7 +43,7 @@ private slots:
     void outlineThatCannotBeBakedIsAProblem() {
         Document document(test::combProject());
         Asset crossed = document.project().assets[0];
-        crossed.prism.outline = {{{0.0, 0.0}, {1.0, 1.0}, {1.0, 0.0}, {0.0, 1.0}}, {}};
+        crossed.prism().outline = {{{0.0, 0.0}, {1.0, 1.0}, {1.0, 0.0}, {0.0, 1.0}}, {}};
         document.push(modify("Cross", crossed));
         Bakes bakes;
         const ProblemWatch watch(document, bakes);

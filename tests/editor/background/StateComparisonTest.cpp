@@ -133,7 +133,7 @@ private slots:
     void reportsWhenTheEarlierStateCannotBeBaked() {
         Fixture fixture;
         Project earlier = boxes();
-        earlier.assets[0].prism.depth = -1.0;
+        earlier.assets[0].prism().depth = -1.0;
         QSignalSpy messages(&fixture.comparison, &StateComparison::failed);
         fixture.begin(std::move(earlier));
         QTRY_COMPARE_WITH_TIMEOUT(messages.count(), 1, kPatience);

@@ -27,7 +27,7 @@ namespace {
 Project columns() {
     Project project;
     const Id stone = test::addMaterial(project, {.name = "stone"});
-    test::addAsset(project, {.name = "wall", .material = stone, .prism = {unitSquare(), 0.5}},
+    test::addAsset(project, {.name = "wall", .material = stone, .shape = Prism{unitSquare(), 0.5}},
                    {PlacedSeeds{{{0, {0.1, 0.5}}, {1, {0.3, 0.5}}, {2, {0.5, 0.5}}, {3, {0.7, 0.5}}}}});
     return project;
 }
@@ -38,7 +38,7 @@ constexpr Id kLayer = 3;
 /// The current pieces of some seeds.
 std::vector<SelectedFragment> selectedOf(const Project& project, const std::set<SeedId>& seeds) {
     const Asset& asset = *findAsset(project, kWall);
-    const PlanarFracture cut = *planarFracture(recipeOf(asset), asset.prism, {});
+    const PlanarFracture cut = *planarFracture(recipeOf(asset), asset.prism(), {});
     return selectedFragments(kWall, cut.partition, cut.seeds, {.seeds = seeds});
 }
 
@@ -48,8 +48,9 @@ std::vector<SelectedFragment> selectedInside(const Project& project, const Fragm
     const Bake baked = *bake(*findAsset(project, kWall));
     const std::uint32_t number = *fragmentAt(baked, fragment);
     const BakedFracture& fracture = *baked.fractureOf(number);
-    return selectedFragments(kWall, fracture.fragments.partition, fracture.seeds, {.seeds = seeds, .parent = fragment},
-                             fragment, Vec2{baked.fragment(number).solid.offset()});
+    return selectedFragments(kWall, fracture.fragments.extruded()->partition, fracture.seeds,
+                             {.seeds = seeds, .parent = fragment}, fragment,
+                             Vec2{baked.fragment(number).solid.offset()});
 }
 
 /// The ids of all fragments, and their outlines.
@@ -57,7 +58,7 @@ std::map<std::string, Polygon> outlinesOf(const Asset& asset) {
     const Bake baked = *bake(asset);
     std::map<std::string, Polygon> outlines;
     for (std::uint32_t k = 0; k < baked.fragmentCount(); ++k)
-        outlines[baked.fragmentId(k)] = baked.fragment(k).solid.outline();
+        outlines[baked.fragmentId(k)] = baked.fragment(k).solid.extruded()->outline();
     return outlines;
 }
 

@@ -45,7 +45,7 @@ std::vector<std::string> idsIn(const Project& project) {
 }
 
 std::map<SeedId, Vec2> seedsIn(const Project& project) {
-    const Seeds seeds = *seedsOf(project.assets[0].pattern, project.assets[0].prism.outline);
+    const Seeds seeds = *seedsOf(project.assets[0].pattern, project.assets[0].prism().outline);
     std::map<SeedId, Vec2> places;
     for (std::size_t k = 0; k < seeds.ids.size(); ++k) places[seeds.ids[k]] = seeds.positions[k];
     return places;
@@ -153,12 +153,12 @@ private slots:
     }
     void deletesRepeatedPoints() {
         Project project = projectWith(PlacedSeeds{});
-        Ring& ring = project.assets[0].prism.outline.outer;
+        Ring& ring = project.assets[0].prism().outline.outer;
         ring.insert(ring.begin() + 2, {ring[1], ring[1]});
         QVERIFY(canFix(project, problemsIn(project)[0], QuickFix::DeletePoint));
         Edit edit = applyFix(project, problemsIn(project), QuickFix::DeletePoint);
         applyEdit(project, edit);
-        QCOMPARE(project.assets[0].prism.outline.outer.size(), std::size_t{4});
+        QCOMPARE(project.assets[0].prism().outline.outer.size(), std::size_t{4});
         QVERIFY(problemsIn(project).empty());
     }
     void reducesTheCountAndKeepsTheSeeds() {
@@ -168,7 +168,7 @@ private slots:
         Edit edit = applyFix(project, problemsIn(project), QuickFix::ReduceCount);
         applyEdit(changed, edit);
         const auto seedsIn = [](const Project& of) {
-            return *seedsOf(of.assets[0].pattern, of.assets[0].prism.outline);
+            return *seedsOf(of.assets[0].pattern, of.assets[0].prism().outline);
         };
         QCOMPARE(std::get<BlueNoise>(changed.assets[0].pattern.layers[0].parameters).count,
                  SeedCount(static_cast<std::uint32_t>(seedsIn(project).positions.size())));
@@ -194,7 +194,7 @@ private slots:
     }
     void deletesClusterSeedsWithoutRoom() {
         Project project = projectWith(Clusters{.clusters = 5, .seedsPerCluster = 8, .radius = 0.5});
-        project.assets[0].prism.outline = {rectangle({0.0, 0.0}, {1.0, 0.003}), {}};
+        project.assets[0].prism().outline = {rectangle({0.0, 0.0}, {1.0, 0.003}), {}};
         project.assets[0].pattern.layers[0].overrides = {{.index = 3, .isDeleted = true}};
         const std::vector<Diagnostic> problems = of(DiagnosticCode::NoRoom, problemsIn(project));
         QCOMPARE(problems.size(), std::size_t{1});
@@ -211,7 +211,7 @@ private slots:
     void deletesClusterSeedsOfAFragment() {
         Project project = projectWith(PlacedSeeds{{{0, {0.25, 0.5}}, {1, {0.75, 0.5}}}});
         const Clusters crowded{.clusters = 5, .seedsPerCluster = 8, .radius = 0.5};
-        project.assets[0].prism.outline = {rectangle({0.0, 0.0}, {1.0, 0.006}), {}};
+        project.assets[0].prism().outline = {rectangle({0.0, 0.0}, {1.0, 0.006}), {}};
         project.assets[0].levels = {{.pattern = {{{.id = 6, .randomSeed = 4, .parameters = crowded}}}}};
         QCOMPARE(of(DiagnosticCode::NoRoom, problemsIn(project)).size(), std::size_t{2});
         QVERIFY(of(DiagnosticCode::NoRoom, remainingAfter(project, QuickFix::ReduceCount)).empty());
@@ -224,14 +224,14 @@ private slots:
     }
     void cancelledFixIsEmpty() {
         Project project = projectWith(PlacedSeeds{{{0, {0.5, 0.5}}, {1, {70.0, 0.5}}}});
-        project.assets[0].prism.outline = test::comb(40);
+        project.assets[0].prism().outline = test::comb(40);
         const TaskContext task;
         task.cancel.cancel();
         QVERIFY(applyFix(project, problemsIn(project), QuickFix::SplitFragment, task).isEmpty());
     }
     void splitsAFragmentWithManyHulls() {
         Project project = projectWith(PlacedSeeds{{{0, {0.5, 0.5}}, {1, {70.0, 0.5}}}});
-        project.assets[0].prism.outline = test::comb(40);  // about 18 and 22 teeth for the two seeds
+        project.assets[0].prism().outline = test::comb(40);  // about 18 and 22 teeth for the two seeds
         const std::vector<Diagnostic> problems = problemsIn(project);
         QCOMPARE(std::ranges::count(problems, DiagnosticCode::ManyHulls, &Diagnostic::code), std::ptrdiff_t{2});
         const auto left = remainingAfter(project, QuickFix::SplitFragment);
@@ -251,7 +251,7 @@ private slots:
     }
     void splitsADeeperFragment() {
         Project project = projectWith(PlacedSeeds{{{0, {0.5, 0.5}}}});
-        project.assets[0].prism.outline = test::comb(20);
+        project.assets[0].prism().outline = test::comb(20);
         project.assets[0].levels = {
             {.pattern = {{{.id = 6, .parameters = PlacedSeeds{{{0, {-10.0, 0.0}}, {1, {10.0, 0.0}}}}}}}}};
         std::vector<Diagnostic> deep = problemsIn(project);

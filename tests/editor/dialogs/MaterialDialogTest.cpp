@@ -20,7 +20,7 @@ namespace {
 /// A project with a pane of 8 mm, whose material has no strength, held in place.
 Project paneProject() {
     Project project = test::floatingBlock();
-    project.assets[0].prism.depth = 0.008;
+    project.assets[0].prism().depth = 0.008;
     project.instances[0].isFixed = true;
     return project;
 }

@@ -61,7 +61,7 @@ void makeEdit(Document& document, int number) {
     const bool isAdding = project.instances.size() < 2 || random.unit() < 0.4;
     if (random.unit() < 0.2) {
         Asset asset = project.assets[0];
-        asset.prism.depth = 0.1 + random.unit();
+        asset.prism().depth = 0.1 + random.unit();
         edit.replacements.push_back(Replacement<Asset>{asset.id, asset});
     } else if (isAdding) {
         const Id id = edit.allocateId(project);

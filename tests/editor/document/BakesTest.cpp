@@ -45,7 +45,7 @@ private slots:
         baked->asset = std::make_shared<const Asset>(project.assets[0]);
         bakes.set(2, baked);
         QVERIFY(bakes.areCurrent(project));
-        project.assets[0].prism.depth *= 2.0;
+        project.assets[0].prism().depth *= 2.0;
         QVERIFY(!bakes.areCurrent(project));
     }
 };

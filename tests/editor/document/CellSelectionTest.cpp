@@ -16,9 +16,9 @@ BakedPattern rowOfCells() {
     BakedPattern pattern;
     pattern.asset = std::make_shared<const Asset>(
         boxAsset(2, 3, PlacedSeeds{{{0, {0.125, 0.5}}, {1, {0.375, 0.5}}, {2, {0.625, 0.5}}, {3, {0.875, 0.5}}}}));
-    pattern.seeds = *seedsOf(pattern.asset->pattern, pattern.asset->prism.outline);
+    pattern.seeds = *seedsOf(pattern.asset->pattern, pattern.asset->prism().outline);
     pattern.triangulation = *triangulate(pattern.seeds.positions);
-    pattern.partition = *voronoiPartition(pattern.asset->prism.outline, pattern.triangulation);
+    pattern.partition = *voronoiPartition(pattern.asset->prism().outline, pattern.triangulation);
     return pattern;
 }
 

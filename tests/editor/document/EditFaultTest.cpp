@@ -28,7 +28,7 @@ Edit changeOf(Value value) {
 /// The document's first asset with an outline that reaches to x.
 Edit outlineTo(const Document& document, double x) {
     Asset asset = document.project().assets[0];
-    for (Vec2& corner : asset.prism.outline.outer) corner.x = corner.x > 0.0 ? x : x - 1.0;
+    for (Vec2& corner : asset.prism().outline.outer) corner.x = corner.x > 0.0 ? x : x - 1.0;
     return changeOf(std::move(asset));
 }
 
@@ -52,8 +52,8 @@ Edit extremeEdit(const Project& project, Random& random) {
     switch (random.below(24)) {
         case 0: return asset.threshold = number, changeOf(asset);
         case 1: return asset.contactTime = number, changeOf(asset);
-        case 2: return asset.prism.depth = number, changeOf(asset);
-        case 3: return asset.prism.outline.outer[random.below(3)][axis % 2] = number, changeOf(asset);
+        case 2: return asset.prism().depth = number, changeOf(asset);
+        case 3: return asset.prism().outline.outer[random.below(3)][axis % 2] = number, changeOf(asset);
         case 4: return asset.shaping.gap = number, changeOf(asset);
         case 5: return asset.insideUvScale = number, changeOf(asset);
         case 6: return material.density = number, changeOf(material);
@@ -69,7 +69,7 @@ Edit extremeEdit(const Project& project, Random& random) {
         case 16: return scene.gravity[axis] = number, Edit{.text = "Scene", .replacements = {scene}};
         case 17: return scene.debris.lifetime = number, Edit{.text = "Scene", .replacements = {scene}};
         case 18: {
-            for (Vec2& corner : asset.prism.outline.outer) corner *= number;
+            for (Vec2& corner : asset.prism().outline.outer) corner *= number;
             return changeOf(asset);
         }
         case 19: return asset.bonding.radius = number, changeOf(asset);

@@ -60,7 +60,7 @@ private slots:
 
         const Asset whole = fragmentAsAsset(desk.asset(), "5.1", half->prism);
         QVERIFY(whole.pattern == desk.asset().levels[0].pattern);
-        QVERIFY(whole.prism == half->prism);
+        QVERIFY(whole.prism() == half->prism());
     }
     void failedBakeKeepsTheLastSolid() {
         Desk desk(halves());
@@ -74,7 +74,7 @@ private slots:
         QCOMPARE(desk.bakes.findPattern(3, "5.1"), seen);
         QVERIFY(!desk.bakes.findPattern(3, "5.0"));
 
-        desk.asset().prism.depth = -1.0;
+        desk.asset().prism().depth = -1.0;
         desk.bakeAsset();
         QVERIFY(!desk.bakes.find(3)->bake);
         const std::optional<FragmentSolid> kept = fragmentSolid(desk.bakes, 3, "5.1");

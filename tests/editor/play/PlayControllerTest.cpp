@@ -102,7 +102,7 @@ private slots:
     void throwsAreQueuedUntilAssetsAreBaked() {
         test::Stage stage;
         Asset asset = stage.document.project().assets[0];
-        asset.prism.depth = 0.3;
+        asset.prism().depth = 0.3;
         stage.document.push(modify("Make it thinner", asset));
         stage.controller.play();
         stage.controller.fire({.name = "kept", .action = test::throwAtBlock(3.0, 80.0)});
@@ -120,7 +120,7 @@ private slots:
     void resetDiscardsQueuedThrows() {
         test::Stage stage;
         Asset asset = stage.document.project().assets[0];
-        asset.prism.depth = 0.3;
+        asset.prism().depth = 0.3;
         stage.document.push(modify("Make it thinner", asset));
         stage.controller.play();
         stage.controller.fire({.name = "given up", .action = test::throwAtBlock(3.0, 80.0)});
@@ -247,7 +247,7 @@ private slots:
         QCOMPARE(stage.controller.state(), PlayState::Playing);
         QCOMPARE(stage.step(), 0u);
         Asset asset = stage.document.project().assets[0];
-        asset.prism.depth = 0.3;
+        asset.prism().depth = 0.3;
         stage.controller.pause();
         stage.document.push(modify("Make it thinner", asset));
         stage.settle();

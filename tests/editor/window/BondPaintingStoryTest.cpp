@@ -43,7 +43,7 @@ private slots:
         QTest::keyClick(&canvas(), Qt::Key_A, Qt::AltModifier | Qt::ShiftModifier);
         QCOMPARE(canvas().toolKind(), CanvasToolKind::AnchorBrush);
         QVERIFY(action("tool-anchor")->isChecked());
-        const Box2 box = boundsOf(wall().prism.outline.outer);
+        const Box2 box = boundsOf(wall().prism().outline.outer);
         drag(canvas(), pixels(box.min), pixels({box.max.x, box.min.y}));
         QCOMPARE(wall().bonding.strokes.size(), std::size_t{1});
         QVERIFY(anchored() > 1);
@@ -51,7 +51,7 @@ private slots:
     }
     void shiftErasesAPart() {
         const std::size_t before = anchored();
-        const Box2 box = boundsOf(wall().prism.outline.outer);
+        const Box2 box = boundsOf(wall().prism().outline.outer);
         QTest::mouseClick(&canvas(), Qt::LeftButton, Qt::ShiftModifier, pixels(box.min));
         QCOMPARE(wall().bonding.strokes.size(), std::size_t{2});
         QVERIFY(anchored() < before);
@@ -101,7 +101,7 @@ private slots:
         showOneWall();
         const std::size_t before = wall().bonding.strokes.size();
         const Vec2 from = centreOf() - Vec2(0.2, 0.0), to = centreOf() + Vec2(0.2, 0.1);
-        for (const double z : {wall().prism.depth / 2.0, -wall().prism.depth / 2.0}) {
+        for (const double z : {wall().prism().depth / 2.0, -wall().prism().depth / 2.0}) {
             viewport().setCameraAnimation(false);
             QTest::keyClick(&viewport(), Qt::Key_1, z > 0.0 ? Qt::NoModifier : Qt::ControlModifier);
             drag(viewport(), onScreen(from, z), onScreen(to, z));
@@ -120,7 +120,7 @@ private slots:
     void aStrokeIsTheSameEditInBothViews() {
         if (!hasView()) QSKIP("There is no OpenGL here.");
         QTest::keyClick(&viewport(), Qt::Key_1);
-        const double z = wall().prism.depth / 2.0;
+        const double z = wall().prism().depth / 2.0;
         const Vec2 from = centreOf() - Vec2(0.2, 0.1), to = centreOf() + Vec2(0.2, 0.1);
         const PaintedStroke inCanvas = painted(canvas(), pixels(from), pixels(to));
         // The size is shared in pixels: the same radius in metres is another number of them here. The wall is rotated
@@ -175,7 +175,7 @@ private slots:
     void escapeCancelsAStrokeInThe3dView() {
         if (!hasView()) QSKIP("There is no OpenGL here.");
         const std::string before = text();
-        const QPoint at = onScreen(centreOf(), wall().prism.depth / 2.0);
+        const QPoint at = onScreen(centreOf(), wall().prism().depth / 2.0);
         QTest::mousePress(&viewport(), Qt::LeftButton, {}, at);
         moveTo(viewport(), at + QPoint(30, 0), {}, Qt::LeftButton);
         QTest::keyClick(&viewport(), Qt::Key_Escape);
@@ -202,7 +202,7 @@ private:
     const Bake& bake() { return *window().workspace().bakes().find(wall().id)->bake; }
     std::size_t anchored() { return anchoredFragments(wall(), bake(), 0).size(); }
     Vec2 centreOf() {
-        const Box2 box = boundsOf(wall().prism.outline.outer);
+        const Box2 box = boundsOf(wall().prism().outline.outer);
         return canvas().view().metres(pixels((box.min + box.max) / 2.0));
     }
     BondPainter& painter() { return window().workspace().bondPainter(); }

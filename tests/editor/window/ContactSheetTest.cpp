@@ -169,7 +169,7 @@ private slots:
         const Asset before = asset();
         QTest::keyClick(&list, Qt::Key_Return);
         QCOMPARE(stack().count(), 1);
-        QVERIFY(asset().pattern != before.pattern && asset().prism == before.prism);
+        QVERIFY(asset().pattern != before.pattern && asset().prism() == before.prism());
         for (const LockedSeed& seed : sheet()->locked()) {
             const auto& overrides = asset().pattern.layers[0].overrides;
             const auto held = std::ranges::find(overrides, seed.id.index, &SeedOverride::index);

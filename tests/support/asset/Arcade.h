@@ -42,7 +42,7 @@ inline Project arcade() {
                                            .friction = 0.6,
                                            .outside = {0.80, 0.70, 0.55},
                                            .inside = {0.88, 0.80, 0.66}});
-    Asset asset{.name = "arcade", .material = stone, .prism = {arcadeOutline(), 0.5}};
+    Asset asset{.name = "arcade", .material = stone, .shape = Prism{arcadeOutline(), 0.5}};
     asset.breakAs = BreakAs::Bonded;
     asset.bonding.impulsePerArea = 400.0;
     asset.bonding.radius = 0.5;

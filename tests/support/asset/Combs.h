@@ -21,7 +21,7 @@ inline Polygon comb(int teeth) {
 /// A project with a comb of 20 teeth, in one piece, as asset 2.
 inline Project combProject() {
     Project project = boxProject(PlacedSeeds{{{0, {0.5, 0.5}}}});
-    project.assets[0].prism.outline = comb(20);
+    project.assets[0].prism().outline = comb(20);
     return project;
 }
 

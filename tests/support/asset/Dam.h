@@ -11,7 +11,7 @@ inline constexpr double kTowerWidth = 1.2, kTowerHeight = 5.0;                 /
 /// A wall of bricks in English bond, stronger towards its base, whose lowest course is anchored.
 inline Asset damWall() {
     Asset asset{.name = "dam",
-                .prism = {{rectangle({-kDamLength / 2.0, 0.0}, {kDamLength / 2.0, kDamHeight}), {}}, kDamDepth}};
+                .shape = Prism{{rectangle({-kDamLength / 2.0, 0.0}, {kDamLength / 2.0, kDamHeight}), {}}, kDamDepth}};
     asset.breakAs = BreakAs::Bonded;
     asset.bonding.impulsePerArea = 500.0;
     asset.bonding.radius = 0.8;
@@ -86,13 +86,13 @@ inline Project dam() {
         addAsset(project,
                  {.name = "tower",
                   .material = granite,
-                  .prism = {{rectangle({-kTowerWidth / 2.0, 0.0}, {kTowerWidth / 2.0, kTowerHeight}), {}}, 1.4},
+                  .shape = Prism{{rectangle({-kTowerWidth / 2.0, 0.0}, {kTowerWidth / 2.0, kTowerHeight}), {}}, 1.4},
                   .threshold = 50000.0},
                  {BlueNoise{.minimumDistance = 0.3, .count = 40}, LloydRelaxation{.rounds = 2}});
     const Id gatehouse = addAsset(project,
                                   {.name = "gatehouse",
                                    .material = granite,
-                                   .prism = {{rectangle({-0.7, 0.0}, {0.7, 1.2}), {}}, 0.6},
+                                   .shape = Prism{{rectangle({-0.7, 0.0}, {0.7, 1.2}), {}}, 0.6},
                                    .threshold = 20000.0},
                                   {BlueNoise{.minimumDistance = 0.2, .count = 20}, LloydRelaxation{.rounds = 2}});
     const double side = (kDamLength + kTowerWidth) / 2.0;

@@ -12,7 +12,7 @@ namespace rubble::test {
 inline Asset diagnosticGrid(std::uint32_t side) {
     const double size = side;
     Asset asset{.id = 1, .name = "grid"};
-    asset.prism = {{{{0.0, 0.0}, {size, 0.0}, {size, size}, {0.0, size}}, {}}, 0.5};
+    asset.shape = Prism{{{{0.0, 0.0}, {size, 0.0}, {size, size}, {0.0, size}}, {}}, 0.5};
     PlacedSeeds cells;
     for (std::uint32_t k = 0; k < side * side; ++k) {
         cells.seeds.push_back({k, {0.5 + static_cast<double>(k % side), 0.5 + static_cast<double>(k / side)}});

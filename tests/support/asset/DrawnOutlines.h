@@ -17,7 +17,7 @@ namespace rubble::test {
 inline Polygon drawnOutline(const Bake& bake, std::uint32_t fragment, const RoughCuts& cuts) {
     const Fragment solid = bake.fragment(fragment).solid;
     const Vec2 offset{solid.offset()};
-    const Polygon outline = solid.outline();
+    const Polygon outline = solid.extruded()->outline();
     const EdgeCorners rough = cuts.cornersOf(fragment);
     std::size_t edge = 0;
     const auto drawn = [&](const Ring& ring) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/asset/bake/Bake.h"
-#include "core/fracture/pieces/Extrusion.h"
+#include "core/fracture/fragments/Extrusion.h"
 #include "tests/support/geometry/Outlines.h"
 
 #include <string>
@@ -11,7 +11,7 @@ namespace rubble {
 
 inline Asset assetOf(Polygon outline, double depth) {
     Asset asset;
-    asset.prism = {std::move(outline), depth};
+    asset.shape = Prism{std::move(outline), depth};
     return asset;
 }
 

@@ -169,11 +169,11 @@ inline Project house() {
     const Vec2 half{kRoofSlope / 2.0, kRoofAlong / 2.0};
     const Prism roofPrism{{rectangle(-half, half), {}}, kRoofDepth};
     const Id wall =
-        addAsset(project, {.name = "wall", .material = plaster, .prism = wallPrism, .threshold = 900.0}, evenSeeds(4));
-    const Id gable = addAsset(project, {.name = "gable", .material = plaster, .prism = gablePrism, .threshold = 2500.0},
+        addAsset(project, {.name = "wall", .material = plaster, .shape = wallPrism, .threshold = 900.0}, evenSeeds(4));
+    const Id gable = addAsset(project, {.name = "gable", .material = plaster, .shape = gablePrism, .threshold = 2500.0},
                               evenSeeds(7));
     const Id roof =
-        addAsset(project, {.name = "roof", .material = tiles, .prism = roofPrism, .threshold = 2000.0}, evenSeeds(9));
+        addAsset(project, {.name = "roof", .material = tiles, .shape = roofPrism, .threshold = 2000.0}, evenSeeds(9));
 
     addIntents(project);
     addWalls(project, wall);

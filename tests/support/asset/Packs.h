@@ -17,7 +17,7 @@ inline const std::vector<PackMeshFile>& packMeshes() {
 /// A square ring with two levels: cells cut apart, bodies of several hulls, fragments of fragments.
 inline Asset twoLevelRing() {
     Asset asset = boxAsset(3, 4, UniformScatter{.count = 5});
-    asset.prism.outline = squareRing();
+    asset.prism().outline = squareRing();
     asset.levels = {{.pattern = {{{.id = 5, .randomSeed = 2, .parameters = UniformScatter{.count = 3}}}}}};
     return asset;
 }

@@ -42,7 +42,7 @@ inline Project pane() {
     const auto others = kPanePieces - static_cast<std::uint32_t>(impact.seeds.size());
     const Asset asset{.name = "pane",
                       .material = glass,
-                      .prism = {{rectangle({-0.625, -0.75}, {0.625, 0.75}), {}}, 0.006},
+                      .shape = Prism{{rectangle({-0.625, -0.75}, {0.625, 0.75}), {}}, 0.006},
                       .threshold = 15.0,
                       .cutAtImpact = CutAtImpact{.fragments = kPanePieces, .falloffRadius = 0.3}};
     const Id id = addAsset(project, asset,

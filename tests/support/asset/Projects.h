@@ -13,7 +13,7 @@ namespace rubble {
 /// A box of 1 x 1 x 0.5 m of material 1 with the seeds of one layer.
 inline Asset boxAsset(Id id, Id layer, LayerParameters parameters) {
     Asset asset{.id = id, .name = "box", .material = 1};
-    asset.prism = {unitSquare(), 0.5};
+    asset.shape = Prism{unitSquare(), 0.5};
     asset.pattern.layers = {{.id = layer, .randomSeed = 7, .parameters = std::move(parameters)}};
     return asset;
 }
@@ -31,7 +31,7 @@ inline Project boxProject(LayerParameters parameters) {
 /// Levels, and layers of every kind, in which no member has its default value.
 inline Asset layeredWall() {
     Asset wall{.id = 3, .name = "wall", .material = 1};
-    wall.prism = {squareRing(), 0.25};
+    wall.shape = Prism{squareRing(), 0.25};
     wall.pattern.layers = {
         {.id = 4,
          .randomSeed = ~std::uint64_t{0},

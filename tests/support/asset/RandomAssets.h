@@ -51,9 +51,10 @@ inline Project randomAsset(Random& random, int kind) {
                                            .friction = random.between(0.0, 1.0),
                                            .restitution = random.between(0.0, 0.6)});
     project.ground.restitution = random.between(0.0, 0.6);
-    addAsset(project,
-             {.name = "asset", .material = stone, .prism = {randomOutline(random, kind), random.between(0.1, 0.6)}},
-             {UniformScatter{.count = 4}});
+    addAsset(
+        project,
+        {.name = "asset", .material = stone, .shape = Prism{randomOutline(random, kind), random.between(0.1, 0.6)}},
+        {UniformScatter{.count = 4}});
     return project;
 }
 

@@ -16,7 +16,7 @@ inline Project rockFace() {
                                              .inside = {0.66, 0.64, 0.62}});
     const Ring outline{{-4.0, 0.0}, {2.4, 0.0},  {2.8, 2.0},  {5.2, 2.8}, {5.0, 4.4},
                        {1.2, 5.1},  {-0.8, 4.6}, {-2.6, 5.3}, {-4.2, 3.1}};
-    Asset asset{.name = "rock face", .material = granite, .prism = {{outline, {}}, 0.9}};
+    Asset asset{.name = "rock face", .material = granite, .shape = Prism{{outline, {}}, 0.9}};
     asset.breakAs = BreakAs::Bonded;
     asset.bonding.impulsePerArea = 120.0;
     asset.bonding.radius = 0.6;

@@ -124,7 +124,7 @@ private:
         return asset(name, m_plaster, outline, kHouseWall, kWalls);
     }
     Id asset(const std::string& name, Id material, const Polygon& outline, double depth, const Bonding& bonding) {
-        Asset asset{.name = name, .material = material, .prism = {outline, depth}};
+        Asset asset{.name = name, .material = material, .shape = Prism{outline, depth}};
         asset.breakAs = BreakAs::Bonded;
         asset.bonding = bonding;
         double area = signedArea(outline.outer);

@@ -22,7 +22,7 @@ inline Project wallWithOpenings() {
                                               .inside = {0.56, 0.54, 0.5}});
     const Asset asset{.name = "wall with openings",
                       .material = concrete,
-                      .prism = {outlineWithDoorAndWindow(), 0.24},
+                      .shape = Prism{outlineWithDoorAndWindow(), 0.24},
                       .threshold = 1500.0};
     const Id id =
         addAsset(project, asset, {BlueNoise{.minimumDistance = 0.25, .count = 60}, LloydRelaxation{.rounds = 2}});

@@ -18,7 +18,7 @@ inline Project projectOf(const Polygon& outline, LayerParameters parameters) {
     project.nextId = 10;
     project.materials = {{.id = 1, .name = "stone"}};
     Asset asset = boxAsset(2, 3, std::move(parameters));
-    asset.prism.outline = outline;
+    asset.prism().outline = outline;
     project.assets = {asset};
     return project;
 }

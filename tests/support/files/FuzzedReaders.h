@@ -5,7 +5,7 @@
 #include "core/asset/checks/VerifyProject.h"
 #include "core/asset/import/AssetImport.h"
 #include "core/base/Utf8.h"
-#include "core/fracture/pieces/Extrusion.h"
+#include "core/fracture/fragments/Extrusion.h"
 #include "core/fracture/verify/VerifyDelaunay.h"
 #include "core/fracture/verify/VerifyFragments.h"
 #include "core/fracture/verify/VerifyNearestSeed.h"
@@ -51,7 +51,7 @@ inline Sentence errorFault(const Error& error) {
 inline bool isBakeable(const Prism& prism) {
     Project project{.nextId = 3};
     project.materials = {{.id = 1, .name = "stone"}};
-    project.assets = {{.id = 2, .name = "prism", .material = 1, .prism = prism}};
+    project.assets = {{.id = 2, .name = "prism", .material = 1, .shape = prism}};
     return !verifyProject(project);
 }
 
@@ -124,7 +124,7 @@ inline const std::shared_ptr<const PlayScene>& fuzzedScene() {
         Project project{.nextId = 6};
         project.materials = {{.id = 1, .name = "stone"}};
         Asset block{.id = 2, .name = "block", .material = 1, .threshold = 100.0};
-        block.prism = {{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}, {}}, 0.5};
+        block.shape = Prism{{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}, {}}, 0.5};
         block.pattern.layers = {{.id = 3, .parameters = UniformScatter{.count = 5}}};
         project.assets = {block};
         project.instances = {{.id = 4, .name = "lower", .asset = 2},

@@ -91,7 +91,7 @@ inline void compareAsset(const Project& project, const Asset& asset, const MeshC
     for (const Instance& instance : project.instances)
         if (instance.asset == asset.id) places.push_back(instance.pose.position);
     QCOMPARE(places.size(), expected.instances);
-    const double volume = volumeOf(asset.prism);
+    const double volume = volumeOf(asset.prism());
     QVERIFY2(std::abs(volume - expected.volume) <= all.tolerance * expected.volume,
              qPrintable(QString::number(volume)));
     QVERIFY(!expected.at || glm::distance(places[0], *expected.at) <= all.tolerance);

@@ -13,7 +13,7 @@ inline Project bondedWall(std::uint32_t pieces = 300, double impulsePerArea = 10
     Project project;
     const Id stone = addMaterial(project, {.name = "stone", .density = 2000.0});
     const Id wall = addAsset(
-        project, {.name = kWall, .material = stone, .prism = {{rectangle({-2.0, -1.5}, {2.0, 1.5}), {}}, 0.25}},
+        project, {.name = kWall, .material = stone, .shape = Prism{{rectangle({-2.0, -1.5}, {2.0, 1.5}), {}}, 0.25}},
         {UniformScatter{.count = pieces}});
     project.assets[0].breakAs = BreakAs::Bonded;
     project.assets[0].bonding.impulsePerArea = impulsePerArea;
@@ -27,8 +27,8 @@ inline Project bondedWall(std::uint32_t pieces = 300, double impulsePerArea = 10
 inline Project bondedPortal(double span, double delay) {
     Project project = bondedWall(1, 1e4);
     Asset& asset = project.assets[0];
-    asset.prism.outline.outer = {{-2.0, -1.25}, {-1.5, -1.25}, {-1.5, 0.75}, {1.5, 0.75},
-                                 {1.5, -1.25},  {2.0, -1.25},  {2.0, 1.25},  {-2.0, 1.25}};
+    asset.prism().outline.outer = {{-2.0, -1.25}, {-1.5, -1.25}, {-1.5, 0.75}, {1.5, 0.75},
+                                   {1.5, -1.25},  {2.0, -1.25},  {2.0, 1.25},  {-2.0, 1.25}};
     asset.pattern = patternOf(project, {UniformScatter{.count = 60}});
     asset.bonding.span = span;
     asset.bonding.collapseDelay = delay;

@@ -11,7 +11,7 @@ inline Project mortarPortal(double impulsePerArea = 500.0) {
     const Id stone = addMaterial(project, {.name = "stone", .density = 2000.0});
     const auto block = [&](const char* name, Vec2 half) {
         const Id asset =
-            addAsset(project, {.name = name, .material = stone, .prism = {{rectangle(-half, half), {}}, 1.0}},
+            addAsset(project, {.name = name, .material = stone, .shape = Prism{{rectangle(-half, half), {}}, 1.0}},
                      {UniformScatter{.count = 20}});
         project.assets.back().breakAs = BreakAs::Bonded;
         project.assets.back().bonding.impulsePerArea = 200.0;

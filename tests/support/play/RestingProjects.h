@@ -15,7 +15,7 @@ inline Project blockProject() {
     addAsset(project,
              {.name = "block",
               .material = stone,
-              .prism = {{rectangle({-0.5, -0.25}, {0.5, 0.25}), {}}, 0.5},
+              .shape = Prism{{rectangle({-0.5, -0.25}, {0.5, 0.25}), {}}, 0.5},
               .threshold = 5000.0},
              {UniformScatter{.count = 8}, LloydRelaxation{.rounds = 2}});
     return project;
@@ -49,7 +49,7 @@ inline Project portalProject() {
     const Id lintel = addAsset(project,
                                {.name = "lintel",
                                 .material = project.materials[0].id,
-                                .prism = {{rectangle({-2.0, -0.125}, {2.0, 0.125}), {}}, 0.5},
+                                .shape = Prism{{rectangle({-2.0, -0.125}, {2.0, 0.125}), {}}, 0.5},
                                 .threshold = 5000.0},
                                {UniformScatter{.count = 6}});
     for (int portal = 0; portal < 3; ++portal) {
@@ -74,7 +74,7 @@ inline Project archProject() {
     const std::vector<Vec2> ring{corner(2.0, -half), corner(2.6, -half), corner(2.6, half), corner(2.0, half)};
     const Id stone = addAsset(
         project,
-        {.name = "voussoir", .material = project.materials[0].id, .prism = {{ring, {}}, 0.6}, .threshold = 9000.0},
+        {.name = "voussoir", .material = project.materials[0].id, .shape = Prism{{ring, {}}, 0.6}, .threshold = 9000.0},
         {UniformScatter{.count = 5}});
     for (int arch = 0; arch < 3; ++arch) {
         for (int k = 0; k < kStones; ++k) {

@@ -37,7 +37,7 @@ inline Project floatingBlock(std::uint32_t pieces = 5) {
     Project project;
     const Id stone = addMaterial(project, {.name = "stone", .density = 1000.0});
     const Id block = addAsset(
-        project, {.name = "block", .material = stone, .prism = {{rectangle({-0.5, -0.5}, {0.5, 0.5}), {}}, 0.5}},
+        project, {.name = "block", .material = stone, .shape = Prism{{rectangle({-0.5, -0.5}, {0.5, 0.5}), {}}, 0.5}},
         {UniformScatter{.count = pieces}});
     addInstance(project, block, "block", {.position = {0.0, 5.0, 0.0}});
     project.gravity = Vec3(0.0);

@@ -18,7 +18,7 @@ constexpr double kToppling = 0.35;  // rad/s
 
 Bake bakedWall(std::uint32_t pieces, std::vector<PatternLayer> layers) {
     Asset asset{.id = 1, .name = "wall", .material = 1};
-    asset.prism = {{{{0.0, 0.0}, {kWall.x, 0.0}, {kWall.x, kWall.y}, {0.0, kWall.y}}, {}}, kWall.z};
+    asset.shape = Prism{{{{0.0, 0.0}, {kWall.x, 0.0}, {kWall.x, kWall.y}, {0.0, kWall.y}}, {}}, kWall.z};
     const double wanted = kWall.x * kWall.y / kBurstArea * pieces;
     asset.pattern.layers = {{.id = 1, .parameters = UniformScatter{.count = static_cast<std::uint32_t>(wanted)}}};
     for (PatternLayer& layer : layers) asset.pattern.layers.push_back(std::move(layer));

@@ -166,7 +166,7 @@ private slots:
     /// The sides of shards, a fraction of a pixel wide, hit some pixels and miss others.
     void thinSidesHaveNoSpeckles() {
         Project project = starterProject();
-        project.assets[0].prism.depth = 0.006;
+        project.assets[0].prism().depth = 0.006;
         AssetBakes bakes;
         bakes[{project.assets[0].id}] = std::make_shared<const Bake>(bake(project.assets[0]).value());
         RenderScene scene = sceneOf(project, bakes, {.explodeFactor = 0.3});

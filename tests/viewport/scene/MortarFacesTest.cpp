@@ -16,7 +16,7 @@ namespace {
 constexpr double kJoint = 0.01, kDepth = 0.12;  // m
 
 Asset brickWall() {
-    Asset wall{.id = 1, .name = "wall", .material = 1, .prism = {{rectangle({0.0, 0.0}, {2.0, 1.0}), {}}, kDepth}};
+    Asset wall{.id = 1, .name = "wall", .material = 1, .shape = Prism{{rectangle({0.0, 0.0}, {2.0, 1.0}), {}}, kDepth}};
     wall.pattern.layers = {{.id = 2, .parameters = BrickBond{.mortar = kJoint}}};
     return wall;
 }
@@ -67,14 +67,14 @@ private slots:
     }
     void piecesThatAreNotConvexHaveMortar() {
         Asset wall = brickWall();
-        wall.prism.outline.holes = {rectangle({0.7, 0.3}, {1.3, 0.7})};
-        std::ranges::reverse(wall.prism.outline.holes[0]);
+        wall.prism().outline.holes = {rectangle({0.7, 0.3}, {1.3, 0.7})};
+        std::ranges::reverse(wall.prism().outline.holes[0]);
         const Bake baked = bake(wall).value();
         const MortarFaces mortar(wall);
         bool hasOther = false;
         for (std::uint32_t k = 0; k < baked.fragmentCount(); ++k) {
             const BakedFragment brick = baked.fragment(k);
-            hasOther = hasOther || !isConvex(brick.solid.cell().outer);
+            hasOther = hasOther || !isConvex(brick.solid.extruded()->cell().outer);
             const std::vector<PlainFace> faces = mortar.around(brick);
             QVERIFY(!faces.empty());
             for (const PlainFace& face : faces) QVERIFY(areaOf(face) > 0.0);

@@ -104,7 +104,7 @@ private slots:
     }
     void invalidPrismIsLeftOut() {
         Project project = starterProject();
-        std::swap(project.assets[0].prism.outline.outer[0], project.assets[0].prism.outline.outer[1]);
+        std::swap(project.assets[0].prism().outline.outer[0], project.assets[0].prism().outline.outer[1]);
         QVERIFY(sceneOf(project, {}).batches.empty());
         QVERIFY(boundsOf(sceneOf(project, {})).isEmpty());
     }
@@ -142,7 +142,7 @@ private slots:
             switch (colouring) {
                 case SceneColouring::Level: return static_cast<double>(fragment.level);
                 case SceneColouring::Mass: return fragment.solid.volume() * project.materials[0].density;
-                case SceneColouring::Aspect: return aspectRatio(fragment.solid.outline());
+                case SceneColouring::Aspect: return fragment.solid.aspectRatio();
                 case SceneColouring::Threshold: {
                     const double parent =
                         fragment.parent == kNone ? bake.whole.volume : bake.fragment(fragment.parent).solid.volume();

@@ -57,7 +57,7 @@ private slots:
     }
     void faultyVariantHasNoImage() {
         SheetRequest request = orderOf(3, false);
-        request.variants[1].prism.depth = -1.0;
+        request.variants[1].prism().depth = -1.0;
         const auto pictures = drawn(request, kSmall);
         QVERIFY(pictures.at(0) && !pictures.at(1) && pictures.at(2));
     }

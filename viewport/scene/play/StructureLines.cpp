@@ -78,7 +78,7 @@ const Fragments& fragmentsOf(const PlayStructure& structure) {
 /// The lines of a crack through an edge: along it on both faces, and through the depth where it meets the outline.
 std::vector<std::array<Vec3, 2>> crackLines(const FaceEdge& edge, const Fragments& fragments) {
     const auto at = [&](Vec2 point, double side) {
-        return Vec3(point, 0.5 * side * fragments.depth) + fragments.origin;
+        return Vec3(point, 0.5 * side * fragments.extruded()->depth) + fragments.origin;
     };
     std::vector<std::array<Vec3, 2>> lines;
     for (const double side : {-1.0, 1.0}) lines.push_back({at(edge.from, side), at(edge.to, side)});

@@ -23,9 +23,9 @@ private slots:
         QTest::addColumn<AssetChange>("change");
         const auto row = [](const char* name, const AssetChange& change) { QTest::newRow(name) << change; };
         row("id", [](Asset& a) { a.id = 4; });
-        row("depth", [](Asset& a) { a.prism.depth = 0.75; });
-        row("corner", [](Asset& a) { a.prism.outline.outer[1].x = 1.5; });
-        row("hole", [](Asset& a) { a.prism.outline.holes = {{{0.5, 0.5}, {0.5, 0.6}, {0.6, 0.6}}}; });
+        row("depth", [](Asset& a) { a.prism().depth = 0.75; });
+        row("corner", [](Asset& a) { a.prism().outline.outer[1].x = 1.5; });
+        row("hole", [](Asset& a) { a.prism().outline.holes = {{{0.5, 0.5}, {0.5, 0.6}, {0.6, 0.6}}}; });
         row("layer id", [](Asset& a) { a.pattern.layers[0].id = 9; });
         row("random seed", [](Asset& a) { a.pattern.layers[0].randomSeed = 8; });
         row("kind", [](Asset& a) { a.pattern.layers[0].parameters = BlueNoise{}; });

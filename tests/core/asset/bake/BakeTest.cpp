@@ -17,7 +17,7 @@ namespace {
 /// Two levels of scattered seeds below the first.
 Asset scatteredBox() {
     Asset asset = boxAsset(3, 5, UniformScatter{.count = 12});
-    asset.prism.outline = squareRing();
+    asset.prism().outline = squareRing();
     asset.levels = {{.pattern = {{{.id = 6, .parameters = UniformScatter{.count = 6}}}}, .minimumVolume = 0.2},
                     {.pattern = {{{.id = 8, .parameters = BlueNoise{.minimumDistance = 0.2}}}}, .minimumVolume = 0.05}};
     return asset;
@@ -38,10 +38,10 @@ bool areEqual(const Bake& a, const Bake& b) {
     const auto sameFragment = [&](std::uint32_t k) {
         const BakedFragment x = a.fragment(k), y = b.fragment(k);
         return x.parent == y.parent && x.level == y.level && x.firstChild == y.firstChild &&
-               x.childCount == y.childCount && x.solid.outline() == y.solid.outline() &&
-               x.solid.edgeNeighbours() == y.solid.edgeNeighbours() && x.solid.isConvex() == y.solid.isConvex() &&
-               x.solid.offset() == y.solid.offset() && x.solid.mass().volume == y.solid.mass().volume &&
-               x.solid.mass().inertia == y.solid.mass().inertia &&
+               x.childCount == y.childCount && x.solid.extruded()->outline() == y.solid.extruded()->outline() &&
+               x.solid.extruded()->edgeNeighbours() == y.solid.extruded()->edgeNeighbours() &&
+               x.solid.isConvex() == y.solid.isConvex() && x.solid.offset() == y.solid.offset() &&
+               x.solid.mass().volume == y.solid.mass().volume && x.solid.mass().inertia == y.solid.mass().inertia &&
                std::ranges::equal(x.solid.contacts(), y.solid.contacts(), sameContact);
     };
     bool isEqual = a.input == b.input && idsOf(a) == idsOf(b);
@@ -100,7 +100,7 @@ private slots:
     }
     void concaveWholeHasSeveralHulls() {
         Asset asset = layeredBox();
-        asset.prism.outline = squareRing();
+        asset.prism().outline = squareRing();
         const Result<Bake> result = bake(asset);
         QCOMPARE(result->wholeHulls.size(), std::size_t{4});
         for (const Polytope& hull : result->wholeHulls) QCOMPARE(verifyPolytope(hull).value_or(""), std::string());
@@ -128,7 +128,7 @@ private slots:
     }
     void faultsNameTheAsset() {
         Asset asset = layeredBox();
-        asset.prism.depth = -1.0;
+        asset.prism().depth = -1.0;
         QCOMPARE(bake(asset).error().code, ErrorCode::BadInput);
         QVERIFY(bake(asset).error().message.starts_with("Asset \"box\": the depth is -1"));
     }

@@ -43,7 +43,8 @@ private slots:
         QVERIFY(fracture);
         QCOMPARE(fracture->seeds.positions.size(), std::size_t{50});
         QCOMPARE(verifyDelaunay(fracture->delaunay, fracture->seeds.positions).value_or(""), std::string());
-        QCOMPARE(verifyPartition(fracture->fragments.partition, fracture->prism.outline).value_or(""), std::string());
+        QCOMPARE(verifyPartition(fracture->fragments.extruded()->partition, fracture->prism.outline).value_or(""),
+                 std::string());
         QCOMPARE(verifyFragments(fracture->fragments, fracture->prism).value_or(""), std::string());
     }
     void outlineMayHaveEitherWinding() {

@@ -76,7 +76,7 @@ bool touchesOne(const Bake& bake, const FragmentSet& set, std::uint32_t fragment
 /// A fragment's edges in the asset's frame.
 std::vector<std::pair<Vec2, Vec2>> edgesOf(const Bake& bake, std::uint32_t fragment) {
     const Fragment solid = bake.fragment(fragment).solid;
-    const Polygon outline = solid.outline();
+    const Polygon outline = solid.extruded()->outline();
     std::vector<std::pair<Vec2, Vec2>> edges;
     const auto add = [&](const Ring& ring) {
         for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -103,7 +103,7 @@ double sharedLength(const std::pair<Vec2, Vec2>& one, const std::pair<Vec2, Vec2
 bool liesAgainst(const Bake& bake, std::uint32_t fragment, std::uint32_t other) {
     for (const auto& one : edgesOf(bake, fragment)) {
         for (const auto& against : edgesOf(bake, other)) {
-            if (sharedLength(one, against) > bake.fractures[0].fragments.minSharedEdge) return true;
+            if (sharedLength(one, against) > bake.fractures[0].fragments.extruded()->minSharedEdge) return true;
         }
     }
     return false;

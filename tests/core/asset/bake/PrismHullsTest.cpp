@@ -30,8 +30,8 @@ private slots:
     void assetsThatCannotBeFracturedAreLeftOut() {
         Project project;
         project.assets.resize(2);
-        project.assets[0] = {.id = 3, .name = "box", .prism = {unitSquare(), 1.0}};
-        project.assets[1] = {.id = 4, .name = "line", .prism = {{{{0, 0}, {1, 0}}, {}}, 1.0}};
+        project.assets[0] = {.id = 3, .name = "box", .shape = Prism{unitSquare(), 1.0}};
+        project.assets[1] = {.id = 4, .name = "line", .shape = Prism{{{{0, 0}, {1, 0}}, {}}, 1.0}};
         const AssetHulls all = assetHulls(project);
         QCOMPARE(all.size(), std::size_t{1});
         QCOMPARE(all.at(3).size(), std::size_t{1});

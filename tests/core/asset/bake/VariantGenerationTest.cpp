@@ -47,7 +47,7 @@ private slots:
             QVERIFY(bakeInputHash(made[k]) != bakeInputHash(made[k - 1]));
             QCOMPARE(made[k].id, asset.id);
             QCOMPARE(made[k].name, asset.name);
-            QVERIFY(made[k].prism == asset.prism && made[k].threshold == asset.threshold);
+            QVERIFY(made[k].prism() == asset.prism() && made[k].threshold == asset.threshold);
         }
     }
     void sameRecipeGivesTheSameVariants() {

@@ -40,10 +40,10 @@ private slots:
         QFETCH(double, gap);
         QFETCH(double, roughness);
         Asset asset = boxAsset(2, 3, UniformScatter{.count = 20});
-        for (Vec2& corner : asset.prism.outline.outer) {
+        for (Vec2& corner : asset.prism().outline.outer) {
             corner = {coordinate + (corner.x > 0.0 ? size : 0.0), coordinate + (corner.y > 0.0 ? size : 0.0)};
         }
-        asset.prism.depth = depth;
+        asset.prism().depth = depth;
         asset.shaping.gap = gap;
         asset.shaping.roughness.amplitude = roughness;
         const Result<Bake> made = bake(asset);

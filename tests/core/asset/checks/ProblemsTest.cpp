@@ -139,12 +139,12 @@ private slots:
     }
     void combNeedsManyHulls() {
         Asset asset = boxWith({{{0, {0.5, 0.5}}}});
-        asset.prism.outline = comb(10);
+        asset.prism().outline = comb(10);
         const auto problems = ofKind(problemsIn(asset), DiagnosticCode::ManyHulls);
         QCOMPARE(problems.size(), std::size_t{1});
         QVERIFY(problems[0].value >= 10.0);
         QCOMPARE(problems[0].place.path, std::string("5.0"));
-        asset.prism.outline = comb(4);
+        asset.prism().outline = comb(4);
         QVERIFY(ofKind(problemsIn(asset), DiagnosticCode::ManyHulls).empty());
     }
     void underivableThresholdIsReported() {
@@ -179,7 +179,7 @@ private slots:
     }
     void everyOutlineFaultIsReported() {
         Asset asset = boxWith({});
-        asset.prism.outline.outer = {{0.0, 0.0}, {1.0, 1.0}, {1.0, 0.0}, {0.0, 1.0}};
+        asset.prism().outline.outer = {{0.0, 0.0}, {1.0, 1.0}, {1.0, 0.0}, {0.0, 1.0}};
         QVERIFY(!bake(asset));
         const auto problems = outlineProblems(asset);
         QCOMPARE(problems.size(), std::size_t{1});
@@ -228,7 +228,7 @@ private slots:
             std::size_t slivers = 0, tiny = 0;
             for (std::uint32_t k = 0; k < baked.fragmentCount(); ++k) {
                 const Fragment solid = baked.fragment(k).solid;
-                slivers += aspectRatio(solid.outline()) > limits.aspect;
+                slivers += solid.aspectRatio() > limits.aspect;
                 tiny += solid.volume() < 0.2 * baked.whole.volume / baked.fragmentCount() * (1.0 - 1e-12);
             }
             QCOMPARE(ofKind(problems, DiagnosticCode::Sliver).size(), slivers);

@@ -42,11 +42,11 @@ private slots:
         });
         row("Asset \"box\": Fragment 1 does not have its centre of mass as origin.", [](Bake& b) {
             Fragments& fragments = b.fractures[0].fragments;
-            fragments.records[fragments.pieceOfFragment[1]].moments.centre.x += 0.5;
+            fragments.extruded()->records[fragments.extruded()->pieceOfFragment[1]].moments.centre.x += 0.5;
         });
         row("Asset \"box\": Fragment 3/5.7 should be 3/5.1.", [](Bake& b) { b.fractures[0].seeds.ids[1].index = 7; });
         row("Asset \"box\": fragment 3/5.1: There are 3 fragments, but 4 when it is fractured again.",
-            [](Bake& b) { b.fractures[2].fragments.pieceOfFragment.pop_back(); });
+            [](Bake& b) { b.fractures[2].fragments.extruded()->pieceOfFragment.pop_back(); });
         row("Asset \"box\": fragment 3/5.1: The fragments have the wrong offset.",
             [](Bake& b) { b.fractures[2].fragments.origin.x += 0.1; });
     }

@@ -33,7 +33,8 @@ private slots:
         const Asset asset = ringAsset();
         Bake changed = *bake(asset);
         Fragments& fragments = changed.fractures[0].fragments;
-        fragments.records[fragments.pieceOfFragment[2]].moments.centre.x = std::numeric_limits<double>::quiet_NaN();
+        fragments.extruded()->records[fragments.extruded()->pieceOfFragment[2]].moments.centre.x =
+            std::numeric_limits<double>::quiet_NaN();
         const std::string start = "Asset \"old ring\": the mesh of fragment " + changed.fragmentId(2) + ": ";
         const std::string fault = verifyMeshes(changed, asset).value_or("");
         QVERIFY2(fault.starts_with(start), fault.c_str());

@@ -24,7 +24,7 @@ Project smallProject() {
     project.nextId = 9;
     project.materials = {{.id = 1, .name = "brick"}};
     Asset wall{.id = 2, .name = "wall", .material = 1};
-    wall.prism.outline.outer = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
+    wall.prism().outline.outer = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
     wall.pattern.layers = {{.id = 3, .parameters = UniformScatter{.count = 5}}};
     wall.levels = {{.pattern = {{{.id = 4, .parameters = BlueNoise{}}}}, .minimumVolume = 0.1}};
     wall.surface = std::make_shared<Surface>(Surface{.materials = {"plaster"}, .triangles = {SurfaceTriangle{}}});
@@ -221,12 +221,12 @@ private slots:
         row("Asset 2 \"wall\": The shape of fragments: the gap is 1e-300, but it must be 0, or from 0.000001 to 10000.",
             [](Project& p) { p.assets[0].shaping.gap = 1e-300; });
         row("Asset 2 \"wall\": the depth is 5e-324, but it must be from 0.00001 to 10000.",
-            [](Project& p) { p.assets[0].prism.depth = 5e-324; });
+            [](Project& p) { p.assets[0].prism().depth = 5e-324; });
         row("Asset 2 \"wall\": the x of point 1 of the outline is 1e+15, but it must be from -100000 to 100000.",
-            [](Project& p) { p.assets[0].prism.outline.outer[1].x = 1e15; });
+            [](Project& p) { p.assets[0].prism().outline.outer[1].x = 1e15; });
         row("Asset 2 \"wall\": the width of the outline is 20000, but it must be from 0.00001 to 10000.",
             [](Project& p) {
-                for (Vec2& corner : p.assets[0].prism.outline.outer) corner.x *= 20000.0;
+                for (Vec2& corner : p.assets[0].prism().outline.outer) corner.x *= 20000.0;
             });
         row("Saved throw 7 \"box\": the size in x is 1e+100, but it must be from 0.001 to 1000.",
             [](Project& p) { p.shots[0].action = Throw{.kind = ProjectileKind::Ball, .size = Vec3(1e100)}; });
@@ -266,7 +266,7 @@ private slots:
 
     void prismsThatCannotBeFracturedAreNamed() {
         Project project = smallProject();
-        project.assets[0].prism.depth = -1.0;
+        project.assets[0].prism().depth = -1.0;
         const std::optional<std::string> fault = verifyProject(project);
         QVERIFY(fault.has_value());
         QVERIFY2(fault->starts_with("Asset 2 \"wall\": ") && fault->find("-1") != std::string::npos, fault->c_str());

@@ -63,11 +63,11 @@ private slots:
             return changes.size() == 1 && changes[0].what == what && changes[0].before != changes[0].after;
         };
         QVERIFY(isReported([](Asset& a) { a.name = "fence"; }, "name"));
-        QVERIFY(isReported([](Asset& a) { a.prism.outline.outer[0].x -= 0.5; }, "outline"));
-        QVERIFY(
-            isReported([](Asset& a) { std::ranges::rotate(a.prism.outline.outer, a.prism.outline.outer.begin() + 1); },
-                       "outline"));
-        QVERIFY(isReported([](Asset& a) { a.prism.depth = 3.0; }, "depth"));
+        QVERIFY(isReported([](Asset& a) { a.prism().outline.outer[0].x -= 0.5; }, "outline"));
+        QVERIFY(isReported(
+            [](Asset& a) { std::ranges::rotate(a.prism().outline.outer, a.prism().outline.outer.begin() + 1); },
+            "outline"));
+        QVERIFY(isReported([](Asset& a) { a.prism().depth = 3.0; }, "depth"));
         QVERIFY(isReported([](Asset& a) { a.material = 2; }, "material"));
         QVERIFY(isReported([](Asset& a) { a.insideMaterial = 0; }, "inside material"));
         QVERIFY(isReported([](Asset& a) { a.threshold = 56.0; }, "threshold"));
@@ -148,7 +148,7 @@ private slots:
     }
     void bakeErrorsAndCancellationAreReturned() {
         Project before = projectOf({called("wall", 3)}), after = before;
-        after.assets[0].prism.depth = 0.0;
+        after.assets[0].prism().depth = 0.0;
         const AssetPair pair = assetPairs(before, after)[0];
         QVERIFY(differenceOf(before, after, pair).error().code != ErrorCode::Cancelled);
         const TaskContext task;

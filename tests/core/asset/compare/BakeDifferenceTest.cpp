@@ -76,7 +76,7 @@ private slots:
     }
     void fragmentInPlaceCanBeReshaped() {
         Asset after = quarters();
-        after.prism.depth = 1.0;
+        after.prism().depth = 1.0;
         const BakeDifference difference = between(quarters(), after);
         QCOMPARE(difference.count(FragmentChange::Reshaped), std::size_t{4});
         QCOMPARE(difference.fragments[0].shift, 0.0);

@@ -50,7 +50,7 @@ private slots:
         const Project project =
             imported({}, sceneOf({objectOf("Wall", wallMesh()), objectOf("Gable", gableMesh(), 1)})).project;
         QCOMPARE(project.assets.size(), std::size_t{2});
-        QVERIFY((project.assets[0].prism == Prism{{rectangle({-1, -0.5}, {1, 0.5}), {}}, 0.5}));
+        QVERIFY((project.assets[0].prism() == Prism{{rectangle({-1, -0.5}, {1, 0.5}), {}}, 0.5}));
         QVERIFY(project.instances[0].pose.position == Vec3(11.0, 0.5, 0.0));
         QCOMPARE(project.instances[1].asset, project.assets[1].id);
         QCOMPARE(project.materials[1].name, std::string("Slate"));
@@ -155,9 +155,9 @@ private slots:
         const ImportOutcome again = imported(before, sceneOf({objectOf("New", gableMesh(), 1)}), {.asset = "Wall"});
         QVERIFY(again.assets[0].isReplaced);
         Project expected = before;
-        expected.assets[0].prism = again.project.assets[0].prism;
+        expected.assets[0].prism() = again.project.assets[0].prism();
         QVERIFY(again.project == expected);
-        QCOMPARE(again.project.assets[0].prism.outline.outer.size(), std::size_t{3});
+        QCOMPARE(again.project.assets[0].prism().outline.outer.size(), std::size_t{3});
     }
     void newInstancesAreFixedAndUnbreakableIfWanted() {
         const ImportOutcome outcome =
@@ -242,13 +242,13 @@ private slots:
         const ImportOutcome cap = imported({}, scene, {.fallback = PrismFallback::TopCap});
         QVERIFY(cap.assets[0].usesFallback);
         QCOMPARE(QString::fromStdString(cap.assets[0].notes[0]), "The top cap along z is used instead. " + shifted);
-        QCOMPARE(area(cap.project.assets[0].prism.outline), 3.0);
+        QCOMPARE(area(cap.project.assets[0].prism().outline), 3.0);
         for (std::size_t i = 6; i < 12; ++i) mesh.points[i] += Vec3(0.5, 0, 0);
         const ImportOutcome wide =
             imported({}, sceneOf({objectOf("Bent", mesh)}), {.fallback = PrismFallback::Silhouette});
         QVERIFY(wide.assets[0].notes[0].ends_with(". The volume changes from 1.5 m³ to 2.003 m³."));
         const ImportOutcome shadow = imported({}, scene, {.fallback = PrismFallback::Silhouette});
-        QVERIFY(std::abs(area(shadow.project.assets[0].prism.outline) - 3.0 - 2.0 * 0.0032) < 1e-6);
+        QVERIFY(std::abs(area(shadow.project.assets[0].prism().outline) - 3.0 - 2.0 * 0.0032) < 1e-6);
     }
     void onlyFallbacksThatWorkAreFound() {
         const auto fallbacks = [](const TriangleMesh& mesh, PrismAxis axis = PrismAxis::Thinnest) {

@@ -23,7 +23,7 @@ Surface surfaceOf() {
 
 Asset ring() {
     Asset asset;
-    asset.prism = {squareRing(), 1.0};
+    asset.shape = Prism{squareRing(), 1.0};
     asset.surface = std::make_shared<const Surface>(surfaceOf());
     return asset;
 }

@@ -27,7 +27,7 @@ private slots:
     }
     void wallStandsOnTheGround() {
         const Project project = starterProject();
-        const double bottom = boundsOf(project.assets[0].prism.outline.outer).min.y;
+        const double bottom = boundsOf(project.assets[0].prism().outline.outer).min.y;
         QCOMPARE(project.instances[0].pose.position.y + bottom, project.ground.height);
     }
 };

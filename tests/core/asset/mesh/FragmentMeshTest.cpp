@@ -125,7 +125,7 @@ private slots:
         const Asset asset =
             assetOf({unitSquare().outer, {{{0.25, 0.25}, {0.75, 0.25}, {0.75, 0.75}, {0.25, 0.75}}}}, 2.0);
         Bake bake;
-        bake.whole = massOfPrism(asset.prism.outline, asset.prism.depth);
+        bake.whole = massOfPrism(asset.prism().outline, asset.prism().depth);
         bake.wholeHulls.resize(4);
         const Mesh mesh = wholeMesh(bake, asset);
         QCOMPARE(meshFault(mesh, 1.5), "");

@@ -50,7 +50,7 @@ private slots:
         const Bake baked = *bake(asset);
         const Fragment left = baked.fragment(0).solid;
         const EdgeCorners corners = RoughCuts(baked, asset).cornersOf(0);
-        const std::vector<std::uint32_t> neighbour = left.edgeNeighbours();
+        const std::vector<std::uint32_t> neighbour = left.extruded()->edgeNeighbours();
         double farthest = 0.0;
         for (std::size_t edge = 0; edge < corners.size(); ++edge) {
             QCOMPARE(corners[edge].empty(), neighbour[edge] == kNone);

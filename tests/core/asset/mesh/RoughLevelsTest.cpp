@@ -147,7 +147,7 @@ private slots:
             QVERIFY2(fault.empty(), qPrintable(faultOfSeed(seed, fault)));
             for (const BakedFracture& fracture : baked.fractures) {
                 test::BoundarySum sum;
-                sum.add(fracture.parent == kNone ? withCanonicalWinding(asset.prism.outline) : drawn[fracture.parent],
+                sum.add(fracture.parent == kNone ? withCanonicalWinding(asset.prism().outline) : drawn[fracture.parent],
                         -1);
                 for (std::uint32_t k = 0; k < fracture.fragments.count(); ++k) sum.add(drawn[fracture.first + k], 1);
                 const double left = sum.remainingLength();
@@ -171,7 +171,7 @@ private slots:
             QVERIFY2(fault.empty(), qPrintable(faultOfSeed(seed, fault)));
             for (std::uint32_t k = 0; k < drawn.size(); ++k) {
                 const std::uint32_t parent = baked.fragment(k).parent;
-                const Polygon whole = parent == kNone ? withCanonicalWinding(asset.prism.outline) : drawn[parent];
+                const Polygon whole = parent == kNone ? withCanonicalWinding(asset.prism().outline) : drawn[parent];
                 for (const Vec2 corner : drawn[k].outer) {
                     QVERIFY2(isWithin(whole, corner),
                              qPrintable(faultOfSeed(seed, baked.fragmentId(k) + " stands out")));
@@ -182,14 +182,14 @@ private slots:
     /// Where a cut meets the outline at a flat angle, bumps in the gap would soon be beyond the outline.
     void noPieceBesideAGapLeavesASteepOutline() {
         Asset asset = boxAsset(3, 5, PlacedSeeds{{{0, {0.25, 2.4}}, {1, {0.75, 2.4}}}});
-        asset.prism.outline = {{{0.0, 0.0}, {1.0, 3.8}, {1.0, 4.8}, {0.0, 1.0}}, {}};
+        asset.prism().outline = {{{0.0, 0.0}, {1.0, 3.8}, {1.0, 4.8}, {0.0, 1.0}}, {}};
         asset.shaping.gap = 0.2;
         for (std::uint64_t seed = 0; seed < 1000; ++seed) {
             asset.shaping.roughness = {.amplitude = 0.2, .frequency = 6.0, .octaves = 1, .randomSeed = seed};
             const std::vector<Polygon> drawn = drawnOutlines(*bake(asset), asset);
             QVERIFY(cornerCount(drawn) > 40);
             for (const Polygon& outline : drawn) {
-                for (const Vec2 corner : outline.outer) QVERIFY(isWithin(asset.prism.outline, corner));
+                for (const Vec2 corner : outline.outer) QVERIFY(isWithin(asset.prism().outline, corner));
             }
         }
     }

@@ -58,7 +58,7 @@ private slots:
         QVERIFY(differs([](Asset& changed) { changed.id = 1; }));
         QVERIFY(differs([](Asset& changed) { changed.name = "a"; }));
         QVERIFY(differs([](Asset& changed) { changed.material = 1; }));
-        QVERIFY(differs([](Asset& changed) { changed.prism.depth = 2.0; }));
+        QVERIFY(differs([](Asset& changed) { changed.prism().depth = 2.0; }));
         QVERIFY(differs([](Asset& changed) { changed.pattern.layers.resize(1); }));
         QVERIFY(differs([](Asset& changed) { changed.levels.resize(1); }));
         QVERIFY(differs([](Asset& changed) { changed.threshold = 1.0; }));

@@ -37,7 +37,7 @@ std::map<std::string, std::string> hashesOf(const Bake& bake) {
     for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) {
         const BakedFragment fragment = bake.fragment(k);
         Hasher hasher;
-        for (const Vec2 corner : fragment.solid.outline().outer) {
+        for (const Vec2 corner : fragment.solid.extruded()->outline().outer) {
             hasher.add(corner.x);
             hasher.add(corner.y);
         }

@@ -25,7 +25,7 @@ private slots:
         }
         QVERIFY(first.levels[0].pattern.layers[0].randomSeed != asset.levels[0].pattern.layers[0].randomSeed);
         QCOMPARE(first.name, std::string("wall~1"));
-        QVERIFY(first.prism == asset.prism);
+        QVERIFY(first.prism() == asset.prism());
     }
     void overridesAreDroppedAndPlacedSeedsKept() {
         const Asset asset = fullProject().assets[0];

@@ -19,7 +19,7 @@ Material strongMaterial() { return {.id = 1, .name = "plaster", .tensileStrength
 /// 3 x 2 m and 0.1 m thick: the smallest section is 2 m by 0.1 m.
 Asset wall() {
     Asset asset{.id = 2, .name = "wall", .material = 1};
-    asset.prism = {{{{0.0, 0.0}, {3.0, 0.0}, {3.0, 2.0}, {0.0, 2.0}}, {}}, 0.1};
+    asset.shape = Prism{{{{0.0, 0.0}, {3.0, 0.0}, {3.0, 2.0}, {0.0, 2.0}}, {}}, 0.1};
     asset.threshold = 55.0;
     return asset;
 }
@@ -59,7 +59,7 @@ private slots:
         longer.contactTime = 0.0025;
         QVERIFY(isNear(thresholdOf(longer, strongMaterial()), 2.5 * expected));
         Asset thicker = derivedWall();
-        thicker.prism.depth = 0.2;
+        thicker.prism().depth = 0.2;
         QVERIFY(isNear(thresholdOf(thicker, strongMaterial()), 4.0 * expected));
     }
     void heavyWallsBreakByTheImpulseThatTheirInertiaTakes() {
@@ -70,17 +70,17 @@ private slots:
         QVERIFY(thin.isByInertia);
         QVERIFY2(std::abs(thin.duration / 0.1e-3 - 33.8) < 0.1, QByteArray::number(thin.duration));
         Asset thick = derivedWall();
-        thick.prism.depth = 0.2;  // four times the force for twice as long: it goes with the mass of a part
+        thick.prism().depth = 0.2;  // four times the force for twice as long: it goes with the mass of a part
         QVERIFY(isNear(thresholdOf(thick, stiff), 8.0 * thin.threshold()));
         // As an effective mass that reaches the velocity strength / sqrt(E rho): 14.7 rho t^3.
         const double speed = 2e6 / std::sqrt(2e9 * 2000.0);
         QVERIFY(std::abs(thin.threshold() / speed / (2000.0 * 1e-3) - 14.7) < 0.05);
         Asset pane = derivedWall();
-        pane.prism.depth = 0.008;
+        pane.prism().depth = 0.008;
         QVERIFY(!bendingStrength(pane, stiff)->isByInertia);
     }
     void thicknessIsTheLeastExtentThroughTheCentre() {
-        QCOMPARE(thicknessOf(wall().prism), 0.1);
+        QCOMPARE(thicknessOf(wall().prism()), 0.1);
         QCOMPARE(thicknessOf({unitSquare(), 4.0}), 1.0);
     }
     void transitionCrackLengthIsSquaredRatioByPi() {

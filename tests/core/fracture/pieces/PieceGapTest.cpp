@@ -1,7 +1,7 @@
 #include "core/fracture/pieces/PieceGap.h"
 
-#include "core/fracture/pieces/Extrusion.h"
-#include "core/fracture/pieces/Fragment.h"
+#include "core/fracture/fragments/Extrusion.h"
+#include "core/fracture/fragments/Fragment.h"
 #include "core/fracture/pieces/PieceDraft.h"
 #include "core/fracture/pieces/SmallPieces.h"
 #include "core/fracture/verify/VerifyFragments.h"
@@ -25,7 +25,7 @@ Fragments withGap(const Polygon& outline, const std::vector<Vec2>& seeds, double
     return *extrudedFragments({outline, 2.0}, *voronoiPartition(outline, seeds), gap);
 }
 
-double widthOfBox(const Fragment& fragment) { return boundsOf(fragment.outline().outer).size().x; }
+double widthOfBox(const Fragment& fragment) { return boundsOf(fragment.extruded()->outline().outer).size().x; }
 
 /// An upper bound of the area that a margin removes from a piece: strips along its cut edges, and corners.
 double mostLost(const Partition& partition, std::uint32_t piece, double margin) {
@@ -48,7 +48,7 @@ private slots:
         QCOMPARE(halves.count(), 2u);
         QCOMPARE(widthOfBox(halves[0]), 0.375);  // nothing is removed along the outline
         QCOMPARE(halves[0].volume(), 0.75);
-        QCOMPARE(halves.gapArea, 0.25);
+        QCOMPARE(halves.extruded()->gapArea, 0.25);
         QCOMPARE(QString::fromStdString(halves.diagnostics.back().message),
                  QString("The gap between fragments takes 0.5 m³ from them."));
         QVERIFY(!verifyFragments(halves, {unitSquare(), 2.0}));
@@ -59,7 +59,7 @@ private slots:
         const Fragments halves = withGap(unitSquare(), {{0.25, 0.5}, {0.75, 0.5}}, 0.25);
         QCOMPARE(halves[0].contacts().size(), std::size_t{1});
         QCOMPARE(halves[0].contacts()[0].area, 2.0);
-        std::vector<std::uint32_t> neighbour = halves[0].edgeNeighbours();
+        std::vector<std::uint32_t> neighbour = halves[0].extruded()->edgeNeighbours();
         std::ranges::sort(neighbour);
         QCOMPARE(neighbour, (std::vector<std::uint32_t>{1, kNone, kNone, kNone}));
     }
@@ -143,7 +143,7 @@ private slots:
             double lost = 0.0;
             for (std::uint32_t k = 0; k < pieces.count(); ++k) {
                 if (!pieces[k].isConvex()) ++concave;
-                const std::uint32_t piece = pieces.pieceOfFragment[k];
+                const std::uint32_t piece = pieces.extruded()->pieceOfFragment[k];
                 const double taken = pieceArea(partition, piece) - pieces[k].volume() / 0.5;
                 const bool isApart = std::ranges::any_of(pieces.diagnostics, [&](const Diagnostic& report) {
                     return report.code == DiagnosticCode::VanishedPiece && report.place.seed == pieces[k].seed();
@@ -152,7 +152,7 @@ private slots:
                 QVERIFY2(isLittle, qPrintable(faultOfSeed(seed, "too much of " + std::to_string(k))));
                 lost += pieces[k].volume();
             }
-            QVERIFY2(std::abs(lost + pieces.gapArea * 0.5 - area(made.outline) * 0.5) < 1e-9,
+            QVERIFY2(std::abs(lost + pieces.extruded()->gapArea * 0.5 - area(made.outline) * 0.5) < 1e-9,
                      qPrintable(faultOfSeed(seed, "volume")));
         }
         QVERIFY(concave > 1500);

@@ -1,6 +1,6 @@
 #include "core/fracture/verify/VerifyGap.h"
 
-#include "core/fracture/pieces/Extrusion.h"
+#include "core/fracture/fragments/Extrusion.h"
 #include "core/fracture/voronoi/VoronoiPartition.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/geometry/Outlines.h"
@@ -22,11 +22,11 @@ Fragments halves(double gap) {
 /// The fault of halves with a gap of 0.25 m, after a point of the shrunk pieces was moved.
 QString faultAfterMoving(Vec2 from, Vec2 to) {
     Fragments pieces = halves(0.25);
-    Partition shrunk = *pieces.shrunk;
+    Partition shrunk = *pieces.extruded()->shrunk;
     const auto point = std::ranges::find(shrunk.points, from);
     if (point == shrunk.points.end()) return "There is no such point.";
     *point = to;
-    pieces.shrunk = std::make_shared<const Partition>(shrunk);
+    pieces.extruded()->shrunk = std::make_shared<const Partition>(shrunk);
     return QString::fromStdString(verifyGap(pieces, 0.25).value_or(""));
 }
 

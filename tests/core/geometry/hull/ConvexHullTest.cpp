@@ -69,6 +69,23 @@ std::set<IntegerPlane> supportingPlanes(const std::vector<std::array<long, 3>>& 
 class ConvexHullTest : public QObject {
     Q_OBJECT
 private slots:
+    void nearlyFlatFacesAreMerged() {
+        for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+            Random random(seed);
+            std::vector<Vec3> points;
+            for (int k = 0; k < 60; ++k) {  // on the faces of a cube, up to rounding
+                Vec3 point{random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-1.0, 1.0)};
+                point[k % 3] = (k % 2 == 0 ? 1.0 : -1.0) + random.between(-1e-13, 1e-13);
+                points.push_back(point);
+            }
+            for (int k = 0; k < 8; ++k) points.push_back({k & 1 ? 1.0 : -1.0, k & 2 ? 1.0 : -1.0, k & 4 ? 1.0 : -1.0});
+            const Result<Polytope> hull = convexHull(points, 1e-10);
+            QVERIFY(hull);
+            QCOMPARE(hull->faces.size(), std::size_t{6});
+            QCOMPARE(hull->vertices.size(), std::size_t{8});
+            QCOMPARE(verifyPolytope(translated(*hull, {0.1, 0.2, 0.3})).value_or(""), std::string());
+        }
+    }
     void cubeHasSixFacesDespiteOtherPoints() {
         std::vector<Vec3> points = cubeCorners(2.0);
         points.push_back({1.0, 1.0, 1.0});  // inside

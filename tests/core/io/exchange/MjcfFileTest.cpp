@@ -87,10 +87,10 @@ private slots:
     /// MuJoCo refuses moments of 1e-15 kg·m² or less.
     void momentsOfSliversAreRaised() {
         Asset speck = twoLevelRing();
-        for (Vec2& corner : speck.prism.outline.outer) corner *= 1e-4;
-        for (Ring& hole : speck.prism.outline.holes)
+        for (Vec2& corner : speck.prism().outline.outer) corner *= 1e-4;
+        for (Ring& hole : speck.prism().outline.holes)
             for (Vec2& corner : hole) corner *= 1e-4;
-        speck.prism.depth *= 1e-4;
+        speck.prism().depth *= 1e-4;
         std::vector<std::uint32_t> leaves;
         Pack pack;
         const std::string text = mjcfOf(speck, leaves, pack);

@@ -40,7 +40,7 @@ private slots:
     }
     void centreOfTheWholeIsThatOfItsMass() {
         Asset asset = boxAsset(2, 3, UniformScatter{.count = 7});
-        asset.prism.outline.outer = {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}};
+        asset.prism().outline.outer = {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}};
         const Material stone{.id = 1, .name = "stone", .density = 2000.0};
         const Bake baked = bake(asset).value();
         const PackBuilder pack({baked, asset, {stone, stone}, packNames(asset), {}});

@@ -381,7 +381,7 @@ private slots:
     void exampleHitsAWall() {
         Asset wall = boxAsset(3, 4, UniformScatter{.count = 40});
         wall.name = "wall";
-        wall.prism = {{rectangle({-2.0, 0.0}, {2.0, 3.0}), {}}, 0.25};
+        wall.shape = Prism{{rectangle({-2.0, 0.0}, {2.0, 3.0}), {}}, 0.25};
         wall.breakAs = BreakAs::Bonded;
         wall.bonding.impulsePerArea = 100.0;
         wall.bonding.radius = 1.2;

@@ -81,7 +81,7 @@ private slots:
         QVERIFY(exportToFolder(request, starterProject(), kAssets)->finished.hasValue());
         std::ofstream(request.folder / kReadmeName) << "mine";
         Project changed = starterProject();
-        changed.assets.front().prism.depth *= 2.0;
+        changed.assets.front().prism().depth *= 2.0;
         const std::string before = textOf(request.folder / kOnlyPack / "manifest.json");
         const auto refused = exportToFolder(request, changed, kAssets);
         QVERIFY(!refused && refused.error().code == ErrorCode::Edited);
@@ -135,7 +135,7 @@ private slots:
         Project first = starterProject(), second = starterProject();
         first.identity = newIdentity();
         second.identity = newIdentity();
-        second.assets.front().prism.depth *= 2.0;
+        second.assets.front().prism().depth *= 2.0;
         QVERIFY(exportToFolder(request, first, kAssets)->finished.hasValue());
         const std::string before = textOf(request.folder / kOnlyPack / "manifest.json");
         request.project = "b.rubble";
@@ -161,7 +161,7 @@ private slots:
         std::ofstream(request.folder / kOnlyPack / "notes.txt") << "mine";
         request.target = targetNamed("unity");
         request.options = request.target->options();
-        for (Asset& asset : project.assets) asset.prism.depth *= 2.0;
+        for (Asset& asset : project.assets) asset.prism().depth *= 2.0;
         for (int round = 0; round < 2; ++round) {  // the second one finds what the first one listed
             const auto exported = exportToFolder(request, project, assets);
             QVERIFY(exported && exported->finished.hasValue());
@@ -233,7 +233,7 @@ private slots:
             for (int version = 0; version < kVersions; ++version) {
                 threads.emplace_back([&, version] {
                     Project project = starterProject();
-                    project.assets.front().prism.depth *= 1.0 + 0.1 * version;
+                    project.assets.front().prism().depth *= 1.0 + 0.1 * version;
                     const auto exported = exportToFolder(request, project, kAssets);
                     if (!exported || !exported->finished)
                         failures[version] = (exported ? exported->finished.error() : exported.error()).message;

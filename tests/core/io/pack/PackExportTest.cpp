@@ -195,7 +195,7 @@ private slots:
             change(other, other.assets[0]);
             return sourceOf(other) != source;
         };
-        QVERIFY(differs([](Project&, Asset& a) { a.prism.depth = 0.25; }));
+        QVERIFY(differs([](Project&, Asset& a) { a.prism().depth = 0.25; }));
         QVERIFY(differs([](Project&, Asset& a) { a.insideUvScale = 2.0; }));
         QVERIFY(differs([](Project&, Asset& a) { a.threshold = 2.0; }));
         QVERIFY(differs([](Project&, Asset& a) { a.shaping.roughness.amplitude = 0.01; }));

@@ -94,7 +94,7 @@ private slots:
         Asset derivedBonds = bonded;
         derivedBonds.bonding.impulsePerArea.reset();
         QVERIFY(hashOf(derivedBonds, strong) != hashOf(derivedBonds, heavyBrick()));
-        deeper.prism.depth += 1.0;
+        deeper.prism().depth += 1.0;
         QVERIFY(hashesOf(deeper).all != hash);
         Material heavier = heavyBrick();
         heavier.density += 1.0;

@@ -96,7 +96,7 @@ private slots:
             Asset asset = round % 2 == 0 ? twoLevelRing() : boxAsset(3, 4, UniformScatter{});
             asset.pattern.layers[0].randomSeed = random.next();
             std::get<UniformScatter>(asset.pattern.layers[0].parameters).count = 1u << random.below(8);
-            asset.prism.depth = random.between(1e-3, 10.0);
+            asset.prism().depth = random.between(1e-3, 10.0);
             const std::optional<std::string> fault = verifyPack(*readPack(packOf(asset)));
             QVERIFY2(!fault, fault.value_or("").c_str());
         }

@@ -158,13 +158,13 @@ private slots:
         const MaterialLibrary library = materialLibrary();
         const MaterialPreset& preset = findMaterial(library, name.toStdString())->preset;
         Asset asset{.id = 100, .name = "wall", .material = 1};
-        asset.prism = {outlines[static_cast<std::size_t>(outline)], 0.2};
-        asset.pattern = patternWithin(preset, boundsOf(asset.prism.outline.outer));
+        asset.shape = Prism{outlines[static_cast<std::size_t>(outline)], 0.2};
+        asset.pattern = patternWithin(preset, boundsOf(asset.prism().outline.outer));
         const Result<Bake> baked = bake(asset);
         QVERIFY2(baked, baked ? "" : baked.error().message.c_str());
         QCOMPARE(verifyBake(*baked, asset).value_or(""), std::string());
-        const Partition& partition = baked->fractureOf(kNone)->fragments.partition;
-        QCOMPARE(verifyPartition(partition, validated(asset.prism)->outline).value_or(""), std::string());
+        const Partition& partition = baked->fractureOf(kNone)->fragments.extruded()->partition;
+        QCOMPARE(verifyPartition(partition, validated(asset.prism())->outline).value_or(""), std::string());
         QVERIFY2(baked->fragmentCount() >= 5 && baked->fragmentCount() <= 800,
                  qPrintable(QString::number(baked->fragmentCount())));
     }

@@ -391,7 +391,7 @@ private slots:
         std::vector<Diagnostic> notes;
         const Result<Project> project = loadProject(path, &notes);
         QVERIFY2(project, project ? "" : project.error().message.c_str());
-        const Polygon& frame = project->assets[0].prism.outline;
+        const Polygon& frame = project->assets[0].prism().outline;
         QVERIFY((frame.outer == Ring{{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
         QVERIFY((frame.holes.at(0) == Ring{{0.5, 0.5}, {0.5, 1.5}, {1.5, 1.5}, {1.5, 0.5}}));
         QCOMPARE(notes.size(), std::size_t{2});

@@ -25,7 +25,7 @@ std::vector<Project> states(std::uint64_t seed, int edits) {
             next.instances.push_back(instance);
         } else {
             next.instances.pop_back();
-            next.assets[0].prism.depth += random.unit();
+            next.assets[0].prism().depth += random.unit();
         }
         all.push_back(std::move(next));
     }

@@ -117,7 +117,7 @@ private slots:
     }
     void faultyVariantDoesNotBlockOthers() {
         SheetRequest request = orderOf(stage(), 3, true);
-        request.variants[1].prism.depth = 0.0;
+        request.variants[1].prism().depth = 0.0;
         const std::vector<SheetEntry> entries = entriesOf(request);
         QVERIFY(entries[1].fault && !entries[1].bake && !entries[1].session);
         QVERIFY(QString::fromStdString(*entries[1].fault).contains("depth"));

@@ -18,7 +18,7 @@ Project standingWall(bool isFixed = false) {
     Project project;
     const Id stone = test::addMaterial(project, {.name = "stone", .density = 1000.0, .restitution = 0.2});
     const Id wall = test::addAsset(
-        project, {.name = "wall", .material = stone, .prism = {{rectangle({0.0, 0.0}, {2.0, 1.5}), {}}, 0.1}},
+        project, {.name = "wall", .material = stone, .shape = Prism{{rectangle({0.0, 0.0}, {2.0, 1.5}), {}}, 0.1}},
         {UniformScatter{.count = 10}});
     const Quat rotation = glm::angleAxis(0.7, Vec3(0.0, 1.0, 0.0));
     test::addInstance(project, wall, "wall", {.position = {3.0, 0.0, -2.0}, .orientation = rotation});

@@ -145,7 +145,7 @@ private slots:
         for (const double gap : {0.0, 0.02}) {
             for (const double depth : {0.5, 5e-4}) {  // the inset of the latter is limited to 5 µm
                 Project project = twoPieces();
-                project.assets[0].prism.depth = depth;
+                project.assets[0].prism().depth = depth;
                 project.assets[0].shaping.gap = gap;
                 const SwapAudit audit = auditsOf(project)[0];
                 const Bake baked = *bake(project.assets[0]);

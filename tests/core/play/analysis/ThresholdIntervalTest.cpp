@@ -45,7 +45,7 @@ Trial tried(Project project, const StrengthRequirement& requirement, double thre
     Asset& asset = project.assets[0];
     asset.threshold = threshold;
     double lowest = 0.0;
-    for (const Vec2& corner : asset.prism.outline.outer) lowest = std::min(lowest, corner.y);
+    for (const Vec2& corner : asset.prism().outline.outer) lowest = std::min(lowest, corner.y);
     const DropRequirement* drop = std::get_if<DropRequirement>(&requirement.event);
     const Vec3 place(0.0, drop != nullptr ? drop->height - lowest : 10.0, 0.0);
     test::addInstance(project, asset.id, "asset", {.position = place});
@@ -152,7 +152,7 @@ private slots:
     /// m of which one half finds something to hit: at 1.05 m. There the frame turns away.
     void hitUsesTheNearestPointOfAnOpenMiddle() {
         Project project = block();
-        project.assets[0].prism = {squareRing(), 0.5};
+        project.assets[0].shape = Prism{squareRing(), 0.5};
         const double mass = 1000.0 * 12.0 * 0.5, inertia = mass * ((16.0 * 4.0 - 4.0) / 12.0 / 12.0 + 0.25 / 12.0);
         const double cube = 20.0, cubeInertia = cube * 0.04 / 6.0;
         const Throw thrown = hitThrow(project, onlyAsset(*test::playSceneOf(project)), {cube, 10.0});

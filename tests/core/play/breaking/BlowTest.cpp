@@ -18,7 +18,7 @@ const Hammer kBlowAtWall{.at = {0.0, 1.8, 0.125}, .impulse = {0.0, 0.0, -kBlowIm
 /// A fixed pane of 1 x 1 m and 60 kg in the air, which 1 N·s breaks.
 Project pane(std::uint32_t fragments) {
     Project project = test::floatingBlock(fragments);
-    project.assets[0].prism.depth = 0.05;
+    project.assets[0].prism().depth = 0.05;
     project.materials[0].density = 1200.0;
     project.assets[0].threshold = 1.0;
     project.instances[0].isFixed = true;

@@ -24,12 +24,12 @@ Project randomBreakable(Random& random, int round) {
     Asset& asset = project.assets[0];
     const std::vector<LayerParameters> samples = patternSamples();
     double size = 1.0;
-    asset.prism.depth = test::magnitudeIn(random, 0.01, 0.6);
+    asset.prism().depth = test::magnitudeIn(random, 0.01, 0.6);
     if (round % 2 == 0) {
         asset.pattern = test::patternOf(project, {samples[static_cast<std::size_t>(round / 2) % samples.size()]});
     } else {
         size = test::magnitudeIn(random, 0.01, 10.0);
-        test::scale(asset.prism, size);
+        test::scale(asset.prism(), size);
         asset.pattern =
             test::patternOf(project, {UniformScatter{.count = 2 + static_cast<std::uint32_t>(random.below(60))}});
     }

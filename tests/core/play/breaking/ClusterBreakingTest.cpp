@@ -169,7 +169,7 @@ private slots:
     void clustersWithSupportKeepTheirBonds() {
         Project project = test::bondedWall(1, 1e4);
         Asset& asset = project.assets[0];
-        asset.prism.outline = {rectangle({0.0, 0.0}, {8.0, 2.0}), {}};
+        asset.prism().outline = {rectangle({0.0, 0.0}, {8.0, 2.0}), {}};
         asset.pattern = test::patternOf(project, {JitteredGrid{.columns = 8, .rows = 2, .jitter = 0.0}});
         asset.bonding.span = 3.2;
         asset.bonding.collapseDelay = 0.05;

@@ -73,7 +73,7 @@ private slots:
         const Id pebbles = test::addAsset(project,
                                           {.name = "pebbles",
                                            .material = project.materials[0].id,
-                                           .prism = {{rectangle({-0.1, -0.1}, {0.1, 0.1}), {}}, 0.1}},
+                                           .shape = Prism{{rectangle({-0.1, -0.1}, {0.1, 0.1}), {}}, 0.1}},
                                           {UniformScatter{.count = 3}});
         test::addInstance(project, pebbles, "pebbles", {.position = {0.0, 40.0, 0.0}});
         project.instances[1].isFixed = true;

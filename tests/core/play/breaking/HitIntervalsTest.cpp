@@ -22,8 +22,8 @@ Project randomTarget(Random& random) {
     Project project = bondedWall(8 + static_cast<std::uint32_t>(random.below(60)), random.between(20.0, 400.0));
     Asset& asset = project.assets[0];
     const double width = size * random.between(0.4, 1.5), height = size * random.between(0.4, 1.5);
-    asset.prism = {{rectangle({-0.5 * width, -0.5 * height}, {0.5 * width, 0.5 * height}), {}},
-                   size * random.between(0.05, 0.3)};
+    asset.shape = Prism{{rectangle({-0.5 * width, -0.5 * height}, {0.5 * width, 0.5 * height}), {}},
+                        size * random.between(0.05, 0.3)};
     asset.bonding.radius = size * random.between(0.1, 0.6);
     asset.bonding.damageFrom = random.between(0.1, 1.0);
     Instance& instance = project.instances[0];
@@ -44,7 +44,7 @@ Project randomTarget(Random& random) {
 /// A throw at a target: a hit of a few times what breaks something.
 Throw randomThrow(const Project& project, Random& random) {
     const Instance& instance = project.instances[0];
-    const Prism& prism = project.assets[0].prism;
+    const Prism& prism = project.assets[0].prism();
     const Vec2 corner = prism.outline.outer[2];
     const double size = 2.0 * std::max(corner.x, corner.y);
     const Vec3 at = instance.pose.position +

@@ -74,7 +74,7 @@ private slots:
         QFETCH(std::uint32_t, fragments);
         QFETCH(double, distance);
         Asset asset = cutWhereHit(fragments).assets[0];
-        asset.prism.depth = depth;
+        asset.prism().depth = depth;
         for (const double falloffRadius : {1e-9, 0.02, 100.0}) {
             asset.cutAtImpact->falloffRadius = falloffRadius;
             const auto cut = cutAtImpact(asset, {0.45, 0.1}, 5);

@@ -54,8 +54,8 @@ Project randomLanding(Random& random, Landing kind) {
     Asset& asset = project.assets[0];
     const bool isOfAnyKind = random.below(2) == 0;
     const double size = isOfAnyKind ? 1.0 : magnitudeIn(random, 0.1, 5.0);
-    asset.prism.depth = magnitudeIn(random, 0.05, 1.0);
-    scale(asset.prism, size);
+    asset.prism().depth = magnitudeIn(random, 0.05, 1.0);
+    scale(asset.prism(), size);
     asset.pattern = landingPattern(random, project, isOfAnyKind);
     Material& material = project.materials[0];
     material.density = magnitudeIn(random, 100.0, 8000.0);
@@ -64,7 +64,7 @@ Project randomLanding(Random& random, Landing kind) {
     project.gravity = {0.0, -gravity, 0.0};
     const double drop = size * magnitudeIn(random, 0.3, 6.0), speed = std::sqrt(2.0 * gravity * drop);
     const double momentum = material.density * size * speed * magnitudeIn(random, 0.003, 1.0);  // N·s/m²
-    asset.threshold = momentum * size * asset.prism.depth;
+    asset.threshold = momentum * size * asset.prism().depth;
     asset.bonding.impulsePerArea = momentum;
     asset.bonding.radius = size * magnitudeIn(random, 0.1, 2.0);
     asset.bonding.collapseDelay = random.below(2) == 0 ? 0.0 : 0.1;
@@ -78,7 +78,7 @@ Project randomLanding(Random& random, Landing kind) {
         asset.bonding.clusters = ClusterEditing(asset, *baked, 0, 0).propose({.value = count});
     }
     const Quat orientation = landingOrientation(random);
-    addInstance(project, asset.id, "asset", {{0.0, depthBelow(asset.prism, orientation) + drop, 0.0}, orientation});
+    addInstance(project, asset.id, "asset", {{0.0, depthBelow(asset.prism(), orientation) + drop, 0.0}, orientation});
     project.instances[0].isAnchored = false;
     return project;
 }

@@ -100,7 +100,7 @@ private slots:
     void whatHangsIsNotHeld() {
         Project project = portalWithWall(1.0);
         // The wall hangs below the beam, between the piers.
-        project.assets[2].prism.outline = {rectangle({-0.9, -0.5}, {0.9, 0.5}), {}};
+        project.assets[2].prism().outline = {rectangle({-0.9, -0.5}, {0.9, 0.5}), {}};
         project.instances[3].pose.position = {0.0, 2.5, 0.0};
         const Session session = test::sessionOf(project);
         QCOMPARE(beyondSpan(session, kUpperWall).size(), std::size_t{20});
@@ -109,7 +109,7 @@ private slots:
     /// A bracket on the side of the right pier holds as far as its span, counted from the face of the pier.
     void mortarAtASideHolds() {
         Project project = portalWithWall(1.0);
-        project.assets[2].prism.outline = {rectangle({-1.5, -0.5}, {1.5, 0.5}), {}};
+        project.assets[2].prism().outline = {rectangle({-1.5, -0.5}, {1.5, 0.5}), {}};
         project.instances[3].pose.position = {3.5, 1.5, 0.0};
         const Session session = test::sessionOf(project);
         const std::vector<std::uint32_t> unsupported = beyondSpan(session, kUpperWall);

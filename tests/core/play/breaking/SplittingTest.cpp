@@ -17,7 +17,7 @@ namespace {
 Project columnsOfBricks(double scale, std::uint32_t columns) {
     Project project = test::bondedWall();
     Asset& asset = project.assets[0];
-    asset.prism = {{rectangle(scale * Vec2(-2.0, -1.0), scale * Vec2(2.0, 1.0)), {}}, 0.25 * scale};
+    asset.shape = Prism{{rectangle(scale * Vec2(-2.0, -1.0), scale * Vec2(2.0, 1.0)), {}}, 0.25 * scale};
     const double mortar = 0.02 * scale, aside = 0.005 * scale;
     asset.pattern =
         test::patternOf(project, {Slices{.cuts = columns - 1, .offsetVariation = 0.0, .angleVariation = 0.0},

@@ -26,7 +26,7 @@ Session atRest(Project project, const Asset& asset, bool isFloating) {
     project.shots.clear();
     project.playTests.clear();
     if (isFloating) project.gravity = Vec3(0.0);
-    const double height = isFloating ? 5.0 : asset.prism.depth / 2.0;
+    const double height = isFloating ? 5.0 : asset.prism().depth / 2.0;
     const double half = std::sqrt(0.5);
     test::addInstance(project, asset.id, "it", {{0.0, height, 0.0}, Quat{half, -half, 0.0, 0.0}});
     return test::sessionOf(project, {.sleeping = false});

@@ -25,7 +25,7 @@ Project stacks() {
     const Id block = test::addAsset(project,
                                     {.name = "block",
                                      .material = stone,
-                                     .prism = {{rectangle({-0.5, -0.25}, {0.5, 0.25}), {}}, 0.75},
+                                     .shape = Prism{{rectangle({-0.5, -0.25}, {0.5, 0.25}), {}}, 0.75},
                                      .threshold = 1e9},
                                     {UniformScatter{.count = 3}});
     for (int stack = 0; stack < kAlong * kAlong; ++stack) {

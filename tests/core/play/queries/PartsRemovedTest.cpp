@@ -172,7 +172,8 @@ private slots:
         Project project = test::bondedPortal(0.0, 0.0);
         const Id stone = project.materials[0].id;
         const Id block = test::addAsset(
-            project, {.name = "block", .material = stone, .prism = {{rectangle({-0.2, -0.2}, {0.2, 0.2}), {}}, 0.2}},
+            project,
+            {.name = "block", .material = stone, .shape = Prism{{rectangle({-0.2, -0.2}, {0.2, 0.2}), {}}, 0.2}},
             {UniformScatter{.count = 2}});
         test::addInstance(project, block, "on the lintel", {.position = {0.0, 2.7, 0.0}});
         test::addInstance(project, block, "beside", {.position = {5.0, 0.2, 0.0}});
@@ -205,7 +206,8 @@ private slots:
         project.ground.isOn = false;
         const Id stone = project.materials[0].id;
         const Id plinth = test::addAsset(
-            project, {.name = "plinth", .material = stone, .prism = {{rectangle({-2.0, -0.5}, {2.0, 0.0}), {}}, 1.0}},
+            project,
+            {.name = "plinth", .material = stone, .shape = Prism{{rectangle({-2.0, -0.5}, {2.0, 0.0}), {}}, 1.0}},
             {UniformScatter{.count = 4}});
         test::addInstance(project, plinth, "plinth", {.position = {0.0, 0.0, 0.0}});
         project.instances[1].isFixed = true;

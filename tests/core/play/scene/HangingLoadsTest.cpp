@@ -27,10 +27,10 @@ Project row(std::uint32_t cubes, double impulsePerArea, std::uint64_t seed, bool
     Project project;
     const Id stone = test::addMaterial(project, {.name = "stone", .density = 2000.0});
     const Id cube = test::addAsset(
-        project, {.name = "cube", .material = stone, .prism = {{rectangle({-0.5, -0.5}, {0.5, 0.5}), {}}, 1.0}},
+        project, {.name = "cube", .material = stone, .shape = Prism{{rectangle({-0.5, -0.5}, {0.5, 0.5}), {}}, 1.0}},
         {sideBySide(seed, 0.5)});
     const Id wall = test::addAsset(
-        project, {.name = "wall", .material = stone, .prism = {{rectangle({-0.5, -0.5}, {0.5, 0.5}), {}}, 1.0}},
+        project, {.name = "wall", .material = stone, .shape = Prism{{rectangle({-0.5, -0.5}, {0.5, 0.5}), {}}, 1.0}},
         {UniformScatter{.count = 2}});
     project.assets[0].breakAs = BreakAs::Bonded;
     project.assets[0].bonding.impulsePerArea = 1e4;
@@ -106,7 +106,7 @@ private slots:
         project.assets[1].pattern.layers[0].parameters = sideBySide(1, 1.0);
         QVERIFY(!hasWeakBonds(project));  // it stands on the piers
         project.instances[2].pose.position = {0.0, 2.0, 0.0};
-        project.assets[1].prism.outline = {rectangle({-1.0, -0.5}, {1.0, 0.5}), {}};  // between them
+        project.assets[1].prism().outline = {rectangle({-1.0, -0.5}, {1.0, 0.5}), {}};  // between them
         QVERIFY(hasWeakBonds(project));
         const std::vector<HangingLoad> loads = hangingLoads(*test::playSceneOf(project));
         QVERIFY(isNear(onMortarOf(loads, project.instances[2].id).load, 2.0 * kCubeWeight, 1e-4));

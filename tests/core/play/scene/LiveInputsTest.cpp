@@ -75,7 +75,7 @@ private slots:
                  Inputs{});
     }
     void otherChangesNeedARestart() {
-        QVERIFY(!after([](Project& now) { now.assets[0].prism.depth = 0.4; }));
+        QVERIFY(!after([](Project& now) { now.assets[0].prism().depth = 0.4; }));
         QVERIFY(!after([](Project& now) { now.assets[0].pattern.layers.clear(); }));
         QVERIFY(!after([](Project& now) { now.instances[0].pose.position.x = 1.0; }));
         QVERIFY(!after([](Project& now) { now.instances.clear(); }));

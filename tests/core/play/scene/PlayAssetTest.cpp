@@ -39,7 +39,7 @@ private slots:
     }
     void columnWithManyCornersIsSimplified() {
         Project project = test::floatingBlock();
-        Ring& ring = project.assets[0].prism.outline.outer;
+        Ring& ring = project.assets[0].prism().outline.outer;
         ring.clear();
         for (int k = 0; k < 400; ++k) {
             const double angle = 2.0 * std::numbers::pi * k / 400.0;

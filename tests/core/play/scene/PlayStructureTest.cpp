@@ -64,7 +64,7 @@ private slots:
         const Id block = test::addAsset(project,
                                         {.name = "block",
                                          .material = project.materials[0].id,
-                                         .prism = {{rectangle({-3.0, -0.5}, {3.0, 0.5}), {}}, 6.0}},
+                                         .shape = Prism{{rectangle({-3.0, -0.5}, {3.0, 0.5}), {}}, 6.0}},
                                         {UniformScatter{.count = 3}});
         test::addInstance(project, block, "block", {.position = {0.0, 0.5, 0.0}});
         project.instances.back().isFixed = true;

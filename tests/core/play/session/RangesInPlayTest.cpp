@@ -42,15 +42,15 @@ const std::vector<Setter>& setters() {
         {N::FractureToughness, [](Project& p, double v) { material(p).fractureToughness = v; }},
         {N::YoungsModulus, [](Project& p, double v) { material(p).youngsModulus = v; }},
         {N::ColourChannel, [](Project& p, double v) { material(p).inside.blue = v; }},
-        {N::PrismDepth, [](Project& p, double v) { asset(p).prism.depth = v; }},
+        {N::PrismDepth, [](Project& p, double v) { asset(p).prism().depth = v; }},
         {N::OutlineSize,
          [](Project& p, double v) {
-             for (Vec2& corner : asset(p).prism.outline.outer) corner.x = corner.x > 0.0 ? v : 0.0;
+             for (Vec2& corner : asset(p).prism().outline.outer) corner.x = corner.x > 0.0 ? v : 0.0;
          }},
         {N::OutlineCoordinate,
          [](Project& p, double v) {
              const double other = v - std::copysign(1.0, v);
-             for (Vec2& corner : asset(p).prism.outline.outer) corner.y = corner.y > 0.0 ? v : other;
+             for (Vec2& corner : asset(p).prism().outline.outer) corner.y = corner.y > 0.0 ? v : other;
          }},
         {N::Gap, [](Project& p, double v) { asset(p).shaping.gap = v; }},
         {N::RoughnessAmplitude, [](Project& p, double v) { asset(p).shaping.roughness.amplitude = v; }},
@@ -89,7 +89,7 @@ const std::vector<Setter>& setters() {
 /// Two blocks of three fragments over the ground; a throw, a blow and a blast at the first.
 Project smallProject() {
     Project project = test::floatingBlock(3);
-    asset(project).prism.outline.outer = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
+    asset(project).prism().outline.outer = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
     test::addInstance(project, asset(project).id, "other", {.position = {0.2, 6.2, 0.0}});
     project.gravity = {0.0, -9.81, 0.0};
     const auto add = [&](const std::string& name, double time, const ShotAction& does) {

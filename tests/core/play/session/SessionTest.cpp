@@ -116,7 +116,7 @@ private slots:
 
     void heavyBoxPassesAThinPane() {
         Project project = floatingBlock(30);
-        project.assets[0].prism.depth = 0.01;  // 10 kg
+        project.assets[0].prism().depth = 0.01;  // 10 kg
         project.assets[0].threshold = 20.0;
         Session session = sessionOf(project);
         addInput(session, ShotInput{"box", throwAtBlock(100.0, 10.0)});
@@ -189,8 +189,8 @@ private slots:
     }
     void impactorLosesTheBreakImpulse() {
         Project project = floatingBlock();
-        project.assets[0].prism.depth = 0.05;  // 50 kg
-        project.assets[0].threshold = 200.0;   // of the 400 N·s that the box applies
+        project.assets[0].prism().depth = 0.05;  // 50 kg
+        project.assets[0].threshold = 200.0;     // of the 400 N·s that the box applies
         Session session = sessionOf(project);
         addInput(session, ShotInput{"box", throwAtBlock(100.0, 12.0)});
         QCOMPARE(test::breaksWithin(session, 20).size(), 1u);

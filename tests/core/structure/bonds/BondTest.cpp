@@ -1,7 +1,7 @@
 #include "core/structure/bonds/Bond.h"
 
 #include "core/asset/bake/Bake.h"
-#include "core/fracture/pieces/Extrusion.h"
+#include "core/fracture/fragments/Extrusion.h"
 #include "tests/support/Closeness.h"
 #include "tests/support/FaultOfSeed.h"
 #include "tests/support/TestProgram.h"
@@ -33,18 +33,19 @@ struct FaceIntegrals {
 std::map<Pair, FaceIntegrals> integratedFaces(const Fragments& all) {
     const double node = 0.5 / std::sqrt(3.0);
     std::map<Pair, FaceIntegrals> faces;
-    for (std::uint32_t piece = 0; piece < all.partition.pieceCount(); ++piece) {
-        forEachEdge(all.partition, piece, [&](std::uint32_t from, std::uint32_t to, std::uint32_t behind) {
-            const Pair pair{all.fragmentOfPiece[piece], behind == kNone ? kNone : all.fragmentOfPiece[behind]};
+    for (std::uint32_t piece = 0; piece < all.extruded()->partition.pieceCount(); ++piece) {
+        forEachEdge(all.extruded()->partition, piece, [&](std::uint32_t from, std::uint32_t to, std::uint32_t behind) {
+            const Pair pair{all.extruded()->fragmentOfPiece[piece],
+                            behind == kNone ? kNone : all.extruded()->fragmentOfPiece[behind]};
             if (pair.first == kNone || pair.second == kNone || pair.first >= pair.second) return;
-            const Vec3 origin = Vec3(all.partition.origin, 0.0) + all.origin;
-            const Vec3 a = Vec3(all.partition.points[from], 0.0) + origin;
-            const Vec3 b = Vec3(all.partition.points[to], 0.0) + origin;
+            const Vec3 origin = Vec3(all.extruded()->partition.origin, 0.0) + all.origin;
+            const Vec3 a = Vec3(all.extruded()->partition.points[from], 0.0) + origin;
+            const Vec3 b = Vec3(all.extruded()->partition.points[to], 0.0) + origin;
             FaceIntegrals& face = faces[pair];
-            const double weight = glm::distance(a, b) * all.depth / 4.0;
+            const double weight = glm::distance(a, b) * all.extruded()->depth / 4.0;
             for (const double along : {0.5 - node, 0.5 + node}) {
                 for (const double across : {-node, node}) {
-                    const Vec3 point = a + along * (b - a) + Vec3(0.0, 0.0, across * all.depth);
+                    const Vec3 point = a + along * (b - a) + Vec3(0.0, 0.0, across * all.extruded()->depth);
                     face.area += weight;
                     face.first += weight * point;
                     face.second += weight * glm::outerProduct(point, point);
@@ -72,7 +73,7 @@ std::string difference(const Bond& bond, const FaceIntegrals& face, double exten
 
 /// The first difference of the bonds from contacts and from the faces of the partition.
 std::string faultOf(const Fragments& all, std::span<const Vec2> seeds) {
-    const std::vector<Bond> bonds = bondsOf(all, seeds);
+    const std::vector<Bond> bonds = bondsOf(all, Seeds{.positions = {seeds.begin(), seeds.end()}});
     if (const auto fault = verifyBonds(bonds, all.count())) return *fault;
     const std::map<Pair, FaceIntegrals> faces = integratedFaces(all);
     std::size_t next = 0;
@@ -93,7 +94,7 @@ std::string faultOf(const Fragments& all, std::span<const Vec2> seeds) {
     }
     if (next != bonds.size()) return "a bond has no contact";
     for (const auto& [pair, face] : faces) {
-        if (face.area > all.minSharedEdge * all.depth) expected += face.area;
+        if (face.area > all.extruded()->minSharedEdge * all.extruded()->depth) expected += face.area;
     }
     return std::abs(total - expected) <= 1e-12 * expected ? "" : "the areas do not sum to those of the shared edges";
 }
@@ -101,7 +102,7 @@ std::string faultOf(const Fragments& all, std::span<const Vec2> seeds) {
 /// The bonds of a square of 2 m, 0.5 m deep, cut into cells.
 std::vector<Bond> bondsOfCells(const std::vector<Vec2>& seeds) {
     const Polygon outline{rectangle({0.0, 0.0}, {2.0, 2.0}), {}};
-    return bondsOf(*extrudedFragments({outline, 0.5}, *voronoiPartition(outline, seeds)), seeds);
+    return bondsOf(*extrudedFragments({outline, 0.5}, *voronoiPartition(outline, seeds)), Seeds{.positions = seeds});
 }
 
 /// A valid bond between two nodes, changed.
@@ -135,7 +136,8 @@ private slots:
     void edgesOfAPairAreOneBond() {
         const Polygon ring = squareRing();  // a frame of width 1 m around a hole of 2 m
         const std::vector<Vec2> seeds{{0.9, 2.0}, {3.1, 2.0}};
-        const std::vector<Bond> bonds = bondsOf(*extrudedFragments({ring, 3.0}, *voronoiPartition(ring, seeds)), seeds);
+        const std::vector<Bond> bonds =
+            bondsOf(*extrudedFragments({ring, 3.0}, *voronoiPartition(ring, seeds)), Seeds{.positions = seeds});
         QCOMPARE(bonds.size(), std::size_t{1});
         QCOMPARE(bonds[0].area, 6.0);  // two edges of 1 m
         QCOMPARE(bonds[0].centroid, Vec3(2.0, 2.0, 0.0));
@@ -151,14 +153,15 @@ private slots:
         for (const Vec2 side : {Vec2{1.0, 0.0}, Vec2{0.0, 1.0}, Vec2{-1.0, 0.0}, Vec2{0.0, -1.0}})
             seeds.push_back(Vec2{1.0, 1.0} + side);
         Asset asset = boxAsset(1, 2, PlacedSeeds{});
-        asset.prism.outline = {rectangle({0.0, 0.0}, {2.0, 2.0}), {}};
+        asset.prism().outline = {rectangle({0.0, 0.0}, {2.0, 2.0}), {}};
         PlacedSeeds placed;
         for (std::uint32_t k = 0; k < seeds.size(); ++k) placed.seeds.push_back({k, seeds[k]});
         asset.pattern.layers[0].parameters = placed;
         asset.edits = {FragmentMerge{.into = "2.1", .merged = {"2.2", "2.3", "2.4"}}};
         const Bake baked = *bake(asset);
         QCOMPARE(baked.fragmentCount(), 2u);
-        const std::vector<Bond> bonds = bondsOf(baked.fractures[0].fragments, baked.fractures[0].seeds.positions);
+        const std::vector<Bond> bonds =
+            bondsOf(baked.fractures[0].fragments, Seeds{.positions = baked.fractures[0].seeds.positions});
         QCOMPARE(bonds.size(), std::size_t{1});
         QVERIFY(std::abs(bonds[0].area - 4.0 * 0.5) <= 1e-12);  // four sides of 1 m
         QVERIFY(!verifyBonds(bonds, 2));
@@ -186,9 +189,9 @@ private slots:
             for (int k = 0; k < 5; ++k)
                 made.seeds.push_back(made.seeds[0] + Vec2(k * random.between(1e-13, 1e-11), k * 1e-12));
             Fragments fragments = *extrudedFragments({made.outline, 1.0}, *voronoiPartition(made.outline, made.seeds));
-            thin += fragments.massTransfers.size();
+            thin += fragments.extruded()->massTransfers.size();
             const std::size_t all = bondsOf(fragments).size();
-            if (seed % 2 == 0) fragments.minSharedEdge = 0.1;
+            if (seed % 2 == 0) fragments.extruded()->minSharedEdge = 0.1;
             dropped += all - bondsOf(fragments).size();
             const std::string fault = faultOf(fragments, made.seeds);
             QVERIFY2(fault.empty(), qPrintable(faultOfSeed(seed, fault)));
@@ -218,14 +221,14 @@ private slots:
     // Cells of two seeds meet halfway between them, whatever the level and its frame.
     void seedsOfCellsAreAtBothSidesOfTheirFace() {
         Asset asset = boxAsset(1, 2, UniformScatter{.count = 12});
-        asset.prism.outline = {rectangle({5.0, -3.0}, {7.0, -1.0}), {}};
+        asset.prism().outline = {rectangle({5.0, -3.0}, {7.0, -1.0}), {}};
         Level level;
         level.pattern.layers = {{.id = 60, .randomSeed = 5, .parameters = UniformScatter{.count = 6}}};
         asset.levels = {level};
         const Bake baked = *bake(asset);
         QVERIFY(baked.fractures.size() > 4);
         for (const BakedFracture& fracture : baked.fractures) {
-            const std::vector<Bond> bonds = bondsOf(fracture.fragments, fracture.seeds.positions);
+            const std::vector<Bond> bonds = bondsOf(fracture.fragments, Seeds{.positions = fracture.seeds.positions});
             QVERIFY(!bonds.empty());
             for (const Bond& bond : bonds) {
                 const auto seedOf = [&](std::uint32_t node) {

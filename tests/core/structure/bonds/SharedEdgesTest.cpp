@@ -1,6 +1,6 @@
 #include "core/structure/bonds/SharedEdges.h"
 
-#include "core/fracture/pieces/Extrusion.h"
+#include "core/fracture/fragments/Extrusion.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/fracture/RandomPartitions.h"
 
@@ -19,8 +19,8 @@ private slots:
         QCOMPARE(edges.size(), std::size_t{1});
         QCOMPARE(edges[0].first, 0u);
         QCOMPARE(edges[0].second, 1u);
-        QCOMPARE(halves.partition.points[edges[0].from].y, 0.0);  // counter-clockwise around the left half
-        QCOMPARE(halves.partition.points[edges[0].to].y, 2.0);
+        QCOMPARE(halves.extruded()->partition.points[edges[0].from].y, 0.0);  // counter-clockwise around the left half
+        QCOMPARE(halves.extruded()->partition.points[edges[0].to].y, 2.0);
     }
     void aSingleFragmentSharesNone() {
         const Polygon outline{rectangle({0.0, 0.0}, {2.0, 2.0}), {}};

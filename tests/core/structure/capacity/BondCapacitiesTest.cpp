@@ -19,7 +19,7 @@ constexpr double kUnbreakable = std::numeric_limits<double>::infinity();
 /// A box of 4 x 1 x 0.5 m with its corner at (10, 20), in four fragments of 1 m side by side: "3.0" to "3.3".
 Asset fourFragments() {
     Asset asset = boxAsset(2, 3, PlacedSeeds{});
-    asset.prism.outline = {rectangle({10.0, 20.0}, {14.0, 21.0}), {}};
+    asset.prism().outline = {rectangle({10.0, 20.0}, {14.0, 21.0}), {}};
     PlacedSeeds seeds;
     for (std::uint32_t k = 0; k < 4; ++k) seeds.seeds.push_back({k, {10.5 + k, 20.5}});
     asset.pattern.layers[0].parameters = seeds;
@@ -39,7 +39,8 @@ Asset withLevel() {
 std::vector<double> capacitiesOf(const Asset& asset, std::uint32_t fracture = 0, double factor = 1.0) {
     const Bake baked = *bake(asset);
     const BakedFracture& one = baked.fractures[fracture];
-    return bondCapacities(asset, Material{}, baked, fracture, bondsOf(one.fragments, one.seeds.positions), factor);
+    return bondCapacities(asset, Material{}, baked, fracture,
+                          bondsOf(one.fragments, Seeds{.positions = one.seeds.positions}), factor);
 }
 
 BondStroke stroke(BondBrush brush, std::vector<Vec2> points, double radius = 0.1) {

@@ -1,6 +1,6 @@
 #include "core/structure/capacity/BondPainting.h"
 
-#include "core/fracture/pieces/Extrusion.h"
+#include "core/fracture/fragments/Extrusion.h"
 #include "tests/support/FaultOfSeed.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/fracture/RandomPartitions.h"
@@ -16,7 +16,7 @@ BondStroke line(std::vector<Vec2> points, double radius) {
 }
 
 Polygon placed(const Fragment& fragment) {
-    Polygon outline = fragment.outline();
+    Polygon outline = fragment.extruded()->outline();
     const Vec2 offset{fragment.offset()};
     for (Vec2& corner : outline.outer) corner += offset;
     for (Ring& hole : outline.holes)
@@ -48,7 +48,7 @@ private slots:
         const Fragments fragments = *extrudedFragments({outline, 1.0}, *voronoiPartition(outline, seeds));
         std::vector<bool> expected(3, false);
         for (std::uint32_t k = 0; k < 3; ++k)
-            expected[fragments.fragmentOfPiece[fragments.partition.pieceOfSeed[k]]] = k < 2;
+            expected[fragments.extruded()->fragmentOfPiece[fragments.extruded()->partition.pieceOfSeed[k]]] = k < 2;
         BondStroke erase = line({{2.5, 0.5}}, 0.1);
         erase.isErasing = true;
         BondStroke other = line({{2.5, 0.5}}, 0.1);

@@ -20,7 +20,7 @@ using Nodes = std::vector<std::uint32_t>;
 Levels levelsOf(const Asset& asset, std::uint32_t fracture = 0) {
     const Bake baked = *bake(asset);
     const BakedFracture& one = baked.fractures[fracture];
-    return clusterLevels(asset, baked, fracture, bondsOf(one.fragments, one.seeds.positions));
+    return clusterLevels(asset, baked, fracture, bondsOf(one.fragments, Seeds{.positions = one.seeds.positions}));
 }
 
 /// A row of cubes without anchors.

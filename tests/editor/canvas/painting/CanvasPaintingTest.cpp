@@ -22,9 +22,9 @@ CanvasContents cellsWithGap(Asset asset, double gap) {
     asset.shaping.gap = gap;
     auto baked = std::make_shared<BakedPattern>();
     baked->asset = std::make_shared<const Asset>(asset);
-    baked->seeds = *seedsOf(asset.pattern, asset.prism.outline);
+    baked->seeds = *seedsOf(asset.pattern, asset.prism().outline);
     baked->triangulation = *triangulate(baked->seeds.positions);
-    baked->partition = *voronoiPartition(asset.prism.outline, baked->triangulation);
+    baked->partition = *voronoiPartition(asset.prism().outline, baked->triangulation);
     CanvasContents contents;
     contents.shrunk = std::make_shared<const Partition>(*shrunkPartition(baked->partition, gap / 2.0));
     contents.pattern = std::make_shared<const DrawablePattern>(std::move(baked));

@@ -15,9 +15,9 @@ const CanvasView kLegendCanvas{.size = {640.0, 480.0}, .scale = 300.0};
 CanvasContents legendContents(CellColouring colouring, std::uint32_t seeds = 6) {
     auto baked = std::make_shared<BakedPattern>();
     baked->asset = std::make_shared<const Asset>(boxAsset(2, 3, UniformScatter{.count = seeds}));
-    baked->seeds = *seedsOf(baked->asset->pattern, baked->asset->prism.outline);
+    baked->seeds = *seedsOf(baked->asset->pattern, baked->asset->prism().outline);
     baked->triangulation = *triangulate(baked->seeds.positions);
-    baked->partition = *voronoiPartition(baked->asset->prism.outline, baked->triangulation);
+    baked->partition = *voronoiPartition(baked->asset->prism().outline, baked->triangulation);
     CanvasContents contents;
     contents.pattern = std::make_shared<const DrawablePattern>(std::move(baked));
     contents.overlays.colouring = colouring;

@@ -18,7 +18,7 @@ constexpr std::uint32_t kScattered = 3, kPlaced = 4;  // layers
 
 Asset wallWithMovedSeed() {
     Asset asset = boxAsset(2, kScattered, UniformScatter{.count = 20});
-    asset.prism.outline = unitSquare();
+    asset.prism().outline = unitSquare();
     asset.pattern.layers.push_back({.id = kPlaced, .parameters = PlacedSeeds{{{0, {0.2, 0.3}}, {5, {0.7, 0.6}}}}});
     moveSeed(asset.pattern, {kScattered, 7}, {0.5, 0.5});
     deleteSeed(asset.pattern, {kScattered, 3});
@@ -28,9 +28,9 @@ Asset wallWithMovedSeed() {
 std::shared_ptr<const DrawablePattern> shown(const Asset& asset) {
     auto baked = std::make_shared<BakedPattern>();
     baked->asset = std::make_shared<const Asset>(asset);
-    baked->seeds = *seedsOf(asset.pattern, asset.prism.outline);
+    baked->seeds = *seedsOf(asset.pattern, asset.prism().outline);
     baked->triangulation = *triangulate(baked->seeds.positions);
-    baked->partition = *voronoiPartition(asset.prism.outline, baked->triangulation);
+    baked->partition = *voronoiPartition(asset.prism().outline, baked->triangulation);
     return std::make_shared<const DrawablePattern>(baked);
 }
 
@@ -76,7 +76,7 @@ private slots:
         QVERIFY(!movedBy([](Asset& asset) { asset.pattern.layers[0].randomSeed = 99; }));
         QVERIFY(!movedBy([](Asset& asset) { asset.pattern.layers[0].isOn = false; }));
         QVERIFY(!movedBy([](Asset& asset) { asset.pattern.layers.pop_back(); }));
-        QVERIFY(!movedBy([](Asset& asset) { asset.prism.outline = lShape(); }));
+        QVERIFY(!movedBy([](Asset& asset) { asset.prism().outline = lShape(); }));
     }
     void relaxedPatternsHaveNoMovedPart() {
         Asset before = wallWithMovedSeed();

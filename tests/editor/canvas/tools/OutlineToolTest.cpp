@@ -19,7 +19,7 @@ struct OutlineBench : CanvasBench {
         : CanvasBench(projectOf(outline, PlacedSeeds{{{0, {0.3, 0.3}}}})) {
         canvas.setTool(CanvasToolKind::Outline);
     }
-    const Polygon& outline() const { return asset().prism.outline; }
+    const Polygon& outline() const { return asset().prism().outline; }
 };
 
 }  // namespace
@@ -46,7 +46,7 @@ private slots:
         for (std::size_t seed = 0; seed < before.ids.size(); ++seed) {
             const std::uint32_t now = after.find(before.ids[seed]);
             const bool isInside =
-                containment(bench.asset().prism.outline, before.positions[seed]) == Containment::Inside;
+                containment(bench.asset().prism().outline, before.positions[seed]) == Containment::Inside;
             QCOMPARE(now != kNone, isInside);
             if (isInside) QCOMPARE(after.seeds().positions[now], before.positions[seed]);
             kept += isInside;

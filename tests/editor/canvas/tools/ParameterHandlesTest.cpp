@@ -11,7 +11,7 @@ namespace {
 /// A square of 2 m with its centre at (1, 1).
 Asset wallOfTwoMetres(LayerParameters parameters) {
     Asset asset = boxAsset(2, 3, std::move(parameters));
-    asset.prism.outline = {{{0.0, 0.0}, {2.0, 0.0}, {2.0, 2.0}, {0.0, 2.0}}, {}};
+    asset.prism().outline = {{{0.0, 0.0}, {2.0, 0.0}, {2.0, 2.0}, {0.0, 2.0}}, {}};
     return asset;
 }
 

@@ -21,7 +21,7 @@ struct DrawingBench : CanvasBench {
         canvas.setSnapping(true);
         canvas.outlineTool().beginDrawing(purpose, shape);
     }
-    const Polygon& outline() const { return asset().prism.outline; }
+    const Polygon& outline() const { return asset().prism().outline; }
     bool isDrawing() { return canvas.outlineTool().isDrawing(); }
     QString lastMessage() const { return messages.isEmpty() ? QString() : messages.last()[0].toString(); }
 

@@ -61,7 +61,7 @@ struct FragmentBench : CanvasBench {
     }
     /// A point of the displayed outline without a seed nearby.
     Vec2 freePlace() const {
-        const Box2 box = boundsOf(fragment()->prism.outline.outer);
+        const Box2 box = boundsOf(fragment()->prism().outline.outer);
         for (double x = 0.3; x < 0.7; x += 0.02) {
             const Vec2 at = box.min + Vec2(x, 0.4) * box.size();
             if (canvas.displayedPattern()->nearestSeed(at, 0.04) == kNone) return at;
@@ -96,10 +96,10 @@ private slots:
                 if (fracture.parent == kNone) continue;
                 bench.enter(baked->fragmentPath(fracture.parent));
                 const BakedPattern& shown = bench.canvas.displayedPattern()->baked();
-                QVERIFY(isSame(shown.partition, fracture.fragments.partition));
+                QVERIFY(isSame(shown.partition, fracture.fragments.extruded()->partition));
                 QVERIFY(shown.seeds.ids == fracture.seeds.ids && shown.seeds.positions == fracture.seeds.positions);
                 for (std::uint32_t k = 0; k < fracture.fragments.count(); ++k) {
-                    QCOMPARE(bench.canvas.displayedPattern()->fragmentId(fracture.fragments[k].piece()),
+                    QCOMPARE(bench.canvas.displayedPattern()->fragmentId(fracture.fragments[k].extruded()->piece()),
                              baked->fragmentId(fracture.first + k));
                 }
             }
@@ -154,7 +154,7 @@ private slots:
         for (const BakedFracture& fracture : was->fractures) {
             const BakedFracture& now = *bench.bake().fractureOf(fracture.parent);
             const bool isIt = fracture.parent != kNone && was->fragmentId(fracture.parent) == "2/3.2";
-            QCOMPARE(isSame(fracture.fragments.partition, now.fragments.partition), !isIt);
+            QCOMPARE(isSame(fracture.fragments.extruded()->partition, now.fragments.extruded()->partition), !isIt);
         }
 
         bench.document.undoStack().undo();
@@ -178,7 +178,7 @@ private slots:
         QCOMPARE(overrides[0].index, seed.index);
         QVERIFY((bench.selection.fragments() == FragmentSelection{{seed}, std::nullopt, "3.2"}));
         QVERIFY(isSame(bench.canvas.displayedPattern()->partition(),
-                       bench.bake().fractureOf(*fragmentAt(bench.bake(), "3.2"))->fragments.partition));
+                       bench.bake().fractureOf(*fragmentAt(bench.bake(), "3.2"))->fragments.extruded()->partition));
         bench.key(Qt::Key_Left);
         bench.key(Qt::Key_Delete);
         bench.settleAll();
@@ -203,7 +203,7 @@ private slots:
     void cracksAndPaintBelongToTheFragment() {
         FragmentBench bench;
         bench.enter("3.0");
-        const Vec2 corner = boundsOf(bench.fragment()->prism.outline.outer).max;
+        const Vec2 corner = boundsOf(bench.fragment()->prism().outline.outer).max;
         bench.canvas.setTool(CanvasToolKind::CrackLines);
         bench.drag({-1.1 * corner.x, 0.0}, {1.1 * corner.x, 0.01});
         bench.settleAll();
@@ -224,7 +224,7 @@ private slots:
         const std::string before = bench.text();
         bench.canvas.setTool(CanvasToolKind::Outline);
         QSignalSpy messages(&bench.canvas, &PatternCanvas::statusMessage);
-        const Vec2 corner = bench.fragment()->prism.outline.outer[0];
+        const Vec2 corner = bench.fragment()->prism().outline.outer[0];
         bench.drag(corner, 0.8 * corner);
         QCOMPARE(messages.count(), 1);
         QVERIFY(messages[0][0].toString().startsWith("The outline of a fragment"));

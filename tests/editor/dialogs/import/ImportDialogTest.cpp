@@ -167,8 +167,8 @@ private slots:
         document.push(bench.dialog.edit());
         const Asset& asset = document.project().assets.at(0);
         QCOMPARE(asset.id, bench.dialog.assets().front());
-        QCOMPARE(asset.prism.outline.holes.size(), std::size_t{1});
-        QCOMPARE(asset.prism.depth, 0.3);
+        QCOMPARE(asset.prism().outline.holes.size(), std::size_t{1});
+        QCOMPARE(asset.prism().depth, 0.3);
         document.undoStack().undo();
         QVERIFY(document.project() == bench.project);
     }

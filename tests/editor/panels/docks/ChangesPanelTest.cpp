@@ -26,7 +26,7 @@ struct ChangesDesk {
     }
     void begin(double depth) {
         Project earlier = document.project();
-        earlier.assets[0].prism.depth = depth;
+        earlier.assets[0].prism().depth = depth;
         comparison.begin(std::make_shared<const Project>(std::move(earlier)), "an earlier state");
     }
     QString firstRow() { return panel.list().count() > 0 ? panel.list().item(0)->text() : QString(); }
@@ -39,7 +39,7 @@ class ChangesPanelTest : public QObject {
 private slots:
     void changesAreListed() {
         ChangesDesk desk;
-        desk.begin(0.5 * desk.document.project().assets[0].prism.depth);
+        desk.begin(0.5 * desk.document.project().assets[0].prism().depth);
         QCOMPARE(desk.firstRow(), "Comparing…");
         QTRY_VERIFY_WITH_TIMEOUT(desk.firstRow().contains("depth"), kPatience);
     }

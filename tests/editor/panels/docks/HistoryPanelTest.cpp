@@ -18,14 +18,14 @@ private slots:
         HistoryPanel panel(document.undoStack());
         for (const double depth : {0.5, 0.75}) {
             Asset asset = document.project().assets[0];
-            asset.prism.depth = depth + 1.0;
+            asset.prism().depth = depth + 1.0;
             QVERIFY(document.push(modify("Set Depth", asset)));
         }
         QCOMPARE(panel.model()->rowCount(), 3);
         QCOMPARE(panel.model()->index(0, 0).data().toString(), "Initial State");
         QCOMPARE(panel.model()->index(2, 0).data().toString(), "Set Depth");
         panel.setCurrentIndex(panel.model()->index(1, 0));
-        QCOMPARE(document.project().assets[0].prism.depth, 1.5);
+        QCOMPARE(document.project().assets[0].prism().depth, 1.5);
         QVERIFY(!panel.cleanIcon().isNull());
     }
     /// A restored backup is in no file yet.

@@ -189,7 +189,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(desk.says("Passed"), kPatience);
         QVERIFY(desk.button("fix-break-stability").isHidden());
         Asset asset = desk.asset();
-        asset.prism.depth = 0.3;
+        asset.prism().depth = 0.3;
         desk.stage.document.push({.text = "Resize", .replacements = {Replacement<Asset>{asset.id, asset}}});
         QVERIFY(desk.says("Not checked"));
     }
@@ -212,7 +212,7 @@ private slots:
         QTest::mouseClick(&desk.button("check-break-stability"), Qt::LeftButton);
         QVERIFY(desk.audits.isPending());
         Asset asset = desk.asset();
-        asset.prism.depth = 0.3;
+        asset.prism().depth = 0.3;
         desk.stage.document.push({.text = "Resize", .replacements = {Replacement<Asset>{asset.id, asset}}});
         QVERIFY(!desk.audits.isPending() && desk.says("Not checked"));
         desk.stage.bake();

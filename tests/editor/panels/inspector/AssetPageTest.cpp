@@ -25,7 +25,7 @@ private slots:
         QCOMPARE(desk.asset().threshold, 12.5);
         desk.inspector.setUnits({LengthUnit::Centimetre});
         desk.type("Depth", "7,25");
-        QCOMPARE(desk.asset().prism.depth, 0.0725);
+        QCOMPARE(desk.asset().prism().depth, 0.0725);
         QCOMPARE(desk.document.undoStack().count(), 2);
         desk.undoAll();
         QCOMPARE(desk.text(), projectText(fullProject()));

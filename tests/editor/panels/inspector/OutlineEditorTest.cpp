@@ -25,14 +25,14 @@ private slots:
         field->selectAll();
         QTest::keyClicks(field, "1.25");
         QTest::keyClick(field, Qt::Key_Return);
-        QTRY_COMPARE(desk.asset().prism.outline.outer[2].x, 1.25);
+        QTRY_COMPARE(desk.asset().prism().outline.outer[2].x, 1.25);
         QVERIFY(!editor.model().setData(editor.model().index(2, 1), -5.0, Qt::EditRole));
         QCOMPARE(desk.refusals.count(), 1);
         QVERIFY2(desk.refusals[0][0].toString().contains("outline"), qPrintable(desk.refusals[0][0].toString()));
         editor.model().insertAfter(0);
-        QCOMPARE(desk.asset().prism.outline.outer.size(), 5u);
+        QCOMPARE(desk.asset().prism().outline.outer.size(), 5u);
         QVERIFY(editor.model().addHole());
-        QCOMPARE(desk.asset().prism.outline.holes.size(), 1u);
+        QCOMPARE(desk.asset().prism().outline.holes.size(), 1u);
         editor.model().removePoints({0, 1, 2});
         QCOMPARE(desk.refusals.last()[0], "An outline needs at least three points. Delete fewer.");
         desk.undoAll();

@@ -2,7 +2,7 @@
 
 #include "core/base/Result.h"
 #include "core/base/TaskContext.h"
-#include "core/fracture/pieces/Fragment.h"
+#include "core/fracture/fragments/Fragment.h"
 #include "core/fracture/pieces/Prism.h"
 
 namespace rubble {

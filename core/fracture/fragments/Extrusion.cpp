@@ -1,4 +1,4 @@
-#include "core/fracture/pieces/Extrusion.h"
+#include "core/fracture/fragments/Extrusion.h"
 
 #include "core/base/Parallel.h"
 #include "core/base/QuantityText.h"
@@ -46,7 +46,7 @@ public:
         : m_isThin(partition.pieceCount(), 0) {
         const double diameter = boundsOf(prism.outline.outer).diagonal();
         m_all.depth = prism.depth;
-        m_all.gap = gap;
+        m_gap = gap;
         m_all.tolerance = {kMinWidth * widthOf(prism.outline), kFlatness * diameter};
         m_all.minSharedEdge = kMinSharedEdge * diameter;
         m_all.records.resize(m_isThin.size());
@@ -74,20 +74,21 @@ public:
     }
 
     Fragments result() && {
-        m_all.diagnostics = std::move(m_all.partition.diagnostics);
+        m_diagnostics = std::move(m_all.partition.diagnostics);
         if (hasGap()) reportGap();
         CappedDiagnostics transfers;
         for (const MassTransfer& transfer : m_all.massTransfers) {
             transfers.add(DiagnosticCode::ThinPiece, [&] { return massTransferReport(m_all.partition, transfer); });
         }
-        std::ranges::move(std::move(transfers).list(), std::back_inserter(m_all.diagnostics));
-        for (std::uint32_t fragment = 0; fragment < m_all.count() && !m_all.massTransfers.empty(); ++fragment) {
+        std::ranges::move(std::move(transfers).list(), std::back_inserter(m_diagnostics));
+        for (std::uint32_t fragment = 0; fragment < m_all.pieceOfFragment.size() && !m_all.massTransfers.empty();
+             ++fragment) {
             const std::uint32_t piece = m_all.pieceOfFragment[fragment];
             if (!m_all.records[piece].receivesMass) continue;
             m_all.adjustedMasses.push_back({fragment, massWithTransfers(piece)});
             m_all.adjustedMasses.back().mass.centre = Vec3{0.0, 0.0, 0.0};
         }
-        return std::move(m_all);
+        return {.parts = std::move(m_all), .gap = m_gap, .diagnostics = std::move(m_diagnostics)};
     }
 
 private:
@@ -95,8 +96,7 @@ private:
 
     /// Reports the area that the gap removed, and the pieces that vanished.
     void reportGap() {
-        m_all.diagnostics.insert(m_all.diagnostics.end(), m_all.shrunk->diagnostics.begin(),
-                                 m_all.shrunk->diagnostics.end());
+        m_diagnostics.insert(m_diagnostics.end(), m_all.shrunk->diagnostics.begin(), m_all.shrunk->diagnostics.end());
         CappedDiagnostics vanished;
         for (std::uint32_t piece = 0; piece < m_isThin.size(); ++piece) {
             const double whole = pieceArea(m_all.partition, piece);
@@ -104,12 +104,12 @@ private:
             if (!m_isThin[piece] || m_all.shrunk->isEmpty(piece)) continue;
             vanished.add(DiagnosticCode::VanishedPiece, [&] { return vanishedReport(m_all.partition, piece, whole); });
         }
-        std::ranges::move(std::move(vanished).list(), std::back_inserter(m_all.diagnostics));
-        m_all.diagnostics.push_back(diagnostic(DiagnosticCode::Gap, {},
-                                               "The gap between fragments takes " +
-                                                   quantityText(QuantityKind::Volume, m_all.gapArea * m_all.depth) +
-                                                   " from them.",
-                                               m_all.gapArea));
+        std::ranges::move(std::move(vanished).list(), std::back_inserter(m_diagnostics));
+        m_diagnostics.push_back(diagnostic(DiagnosticCode::Gap, {},
+                                           "The gap between fragments takes " +
+                                               quantityText(QuantityKind::Volume, m_all.gapArea * m_all.depth) +
+                                               " from them.",
+                                           m_all.gapArea));
     }
 
     /// Numbers fragments by seed, then by piece; thin pieces get the number of their receiver.
@@ -188,7 +188,9 @@ private:
         return combined(masses);
     }
 
-    Fragments m_all;
+    ExtrudedPieces m_all;
+    double m_gap = 0.0;  // m
+    std::vector<Diagnostic> m_diagnostics;
     std::vector<std::uint8_t> m_isThin;  // of each piece; not vector<bool>, because threads write to it concurrently
     std::vector<std::uint8_t> m_isReceiver;  // of each piece, whether it receives mass; empty: none does
 };

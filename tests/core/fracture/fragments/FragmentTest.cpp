@@ -1,7 +1,8 @@
+// Tests core/fracture/fragments/Fragment.cpp and core/fracture/fragments/Extrusion.cpp.
 // Tests core/fracture/pieces/Fragment.cpp, core/fracture/pieces/Extrusion.cpp, core/fracture/pieces/HullParts.cpp and
 // core/fracture/pieces/MassTransfer.cpp.
-#include "core/fracture/pieces/Extrusion.h"
-#include "core/fracture/pieces/Fragment.h"
+#include "core/fracture/fragments/Extrusion.h"
+#include "core/fracture/fragments/Fragment.h"
 
 #include "core/base/Random.h"
 #include "core/fracture/verify/VerifyFragments.h"
@@ -70,9 +71,10 @@ bool areEqual(const Fragment& a, const Fragment& b) {
     const auto sameContact = [](const FragmentContact& x, const FragmentContact& y) {
         return x.fragment == y.fragment && x.area == y.area;
     };
-    return a.seed() == b.seed() && a.partOfCell() == b.partOfCell() && a.outline() == b.outline() &&
-           a.edgeNeighbours() == b.edgeNeighbours() && a.offset() == b.offset() && a.volume() == b.volume() &&
-           a.mass().inertia == b.mass().inertia && a.isConvex() == b.isConvex() &&
+    return a.seed() == b.seed() && a.partOfCell() == b.partOfCell() &&
+           a.extruded()->outline() == b.extruded()->outline() &&
+           a.extruded()->edgeNeighbours() == b.extruded()->edgeNeighbours() && a.offset() == b.offset() &&
+           a.volume() == b.volume() && a.mass().inertia == b.mass().inertia && a.isConvex() == b.isConvex() &&
            std::ranges::equal(a.contacts(), b.contacts(), sameContact);
 }
 
@@ -86,7 +88,7 @@ private slots:
         QCOMPARE(box.count(), std::size_t{1});
         QCOMPARE(box[0].seed(), kNone);
         QVERIFY(box[0].offset() == Vec3(3, 4, 0));
-        QVERIFY(box[0].outline().outer == rectangle({-1, -2}, {1, 2}));
+        QVERIFY(box[0].extruded()->outline().outer == rectangle({-1, -2}, {1, 2}));
         QCOMPARE(box[0].volume(), 24.0);
         QCOMPARE(box[0].mass().inertia[2][2], 24.0 * (4.0 + 16.0) / 12.0);
         QVERIFY(box[0].hulls()[0].vertices[0] == Vec3(-1, -2, 1.5));
@@ -102,8 +104,8 @@ private slots:
         QCOMPARE(halves[0].contacts().size(), std::size_t{1});
         QCOMPARE(halves[0].contacts()[0].fragment, 1u);
         QCOMPARE(halves[0].contacts()[0].area, 0.5);
-        QCOMPARE(std::ranges::count(halves[0].edgeNeighbours(), 1u), 1);
-        QCOMPARE(std::ranges::count(halves[0].edgeNeighbours(), kNone), 3);
+        QCOMPARE(std::ranges::count(halves[0].extruded()->edgeNeighbours(), 1u), 1);
+        QCOMPARE(std::ranges::count(halves[0].extruded()->edgeNeighbours(), kNone), 3);
         QCOMPARE(halves.fault(), std::string());
     }
     void cellsTouchingInAPointAreNotBonded() {
@@ -123,8 +125,8 @@ private slots:
     }
     void holeOfAPieceIsKept() {
         const Broken frame = broken(squareRing(), {});
-        QCOMPARE(frame[0].outline().holes.size(), std::size_t{1});
-        QCOMPARE(frame[0].edgeNeighbours().size(), std::size_t{8});
+        QCOMPARE(frame[0].extruded()->outline().holes.size(), std::size_t{1});
+        QCOMPARE(frame[0].extruded()->edgeNeighbours().size(), std::size_t{8});
         QCOMPARE(frame[0].hulls().size(), std::size_t{4});
         QCOMPARE(frame[0].volume(), 6.0);
         QCOMPARE(frame.fault(), std::string());
@@ -171,8 +173,8 @@ private slots:
         QVERIFY(report.message.starts_with("A piece of the cell of seed 1 is 9.09"));
         QVERIFY(report.message.ends_with("too thin for a hull; its mass is transferred to the cell of seed 0."));
         QCOMPARE(box[0].volume(), 0.5 + width);
-        QCOMPARE(box[1].edgeNeighbours()[3], 0u);  // behind the thin piece
-        QCOMPARE(box[0].edgeNeighbours()[1], 0u);  // itself, with the mass of the thin piece
+        QCOMPARE(box[1].extruded()->edgeNeighbours()[3], 0u);  // behind the thin piece
+        QCOMPARE(box[0].extruded()->edgeNeighbours()[1], 0u);  // itself, with the mass of the thin piece
         QCOMPARE(box[0].contacts().size(), std::size_t{1});
         QCOMPARE(box[0].contacts()[0].area, 1.0);
         QCOMPARE(box.fault(), std::string());
@@ -199,7 +201,7 @@ private slots:
         for (const Vec2 point : unitSquare().outer) outline.outer.push_back(point * 0x1p-20 + Vec2{0x1p20, -0x1p20});
         const Broken halves = broken(outline, {outline.outer[0], outline.outer[1]}, 1.0);
         QCOMPARE(halves[0].volume(), 0x1p-41);
-        QVERIFY(boundsOf(halves[0].outline().outer).min == Vec2(-0x1p-22, -0x1p-21));
+        QVERIFY(boundsOf(halves[0].extruded()->outline().outer).min == Vec2(-0x1p-22, -0x1p-21));
         QCOMPARE(halves.fault(), std::string());
     }
     void resultDoesNotDependOnThreadCount() {
