@@ -46,6 +46,7 @@ std::string dataText(const LayerParameters& parameters) {
 std::string parametersText(const PatternLayer& layer) {
     std::string text;
     for (const LayerParameter& parameter : kindOf(layer.parameters).parameters) {
+        if (!isWritten(parameter, layer.parameters)) continue;
         text += (text.empty() ? "" : ", ") + std::string(parameter.name) + ' ' +
                 parameterText(parameter, parameter.read(layer.parameters));
     }

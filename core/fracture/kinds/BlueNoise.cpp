@@ -6,6 +6,7 @@
 #include "core/fracture/layer/OutlineFollowing.h"
 #include "core/fracture/sampling/ScatterArea.h"
 #include "core/fracture/sampling/SeedGrid.h"
+#include "core/fracture/sampling/SolidVoidCells.h"
 #include "core/fracture/sampling/VoidCells.h"
 
 #include <algorithm>
@@ -34,6 +35,7 @@ constexpr std::array kBlueNoiseParameters{
 constexpr int kMaxMisses = 100;
 /// Void cells are subdivided to this fraction of the minimum distance; smaller gaps are ignored.
 constexpr double kMinGapFraction = 1e-3;
+constexpr double kMinGapFractionInSolid = 1.0 / 32.0;
 
 /// The largest unit in the last place of coordinates in the box.
 double coarsestUlp(const Box2& box) {
@@ -41,60 +43,69 @@ double coarsestUlp(const Box2& box) {
     return 0x1p-52 * std::max(max.x, max.y);
 }
 
-/// Dart throwing until there are enough seeds. The darts do not depend on `wanted`, so that a greater count keeps the
-/// earlier seeds.
+/// The same of a box in space.
+double coarsestUlp(const Box3& box) {
+    const Vec3 max = glm::max(glm::abs(box.min), glm::abs(box.max));
+    return 0x1p-52 * std::max({max.x, max.y, max.z});
+}
+
+/// Dart throwing until there are enough seeds, in the plane or in space. The darts do not depend on `wanted`, so that a
+/// greater count keeps the earlier seeds.
+template <class Grid>
 class DartThrowing {
 public:
-    DartThrowing(const BlueNoise& noise, const LayerContext& context, const Polygon& domain, std::size_t wanted)
-        : m_noise(noise),
-          m_context(context),
-          m_domain(domain),
-          m_wanted(wanted),
-          m_random(context.random()),
-          m_seeds(boundsOf(domain.outer), noise.minimumDistance) {}
+    DartThrowing(const EvaluatedLayer& layer, Grid grid, std::size_t wanted)
+        : m_layer(layer), m_wanted(wanted), m_random(layer.random()), m_seeds(std::move(grid)) {}
 
-    Status throwAnywhere(const ScatterArea& area) {
+    template <class Area>
+    Status throwAnywhere(const Area& area) {
         int misses = 0;
         for (std::size_t round = 0; !isDone() && misses < kMaxMisses; ++round) {
-            if (m_context.isCancelledAt(round)) return TaskContext::cancelled();
+            if (m_layer.isCancelledAt(round)) return TaskContext::cancelled();
             misses = keep(area.point(m_random)) ? 0 : misses + 1;
         }
         return success();
     }
 
-    Status throwIntoGaps() {
-        VoidCells voids(m_domain);
-        const double minSide =
-            std::max(kMinGapFraction * m_noise.minimumDistance, 4.0 * coarsestUlp(boundsOf(m_domain.outer)));
+    /// Throws into void cells, which are subdivided down to a side.
+    template <class Voids>
+    Status throwIntoGaps(Voids voids, double minSide) {
         while (!isDone() && !voids.isEmpty() && voids.side() > minSide) {
-            if (const Status subdivided = voids.subdivide(m_seeds, m_context.task); !subdivided) return subdivided;
+            if (const Status subdivided = voids.subdivide(m_seeds, m_layer.task); !subdivided) return subdivided;
             for (std::size_t dart = 0; dart < voids.size() && !isDone(); ++dart) {
-                if (m_context.isCancelledAt(dart)) return TaskContext::cancelled();
-                if (const std::optional<Vec2> point = voids.dart(m_random)) keep(*point);
+                if (m_layer.isCancelledAt(dart)) return TaskContext::cancelled();
+                if (const auto point = voids.dart(m_random)) keep(*point);
             }
         }
         return success();
     }
 
-    const std::vector<Vec2>& seeds() const { return m_seeds.points(); }
+    /// Adds the seeds to those of the layers before.
+    ///
+    /// Errors: Limit if there are too many.
+    Status addTo(SeedSet& seeds) const {
+        if (m_seeds.size() > kMaxSeeds - seeds.size()) return tooManySeeds(m_layer);
+        for (std::uint32_t index = 0; index < m_seeds.size(); ++index)
+            seeds.add({m_layer.layerId, index}, m_seeds.points()[index], false);
+        return success();
+    }
+    std::size_t size() const { return m_seeds.size(); }
 
 private:
     bool isDone() const { return m_seeds.size() >= m_wanted; }
-    bool keep(Vec2 point) {
+    bool keep(typename Grid::Point point) {
         const bool isFree = m_seeds.isFree(point);
         if (isFree) m_seeds.add(point);
         return isFree;
     }
 
-    const BlueNoise& m_noise;
-    const LayerContext& m_context;
-    const Polygon& m_domain;
+    const EvaluatedLayer& m_layer;
     std::size_t m_wanted;
     Random m_random;
-    SeedGrid m_seeds;
+    Grid m_seeds;
 };
 
-Diagnostic noRoom(const BlueNoise& noise, const LayerContext& context, std::size_t found, std::size_t wanted) {
+Diagnostic noRoom(const BlueNoise& noise, const EvaluatedLayer& context, std::size_t found, std::size_t wanted) {
     return diagnostic(DiagnosticCode::NoRoom, {.layer = context.layerId},
                       context.name() + " found room for " + std::to_string(found) + " of " + std::to_string(wanted) +
                           " seeds at a distance of " + messageText(noise.minimumDistance) + " m.",
@@ -113,7 +124,7 @@ constinit const LayerKind BlueNoise::kKind{.name = "blueNoise",
                                            .isRandom = true,
                                            .fillsOutline = true};
 
-BlueNoise BlueNoise::defaultsFor(const Box2& bounds) {
+BlueNoise BlueNoise::defaultsFor(const Box3& bounds) {
     return BlueNoise{.minimumDistance = kDefaultDistanceFraction * bounds.diagonal()};
 }
 
@@ -128,17 +139,37 @@ Status BlueNoise::apply(const LayerContext& context, SeedSet& seeds) const {
     const double minToFill = area->area() / (4.0 * minimumDistance * minimumDistance);
     if (*wanted == 0 && minToFill > static_cast<double>(room)) return tooManySeeds(context);
 
-    DartThrowing darts(*this, context, filled, *wanted == 0 ? room + 1 : *wanted);
+    const Box2 box = boundsOf(filled.outer);
+    DartThrowing darts(context, SeedGrid(box, minimumDistance), *wanted == 0 ? room + 1 : *wanted);
     if (const Status done = darts.throwAnywhere(*area); !done) return done;
-    if (const Status done = darts.throwIntoGaps(); !done) return done;
-    const std::vector<Vec2>& found = darts.seeds();
-    if (found.size() > room) return tooManySeeds(context);
+    const double minSide = std::max(kMinGapFraction * minimumDistance, 4.0 * coarsestUlp(box));
+    if (const Status done = darts.throwIntoGaps(VoidCells(filled), minSide); !done) return done;
     const std::size_t first = seeds.size();
-    for (std::uint32_t index = 0; index < found.size(); ++index) {
-        seeds.add({context.layerId, index}, found[index], false);
-    }
-    if (found.size() < *wanted) seeds.diagnostics.push_back(noRoom(*this, context, found.size(), *wanted));
+    if (const Status added = darts.addTo(seeds); !added) return added;
+    if (darts.size() < *wanted) seeds.diagnostics.push_back(noRoom(*this, context, darts.size(), *wanted));
     return followOutline(context, first, domain, seeds, {.minimumDistance = minimumDistance});
+}
+
+Status BlueNoise::applyInSolid(const SolidLayerContext& context, SeedSet& seeds) const {
+    const std::size_t room = kMaxSeeds - seeds.size();
+    const SolidScatterDomain filled{context.domain, domain};
+    const Result<std::uint32_t> wanted = seedsToAdd(count, filled.volume(), context, seeds);
+    if (!wanted) return wanted.error();
+    // Once no further seed fits, balls with the minimum distance as radius around all seeds cover the volume.
+    const double minToFill = filled.volume() / (5.0 * minimumDistance * minimumDistance * minimumDistance);
+    if (*wanted == 0 && minToFill > static_cast<double>(room)) return tooManySeeds(context);
+
+    const Box3& box = context.domain.bounds();
+    DartThrowing darts(context, SolidSeedGrid(box, minimumDistance), *wanted == 0 ? room + 1 : *wanted);
+    if (const Status done = darts.throwAnywhere(filled); !done) return done;
+    // Where spheres around seeds meet, no cell is covered by one of them; in thin shapes, few cells are there.
+    const double thickness = 2.0 * filled.volume() / context.domain.surface().area();
+    const double minSide = std::max({std::min(kMinGapFractionInSolid * minimumDistance, thickness),
+                                     kMinGapFraction * minimumDistance, 4.0 * coarsestUlp(box)});
+    if (const Status done = darts.throwIntoGaps(SolidVoidCells(filled), minSide); !done) return done;
+    if (const Status added = darts.addTo(seeds); !added) return added;
+    if (darts.size() < *wanted) seeds.diagnostics.push_back(noRoom(*this, context, darts.size(), *wanted));
+    return success();
 }
 
 double BlueNoise::estimatedPieces(double area) const {
@@ -146,6 +177,16 @@ double BlueNoise::estimatedPieces(double area) const {
     const double most = std::max(1.0, kJammedDensity * area / minimumDistance / minimumDistance);
     const bool isAsManyAsFit = count.by == CountBy::Number && count.amount == 0.0;
     return isAsManyAsFit ? most : std::min(most, count.in(area));
+}
+
+double BlueNoise::estimatedPiecesIn(const SolidDomain& solid) const {
+    constexpr double kJammedDensity = 0.7;  // seeds within a cube of the minimum distance, when no more fit
+    // Seeds at the surface keep others from half of the distance outside.
+    const double volume = SolidScatterDomain{solid, domain}.volume(), distance = minimumDistance;
+    const double room = volume + solid.surface().area() * distance / 2.0;
+    const double most = std::max(1.0, kJammedDensity * room / distance / distance / distance);
+    const bool isAsManyAsFit = count.by == CountBy::Number && count.amount == 0.0;
+    return isAsManyAsFit ? most : std::min(most, count.in(volume, SeedSpace::Solid));
 }
 
 }  // namespace rubble

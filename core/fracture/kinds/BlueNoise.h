@@ -15,9 +15,11 @@ struct BlueNoise {
 
     bool operator==(const BlueNoise&) const = default;
     Status apply(const LayerContext& context, SeedSet& seeds) const;
+    Status applyInSolid(const SolidLayerContext& context, SeedSet& seeds) const;
     double estimatedPieces(double area) const;
+    double estimatedPiecesIn(const SolidDomain& domain) const;
     static const LayerKind kKind;
-    static BlueNoise defaultsFor(const Box2& bounds);
+    static BlueNoise defaultsFor(const Box3& bounds);
 };
 
 }  // namespace rubble

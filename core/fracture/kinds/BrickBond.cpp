@@ -4,8 +4,12 @@
 #include "core/fracture/kinds/BrickCourses.h"
 #include "core/fracture/layer/LayerContext.h"
 #include "core/fracture/layer/LayerKind.h"
+#include "core/fracture/sampling/PairIndex.h"
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rubble {
 namespace {
@@ -56,6 +60,18 @@ constexpr std::array kBrickBondParameters{
                                    .caption = "Origin",
                                    .hint = "Lower left corner of the first course; drag it in the canvas",
                                    .quantity = Quantity::Length}),
+    parameter<&BrickBond::depth>({.name = "depth",
+                                  .caption = "Brick depth",
+                                  .hint = "Size of a brick along z, without mortar",
+                                  .quantity = Quantity::Length,
+                                  .range = kAboveZero,
+                                  .sliderRange = {0.01, 1.0, true},
+                                  .isSpatial = true}),
+    parameter<&BrickBond::originHeight>({.name = "originHeight",
+                                         .caption = "Origin height",
+                                         .hint = "Height of the origin, along z",
+                                         .quantity = Quantity::Length,
+                                         .isSpatial = true}),
 };
 
 /// The courses and columns that cover a box, with one more on every side.
@@ -143,11 +159,13 @@ const char* BrickBond::summary() const {
     return isHeader ? "{width} × {height}" : "{length} × {height}";
 }
 
-BrickBond BrickBond::defaultsFor(const Box2& bounds) {
-    const double side = std::max(bounds.size().x, bounds.size().y);
+BrickBond BrickBond::defaultsFor(const Box3& bounds) {
+    const Vec3 extent = bounds.max - bounds.min;
+    const double side = std::max(extent.x, extent.y);
     const double scale = std::max(std::min(1.0, side / kSmallWall), side / kLargeWall);
-    BrickBond wall{.origin = bounds.min};
+    BrickBond wall{.origin = Vec2(bounds.min), .originHeight = bounds.min.z};
     for (double* size : {&wall.length, &wall.width, &wall.height, &wall.mortar}) *size *= scale;
+    if (extent.z > 0.0) wall.depth *= scale;
     return wall;
 }
 
@@ -173,5 +191,48 @@ Status BrickBond::cut(const LayerContext& context, CutSet& cuts) const {
 }
 
 double BrickBond::estimatedPieces(double area) const { return area / (length + mortar) / (height + mortar); }
+
+Status BrickBond::applyInSolid(const SolidLayerContext& context, SeedSet& seeds) const {
+    constexpr int kMaxNumber = kMaxTripleNumber / 2;  // of courses, columns and rows, in each direction
+    const Box3& box = context.domain.bounds();
+    const BrickCourses courses(*this);
+    const double pitch = depth + mortar;
+    const double firstRow = std::floor((box.min.z - originHeight) / pitch),
+                 lastRow = std::floor((box.max.z - originHeight) / pitch);
+    const int bottom = courses.courseAt(box.min.y), top = courses.courseAt(box.max.y);
+    double farthest = std::max({std::abs(firstRow), std::abs(lastRow), std::abs(bottom * 1.0), std::abs(top * 1.0)});
+    for (const int course : {0, 1}) {
+        for (const double x : {box.min.x, box.max.x})
+            farthest = std::max(farthest, std::abs(courses.columnAt(course, x) * 1.0));
+    }
+    if (!(farthest < kMaxNumber)) {
+        return Error{ErrorCode::Limit,
+                     context.name() + " has bricks more than " + std::to_string(kMaxNumber) +
+                         " courses, columns or rows from its origin: increase their size, or move the origin closer."};
+    }
+    std::vector<IndexedPlace> places;
+    std::size_t round = 0;
+    for (int row = static_cast<int>(firstRow); row <= static_cast<int>(lastRow); ++row) {
+        for (int course = bottom; course <= top; ++course) {
+            const int end = courses.columnAt(course, box.max.x);
+            for (int column = courses.columnAt(course, box.min.x); column <= end; ++column) {
+                if (context.isCancelledAt(round++)) return TaskContext::cancelled();
+                if (places.size() >= kMaxSeeds - seeds.size()) return tooManySeeds(context);
+                const double left = courses.left(course, column), right = courses.left(course, column + 1);
+                const Vec3 size(right - left, height + mortar, pitch);
+                const Vec3 middle((left + right) / 2.0, courses.bottom(course) + size.y / 2.0,
+                                  originHeight + (row + 0.5) * pitch);
+                if (context.domain.depth(middle) < -glm::length(size) / 2.0) continue;  // none of it is in the mesh
+                places.push_back({tripleIndex(zigzag(column), zigzag(course), zigzag(row)), middle});
+            }
+        }
+    }
+    addByIndex(places, context, seeds);
+    return success();
+}
+
+double BrickBond::estimatedPiecesIn(const SolidDomain& domain) const {
+    return estimatedPieces(domain.volume() / (depth + mortar));
+}
 
 }  // namespace rubble

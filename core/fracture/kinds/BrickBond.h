@@ -25,12 +25,18 @@ struct BrickBond {
     double mortar = 0.01;   // m
     Vec2 origin{0.0, 0.0};  // m: the lower left corner of course 0
 
+    // In a closed mesh: seeds in the middles of bricks, whose courses lie above each other along y.
+    double depth = 0.115;       // m, of a brick along z, without mortar
+    double originHeight = 0.0;  // z of the origin, m
+
     bool operator==(const BrickBond&) const = default;
     Status cut(const LayerContext& context, CutSet& cuts) const;
+    Status applyInSolid(const SolidLayerContext& context, SeedSet& seeds) const;
     double estimatedPieces(double area) const;
+    double estimatedPiecesIn(const SolidDomain& domain) const;
     static const LayerKind kKind;
     const char* summary() const;
-    static BrickBond defaultsFor(const Box2& bounds);
+    static BrickBond defaultsFor(const Box3& bounds);
 };
 
 }  // namespace rubble

@@ -39,12 +39,26 @@ bool isDeleted(std::span<const SeedOverride> overrides, std::uint32_t seed) {
     return change != overrides.end() && change->index == seed && change->isDeleted;
 }
 
-Diagnostic noRoom(const Clusters& layer, const LayerContext& context, std::size_t found) {
+Diagnostic noRoom(const Clusters& layer, const EvaluatedLayer& context, std::string_view domain, std::size_t found) {
     const std::size_t wanted = std::size_t{layer.clusters} * layer.seedsPerCluster;
     return diagnostic(DiagnosticCode::NoRoom, {.layer = context.layerId},
                       context.name() + " found room for " + std::to_string(found) + " of " + std::to_string(wanted) +
-                          " seeds: the outline is thin where its clusters are.",
+                          " seeds: the " + std::string(domain) + " is thin where its clusters are.",
                       static_cast<double>(found));
+}
+
+/// Adds the seeds of all clusters that have a position, in the order of their indices.
+template <class Point>
+void addPairs(const Clusters& layer, const std::vector<std::optional<Point>>& positions, const EvaluatedLayer& context,
+              std::string_view domain, SeedSet& seeds) {
+    const std::size_t before = seeds.size();
+    for (const IndexPair pair : pairsBelow(layer.clusters, layer.seedsPerCluster)) {
+        const std::optional<Point>& position = positions[std::size_t{pair.first} * layer.seedsPerCluster + pair.second];
+        const bool exists = position || isDeleted(context.overrides, pair.index());  // a deleted seed needs no position
+        if (exists) seeds.add({context.layerId, pair.index()}, position.value_or(Point(0.0)), false);
+    }
+    const std::size_t found = seeds.size() - before;
+    if (found < positions.size()) seeds.diagnostics.push_back(noRoom(layer, context, domain, found));
 }
 
 }  // namespace
@@ -59,7 +73,7 @@ constinit const LayerKind Clusters::kKind{.name = "clusters",
                                           .isRandom = true,
                                           .fillsOutline = true};
 
-Clusters Clusters::defaultsFor(const Box2& bounds) {
+Clusters Clusters::defaultsFor(const Box3& bounds) {
     return Clusters{.radius = kDefaultClusterFraction * bounds.diagonal()};
 }
 
@@ -79,14 +93,26 @@ Status Clusters::apply(const LayerContext& context, SeedSet& seeds) const {
         }
     }
     const std::size_t before = seeds.size();
-    for (const IndexPair pair : pairsBelow(clusters, seedsPerCluster)) {
-        const std::optional<Vec2>& position = positions[std::size_t{pair.first} * seedsPerCluster + pair.second];
-        const bool exists = position || isDeleted(context.overrides, pair.index());  // a deleted seed needs no position
-        if (exists) seeds.add({context.layerId, pair.index()}, position.value_or(Vec2(0.0)), false);
-    }
-    const std::size_t found = seeds.size() - before;
-    if (found < wanted) seeds.diagnostics.push_back(noRoom(*this, context, found));
+    addPairs(*this, positions, context, "outline", seeds);
     return followOutline(context, before, ScatterDomain::Outline, seeds);
 }
+
+Status Clusters::applyInSolid(const SolidLayerContext& context, SeedSet& seeds) const {
+    const std::size_t wanted = std::size_t{clusters} * seedsPerCluster;
+    if (wanted > kMaxSeeds - seeds.size()) return tooManySeeds(context);
+    std::vector<std::optional<Vec3>> positions(wanted);
+    for (std::uint32_t cluster = 0; cluster < clusters; ++cluster) {
+        Random random = context.randomOf(cluster);
+        const Vec3 centre = context.domain.point(random);
+        for (std::size_t k = std::size_t{cluster} * seedsPerCluster, end = k + seedsPerCluster; k < end; ++k) {
+            if (k % 64 == 0 && context.task.isCancelled()) return TaskContext::cancelled();
+            positions[k] = pointNear(context.domain, centre, radius, random);
+        }
+    }
+    addPairs(*this, positions, context, "mesh", seeds);
+    return success();
+}
+
+double Clusters::estimatedPiecesIn(const SolidDomain&) const { return estimatedPieces(0.0); }
 
 }  // namespace rubble

@@ -14,9 +14,11 @@ struct Clusters {
 
     bool operator==(const Clusters&) const = default;
     Status apply(const LayerContext& context, SeedSet& seeds) const;
+    Status applyInSolid(const SolidLayerContext& context, SeedSet& seeds) const;
     double estimatedPieces(double) const { return static_cast<double>(clusters) * seedsPerCluster; }
+    double estimatedPiecesIn(const SolidDomain& domain) const;
     static const LayerKind kKind;
-    static Clusters defaultsFor(const Box2& bounds);
+    static Clusters defaultsFor(const Box3& bounds);
 };
 
 }  // namespace rubble

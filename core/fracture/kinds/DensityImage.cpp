@@ -18,7 +18,19 @@ constexpr std::array kDensityImageParameters{
                                      .options = kDense}),
 };
 
-Diagnostic noDensity(DenseWhere dense, const LayerContext& context, std::uint32_t wanted) {
+/// The density of an image that is stretched over a box in the xy plane, the same along z.
+SolidDensity densityAlongZ(const DensityImage& layer, const Box3& box) {
+    const Vec2 min(box.min), size = Vec2(box.max) - min;
+    const auto at = [image = layer.image, dense = layer.dense, min, size](Vec3 point) {
+        return densityAt(*image, dense, (Vec2(point) - min) / size);
+    };
+    const auto maxIn = [image = layer.image, dense = layer.dense, min, size](const Box3& part) {
+        return maxDensityIn(*image, dense, (Vec2(part.min) - min) / size, (Vec2(part.max) - min) / size);
+    };
+    return {at, maxIn};
+}
+
+Diagnostic noDensity(DenseWhere dense, const EvaluatedLayer& context, std::uint32_t wanted) {
     const std::string where = dense == DenseWhere::Bright ? "black" : "white";
     return diagnostic(DiagnosticCode::NoRoom, {.layer = context.layerId},
                       context.name() + " found room for 0 of " + std::to_string(wanted) + " seeds: its image is " +
@@ -65,6 +77,24 @@ Status DensityImage::apply(const LayerContext& context, SeedSet& seeds) const {
     const std::size_t first = seeds.size();
     if (const Status done = scatter(*wanted, *area, context, seeds); !done) return done;
     return followOutline(context, first, ScatterDomain::Outline, seeds, {.density = density(context.scatterOutline())});
+}
+
+Status DensityImage::applyInSolid(const SolidLayerContext& context, SeedSet& seeds) const {
+    if (!image) return success();
+    const Result<std::uint32_t> wanted = seedsToAdd(count, context.domain.volume(), context, seeds);
+    if (!wanted) return wanted.error();
+    const Result<SolidScatter> area =
+        SolidScatter::of(context.domain.surface(), densityAlongZ(*this, context.domain.bounds()), context.task);
+    if (!area) return area.error();
+    if (area->isEmpty()) {
+        if (*wanted > 0) seeds.diagnostics.push_back(noDensity(dense, context, *wanted));
+        return success();
+    }
+    return scatter(*wanted, *area, context, seeds);
+}
+
+double DensityImage::estimatedPiecesIn(const SolidDomain& domain) const {
+    return count.in(domain.volume(), SeedSpace::Solid);
 }
 
 }  // namespace rubble

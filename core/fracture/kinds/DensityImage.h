@@ -19,9 +19,11 @@ struct DensityImage {
 
     bool operator==(const DensityImage& other) const;
     Status apply(const LayerContext& context, SeedSet& seeds) const;
+    Status applyInSolid(const SolidLayerContext& context, SeedSet& seeds) const;
     std::optional<std::string> fault() const;
     SeedDensity density(const Polygon& outline) const;  // null without an image
     double estimatedPieces(double area) const { return count.in(area); }
+    double estimatedPiecesIn(const SolidDomain& domain) const;
     static const LayerKind kKind;
     const char* summary() const;
 };

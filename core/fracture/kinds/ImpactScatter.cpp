@@ -5,7 +5,10 @@
 #include "core/fracture/layer/OutlineFollowing.h"
 #include "core/fracture/sampling/FalloffArea.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include <algorithm>
 
 namespace rubble {
 namespace {
@@ -31,6 +34,7 @@ constexpr std::array kImpactScatterParameters{
                                                 "at twice the distance; 0: constant density",
                                         .range = {0.0, kMaxFalloff},
                                         .sliderRange = {0.0, 6.0}}),
+    parameter<&ImpactScatter::centreHeight>(kCentreHeightParameter),
 };
 
 }  // namespace
@@ -45,9 +49,10 @@ constinit const LayerKind ImpactScatter::kKind{.name = "impact",
                                                .isRandom = true,
                                                .fillsOutline = true};
 
-ImpactScatter ImpactScatter::defaultsFor(const Box2& bounds) {
-    return ImpactScatter{.centre = (bounds.min + bounds.max) / 2.0,
-                         .radius = kDefaultImpactFraction * bounds.diagonal()};
+ImpactScatter ImpactScatter::defaultsFor(const Box3& bounds) {
+    const Vec3 centre = (bounds.min + bounds.max) / 2.0;
+    return ImpactScatter{
+        .centre = Vec2(centre), .radius = kDefaultImpactFraction * bounds.diagonal(), .centreHeight = centre.z};
 }
 
 SeedDensity ImpactScatter::density(const Polygon&) const {
@@ -64,6 +69,27 @@ Status ImpactScatter::apply(const LayerContext& context, SeedSet& seeds) const {
     const std::size_t first = seeds.size();
     if (const Status done = scatter(*wanted, *area, context, seeds); !done) return done;
     return followOutline(context, first, ScatterDomain::Outline, seeds, {.density = density(context.outline)});
+}
+
+Status ImpactScatter::applyInSolid(const SolidLayerContext& context, SeedSet& seeds) const {
+    const Result<std::uint32_t> wanted = seedsToAdd(count, context.domain.volume(), context, seeds);
+    if (!wanted) return wanted.error();
+    const Vec3 from(centre, centreHeight);
+    const double minRadius = Falloff::kMinRadiusFraction * context.domain.bounds().diagonal();
+    const Falloff decrease{centre, std::max(radius, minRadius), falloff};
+    const SolidDensity density{
+        [decrease, from](Vec3 point) { return decrease.at(glm::distance(point, from)); },
+        [decrease, from](const Box3& box) {
+            return decrease.at(glm::length(glm::max(glm::max(box.min - from, from - box.max), Vec3(0.0))));
+        }};
+    const Result<SolidScatter> area = SolidScatter::of(context.domain.surface(), density, context.task);
+    if (!area) return area.error();
+    if (area->isEmpty()) return scatter(*wanted, context.domain, context, seeds);  // so far that it is constant
+    return scatter(*wanted, *area, context, seeds);
+}
+
+double ImpactScatter::estimatedPiecesIn(const SolidDomain& domain) const {
+    return count.in(domain.volume(), SeedSpace::Solid);
 }
 
 }  // namespace rubble

@@ -13,15 +13,18 @@ namespace rubble {
 struct ImpactScatter {
     Vec2 centre{0.0, 0.0};  // m; may lie outside the outline
     SeedCount count = 60;
-    double radius = 0.1;   // m
-    double falloff = 2.5;  // 0: the same density everywhere
+    double radius = 0.1;        // m
+    double falloff = 2.5;       // 0: the same density everywhere
+    double centreHeight = 0.0;  // z of the centre, m, in a closed mesh
 
     bool operator==(const ImpactScatter&) const = default;
     Status apply(const LayerContext& context, SeedSet& seeds) const;
+    Status applyInSolid(const SolidLayerContext& context, SeedSet& seeds) const;
     SeedDensity density(const Polygon& outline) const;
     double estimatedPieces(double area) const { return count.in(area); }
+    double estimatedPiecesIn(const SolidDomain& domain) const;
     static const LayerKind kKind;
-    static ImpactScatter defaultsFor(const Box2& bounds);
+    static ImpactScatter defaultsFor(const Box3& bounds);
 };
 
 }  // namespace rubble

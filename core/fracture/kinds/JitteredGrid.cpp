@@ -5,6 +5,7 @@
 #include "core/fracture/layer/LayerKind.h"
 #include "core/fracture/sampling/PairIndex.h"
 #include "core/fracture/sampling/ScatterArea.h"
+#include "core/fracture/sampling/SolidScatterDomain.h"
 #include "core/geometry/polygon/ContainmentIndex.h"
 
 #include <algorithm>
@@ -57,6 +58,21 @@ constexpr std::array kJitteredGridParameters{
                                       .range = {0.0, 1.0},
                                       .sliderRange = {0.0, 1.0}}),
     parameter<&JitteredGrid::domain>(kDomainParameter),
+    parameter<&JitteredGrid::layers>({.name = "layers",
+                                      .caption = "Layers",
+                                      .hint = "Number of layers along z; adding more keeps the names of existing seeds",
+                                      .range = {1.0, kMaxTripleNumber},
+                                      .sliderRange = {1.0, 50.0},
+                                      .usedIf = usedIf<JitteredGrid, hasNumber>,
+                                      .isSpatial = true}),
+    parameter<&JitteredGrid::cellDepth>({.name = "cellDepth",
+                                         .caption = "Cell depth",
+                                         .hint = "Size of a cell along z; the grid is centred on the mesh",
+                                         .quantity = Quantity::Length,
+                                         .range = kAboveZero,
+                                         .sliderRange = {0.01, 2.0, true},
+                                         .usedIf = usedIf<JitteredGrid, hasSize>,
+                                         .isSpatial = true}),
 };
 
 /// The cells along one axis.
@@ -112,14 +128,15 @@ const char* JitteredGrid::summary() const {
     return hasCellSize ? "{cellWidth} × {cellHeight}" : "{columns} × {rows}";
 }
 
-JitteredGrid JitteredGrid::defaultsFor(const Box2& bounds) {
-    const Vec2 size = bounds.size();
-    const double side = std::max(size.x, size.y) / kDefaultGridColumns;
+JitteredGrid JitteredGrid::defaultsFor(const Box3& bounds) {
+    const Vec3 size = bounds.max - bounds.min;
+    const double side = std::max({size.x, size.y, size.z}) / kDefaultGridColumns;
     const auto cellsAlong = [&](double length) {
         return static_cast<std::uint32_t>(std::max(1.0, std::floor(length / side + 0.5)));
     };
-    return JitteredGrid{
-        .columns = cellsAlong(size.x), .rows = cellsAlong(size.y), .cellWidth = side, .cellHeight = side};
+    JitteredGrid grid{.columns = cellsAlong(size.x), .rows = cellsAlong(size.y), .cellWidth = side, .cellHeight = side};
+    if (size.z > 0.0) grid.layers = cellsAlong(size.z), grid.cellDepth = side;
+    return grid;
 }
 
 Status JitteredGrid::apply(const LayerContext& context, SeedSet& seeds) const {
@@ -153,6 +170,42 @@ Status JitteredGrid::apply(const LayerContext& context, SeedSet& seeds) const {
 double JitteredGrid::estimatedPieces(double area) const {
     if (cells == GridCells::Number) return static_cast<double>(columns) * rows;
     return area / cellWidth / cellHeight;
+}
+
+Status JitteredGrid::applyInSolid(const SolidLayerContext& context, SeedSet& seeds) const {
+    const SolidScatterDomain filled{context.domain, domain};
+    const Vec3 from = context.domain.bounds().min, size = filled.size();
+    const bool isByNumber = cells == GridCells::Number;
+    const std::uint32_t numbers[] = {columns, rows, layers};
+    const double sides[] = {cellWidth, cellHeight, cellDepth};
+    Axis axes[3];
+    for (int k = 0; k < 3; ++k) {
+        axes[k] = isByNumber ? axisOf(from[k], size[k], numbers[k]) : axisOf(from[k], size[k], sides[k]);
+        if (!(axes[k].count <= kMaxTripleNumber)) return tooManyNumbers(context, "cells along one side", axes[k].count);
+    }
+    if (axes[0].count * axes[1].count * axes[2].count > static_cast<double>(kMaxSeeds - seeds.size()))
+        return tooManySeeds(context);
+    const auto count = [&](int axis) { return static_cast<std::uint32_t>(axes[axis].count); };
+    std::vector<IndexedPlace> places;
+    std::size_t round = 0;
+    for (std::uint32_t layer = 0; layer < count(2); ++layer) {
+        for (const IndexPair cell : pairsBelow(count(0), count(1))) {
+            if (context.isCancelledAt(round++)) return TaskContext::cancelled();
+            const std::uint32_t index = tripleIndex(cell.first, cell.second, layer);
+            Random random = context.randomOf(index);
+            const double x = axes[0].at(cell.first, 0.5 + jitter * (random.unit() - 0.5));
+            const double y = axes[1].at(cell.second, 0.5 + jitter * (random.unit() - 0.5));
+            const double z = axes[2].at(layer, 0.5 + jitter * (random.unit() - 0.5));
+            if (filled.contains({x, y, z})) places.push_back({index, {x, y, z}});
+        }
+    }
+    addByIndex(places, context, seeds);
+    return success();
+}
+
+double JitteredGrid::estimatedPiecesIn(const SolidDomain& solid) const {
+    if (cells == GridCells::Number) return static_cast<double>(columns) * rows * layers;
+    return SolidScatterDomain{solid, domain}.volume() / cellWidth / cellHeight / cellDepth;
 }
 
 }  // namespace rubble

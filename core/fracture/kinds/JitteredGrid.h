@@ -20,12 +20,18 @@ struct JitteredGrid {
     double jitter = 0.5;                            // 0: at the centre; 1: anywhere in the cell
     ScatterDomain domain = ScatterDomain::Outline;  // seeds outside are omitted
 
+    // In a closed mesh: the grid along z.
+    std::uint32_t layers = 1;
+    double cellDepth = 0.2;  // m
+
     bool operator==(const JitteredGrid&) const = default;
     Status apply(const LayerContext& context, SeedSet& seeds) const;
+    Status applyInSolid(const SolidLayerContext& context, SeedSet& seeds) const;
     double estimatedPieces(double area) const;
+    double estimatedPiecesIn(const SolidDomain& domain) const;
     static const LayerKind kKind;
     const char* summary() const;
-    static JitteredGrid defaultsFor(const Box2& bounds);
+    static JitteredGrid defaultsFor(const Box3& bounds);
 };
 
 }  // namespace rubble

@@ -46,4 +46,8 @@ Status LloydRelaxation::apply(const LayerContext& context, SeedSet& seeds) const
     });
 }
 
+Status LloydRelaxation::applyInSolid(const SolidLayerContext& context, SeedSet& seeds) const {
+    return relaxInSolid(rounds, context, seeds);
+}
+
 }  // namespace rubble

@@ -12,6 +12,7 @@ struct LloydRelaxation {
 
     bool operator==(const LloydRelaxation&) const = default;
     Status apply(const LayerContext& context, SeedSet& seeds) const;
+    Status applyInSolid(const SolidLayerContext& context, SeedSet& seeds) const;
     static const LayerKind kKind;
 };
 

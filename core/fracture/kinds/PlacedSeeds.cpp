@@ -46,4 +46,6 @@ Status PlacedSeeds::applyInSolid(const SolidLayerContext& context, SeedSet& all)
     return success();
 }
 
+double PlacedSeeds::estimatedPiecesIn(const SolidDomain&) const { return static_cast<double>(seeds.size()); }
+
 }  // namespace rubble

@@ -24,6 +24,7 @@ struct PlacedSeeds {
     Status applyInSolid(const SolidLayerContext& context, SeedSet& seeds) const;
     std::optional<std::string> fault() const;
     double estimatedPieces(double) const { return static_cast<double>(seeds.size()); }
+    double estimatedPiecesIn(const SolidDomain& domain) const;
     static const LayerKind kKind;
     std::size_t elementCount() const { return seeds.size(); }
 };

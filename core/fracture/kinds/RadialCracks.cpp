@@ -165,8 +165,8 @@ constinit const LayerKind RadialCracks::kKind{.name = "radialCracks",
                                               .parameters = kRadialCracksParameters,
                                               .isRandom = true};
 
-RadialCracks RadialCracks::defaultsFor(const Box2& bounds) {
-    return RadialCracks{.centre = (bounds.min + bounds.max) / 2.0, .radius = bounds.diagonal() / 4.0};
+RadialCracks RadialCracks::defaultsFor(const Box3& bounds) {
+    return RadialCracks{.centre = Vec2(bounds.min + bounds.max) / 2.0, .radius = bounds.diagonal() / 4.0};
 }
 
 Status RadialCracks::cut(const LayerContext& context, CutSet& cuts) const {

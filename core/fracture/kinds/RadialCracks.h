@@ -21,7 +21,7 @@ struct RadialCracks {
     Status cut(const LayerContext& context, CutSet& cuts) const;
     double estimatedPieces(double) const { return (rings + 1.0) * spokes + 1.0; }
     static const LayerKind kKind;
-    static RadialCracks defaultsFor(const Box2& bounds);
+    static RadialCracks defaultsFor(const Box3& bounds);
 };
 
 }  // namespace rubble

@@ -19,4 +19,10 @@ using CentroidOfCell = std::function<Vec2(const Partition& partition, std::uint3
 /// Errors: those of LayerContext::cellsOf(); Cancelled.
 Status relax(std::uint32_t rounds, const LayerContext& context, SeedSet& seeds, const CentroidOfCell& centroidOf);
 
+/// Moves seeds in a closed mesh to the centroids of their cells, round after round. Locked seeds and those without a
+/// cell stay.
+///
+/// Errors: those of SolidLayerContext::cellsOf(); Cancelled.
+Status relaxInSolid(std::uint32_t rounds, const SolidLayerContext& context, SeedSet& seeds);
+
 }  // namespace rubble

@@ -41,6 +41,7 @@ constexpr std::array kSlicesParameters{
                                         .quantity = Quantity::Angle,
                                         .range = {0.0, kMaxAngleVariation},
                                         .sliderRange = {0.0, 0.5}}),
+    parameter<&Slices::tilt>(tiltParameter("Tilt of the cuts about their direction; 90°: horizontal")),
 };
 
 /// One cut.
@@ -141,5 +142,34 @@ Status Slices::cut(const LayerContext& context, CutSet& set) const {
                           [row](Vec2 point) { return row->countBefore(point); }});
     return success();
 }
+
+Status Slices::applyInSolid(const SolidLayerContext& context, SeedSet& seeds) const {
+    if (cuts + std::size_t{1} > kMaxSeeds - seeds.size()) return tooManySeeds(context);
+    const Vec3 direction(cosine(angle), sine(angle), 0.0);
+    const Vec3 normal(cosine(tilt) * direction.y, -cosine(tilt) * direction.x, sine(tilt));
+    const Vec3 middle = context.domain.bounds().centre();
+    double lowest = HUGE_VAL, highest = -HUGE_VAL;
+    for (const Vec3 point : context.domain.mesh().points) {
+        lowest = std::min(lowest, glm::dot(point - middle, normal));
+        highest = std::max(highest, glm::dot(point - middle, normal));
+    }
+    const double step = (highest - lowest) / (cuts + 1.0);
+    const Vec3 across = glm::cross(normal, direction);
+    Vec2 aside(0.0);  // along direction and across
+    double before = 0.0;
+    for (std::uint32_t k = 0; k <= cuts; ++k) {
+        if (context.isCancelledAt(k)) return TaskContext::cancelled();
+        Random random = context.randomOf(k);
+        const double offset = lowest + step * (k + 0.5 + offsetVariation * (random.unit() - 0.5));
+        const double cutAngle = angleVariation * random.unit(), turn = kFullTurn * random.unit();
+        const double slope = sine(cutAngle) / cosine(cutAngle);
+        if (k > 0) aside += slope * (offset - before) * Vec2(cosine(turn), sine(turn));
+        before = offset;
+        seeds.add({context.layerId, k}, middle + offset * normal + aside.x * direction + aside.y * across, false);
+    }
+    return success();
+}
+
+double Slices::estimatedPiecesIn(const SolidDomain&) const { return cuts + 1.0; }
 
 }  // namespace rubble

@@ -44,4 +44,8 @@ Status UniformScatter::applyInSolid(const SolidLayerContext& context, SeedSet& s
     return scatter(*wanted, filled, context, seeds);
 }
 
+double UniformScatter::estimatedPiecesIn(const SolidDomain& solid) const {
+    return count.in(SolidScatterDomain{solid, domain}.volume(), SeedSpace::Solid);
+}
+
 }  // namespace rubble

@@ -15,6 +15,7 @@ struct UniformScatter {
     Status apply(const LayerContext& context, SeedSet& seeds) const;
     Status applyInSolid(const SolidLayerContext& context, SeedSet& seeds) const;
     double estimatedPieces(double area) const { return count.in(area); }
+    double estimatedPiecesIn(const SolidDomain& domain) const;
     static const LayerKind kKind;
 };
 

@@ -1,6 +1,10 @@
 #include "core/fracture/layer/LayerContext.h"
 
 #include "core/base/Assert.h"
+#include "core/base/MessageText.h"
+#include "core/fracture/sampling/PairIndex.h"
+
+#include <algorithm>
 
 namespace rubble {
 namespace {
@@ -50,6 +54,17 @@ void SeedSet::remove(std::size_t first, const std::vector<bool>& isRemoved) {
 }
 
 std::string EvaluatedLayer::name() const { return "Layer " + std::to_string(layerId); }
+
+Error tooManyNumbers(const SolidLayerContext& context, const char* what, double count) {
+    return {ErrorCode::Limit, context.name() + " has " + messageText(count) + " " + what + ", but " +
+                                  std::to_string(kMaxTripleNumber) + " is the maximum on a mesh."};
+}
+
+void addByIndex(std::vector<IndexedPlace>& places, const SolidLayerContext& context, SeedSet& seeds) {
+    std::ranges::sort(places, {}, &IndexedPlace::index);
+    seeds.reserve(places.size());
+    for (const IndexedPlace& place : places) seeds.add({context.layerId, place.index}, place.position, false);
+}
 
 Error tooManySeeds(const EvaluatedLayer& layer) {
     return {ErrorCode::Limit, layer.name() + " brings the pattern above " + std::to_string(kMaxSeeds) + " seeds."};

@@ -85,6 +85,18 @@ Result<std::uint32_t> seedsToAdd(const SeedCount& count, const Polygon& domain, 
 Result<std::uint32_t> seedsToAdd(const SeedCount& count, double volume, const SolidLayerContext& context,
                                  const SeedSet& seeds);
 
+/// The error of a lattice in space with more cells along one side than tripleIndex() can number: "Layer 4 has 2000
+/// columns, but 1600 is the maximum on a mesh."
+Error tooManyNumbers(const SolidLayerContext& context, const char* what, double count);
+
+/// A seed of a lattice in space.
+struct IndexedPlace {
+    std::uint32_t index = 0;
+    Vec3 position{0.0};
+};
+/// Adds seeds in the order of their indices.
+void addByIndex(std::vector<IndexedPlace>& places, const SolidLayerContext& context, SeedSet& seeds);
+
 /// Adds `count` seeds at area.point(random), one after the other. Errors: Cancelled.
 template <class Area>
 Status scatter(std::uint32_t count, const Area& area, const EvaluatedLayer& context, SeedSet& seeds) {

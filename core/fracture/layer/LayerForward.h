@@ -7,9 +7,9 @@
 namespace rubble {
 
 /// Forward declarations for the headers of the layer kinds, which keep Pattern.h cheap to include.
-struct Box2;
 struct Box3;
 struct CutSet;
+class SolidDomain;
 struct LayerContext;
 struct LayerKind;
 struct Polygon;

@@ -13,9 +13,11 @@ namespace rubble {
 //   - `apply(context, seeds)` or `cut(context, cuts)`,
 //   - `applyInSolid(context, seeds)`, unless it needs a plane,
 // and where needed
-//   - `static Kind defaultsFor(const Box2& bounds)`, the parameters of a new layer in a domain with these bounds,
+//   - `static Kind defaultsFor(const Box3& bounds)`, the parameters of a new layer in a domain with these bounds,
+//     without height in the plane,
 //   - `const char* summary() const` in place of LayerKind::summary, if it depends on parameters,
 //   - `double estimatedPieces(double area) const`, about how many pieces the layer makes of an area (m²),
+//   - `double estimatedPiecesIn(const SolidDomain& domain) const`, the same of a closed mesh,
 //   - `density(outline)`, a density of seeds that later layers follow,
 //   - `elementCount()` and `fault()`, if it contains more than parameters, such as manually placed seeds.
 // docs/contributing.md says how to add one.

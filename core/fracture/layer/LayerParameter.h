@@ -152,6 +152,16 @@ inline constexpr LayerParameter kRingSpacingParameter{
     .range = {0.1, 10.0},
     .sliderRange = {0.25, 4.0, true}};
 
+inline constexpr LayerParameter kCentreHeightParameter{.name = "centreHeight",
+                                                       .caption = "Centre height",
+                                                       .hint = "Height of the centre, along z",
+                                                       .quantity = Quantity::Length,
+                                                       .isSpatial = true};
+
+/// An axis of the coordinates.
+enum class CoordinateAxis { X, Y, Z };
+inline constexpr std::array<ParameterOption, 3> kAxisOptions{{{"x", "X"}, {"y", "Y"}, {"z", "Z"}}};
+
 /// The tilt of a direction out of the xy plane, in space.
 constexpr LayerParameter tiltParameter(const char* hint) {
     return {.name = "tilt",

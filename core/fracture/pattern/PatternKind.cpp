@@ -15,7 +15,7 @@ PatternKind patternKind() {
         if constexpr (requires(const Kind& layer) { layer.summary(); }) return std::get<Kind>(parameters).summary();
         return Kind::kKind.LayerKind::summary;
     };
-    kind.defaultsFor = [](const Box2& bounds) -> LayerParameters {
+    kind.defaultsIn = [](const Box3& bounds) -> LayerParameters {
         if constexpr (requires { Kind::defaultsFor(bounds); }) return Kind::defaultsFor(bounds);
         return Kind{};
     };

@@ -2,6 +2,7 @@
 
 #include "core/fracture/layer/LayerKind.h"
 #include "core/fracture/pattern/Pattern.h"
+#include "core/geometry/search/Box3.h"
 
 #include <span>
 
@@ -11,8 +12,10 @@ namespace rubble {
 struct PatternKind : LayerKind {
     /// The template that describes a layer in a list, see LayerKind::summary.
     const char* (*summary)(const LayerParameters& parameters);
-    /// The initial parameters of a new layer in a domain with these bounds.
-    LayerParameters (*defaultsFor)(const Box2& bounds);
+    /// The initial parameters of a new layer in a domain with these bounds: a box without height is one in the plane.
+    LayerParameters (*defaultsIn)(const Box3& bounds);
+    LayerParameters defaultsFor(const Box3& bounds) const { return defaultsIn(bounds); }
+    LayerParameters defaultsFor(const Box2& bounds) const { return defaultsIn(boxOf(bounds.min, bounds.max)); }
     /// The number of elements that a layer holds besides its parameters, such as placed seeds; null: it holds none.
     std::size_t (*elementCount)(const LayerParameters& parameters);
     /// Whether it has an effect on a closed mesh; the others need a plane.

@@ -1,6 +1,7 @@
 #include "core/fracture/pattern/PieceEstimate.h"
 
 #include "core/base/math/Trigonometry.h"
+#include "core/fracture/sampling/SolidDomain.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,6 +60,22 @@ double estimatedPieces(const Pattern& pattern, double area) {
     }
     pieces = std::max(1.0, pieces);
     return pieces + piecesOfSlices(slicesOf(pattern), pieces);
+}
+
+double estimatedPieces(const Pattern& pattern, const SolidDomain& domain) {
+    if (verifyPattern(pattern)) return 1.0;
+    double pieces = 0.0;
+    const auto estimate = [&](const auto& kind) {
+        if constexpr (requires { kind.estimatedPiecesIn(domain); }) {
+            return kind.estimatedPiecesIn(domain);
+        } else {
+            return 0.0;
+        }
+    };
+    for (const PatternLayer& layer : pattern.layers) {
+        if (layer.isOn) pieces += std::visit(estimate, layer.parameters);
+    }
+    return std::max(1.0, pieces);
 }
 
 }  // namespace rubble

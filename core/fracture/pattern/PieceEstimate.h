@@ -10,4 +10,8 @@ namespace rubble {
 /// seeds without a cell are not taken off. 1 for a pattern that verifyPattern() rejects.
 double estimatedPieces(const Pattern& pattern, double area);
 
+/// About how many pieces a pattern makes of a closed mesh: at least 1; infinite for a spacing of almost nothing. Seeds
+/// without a cell are not taken off. 1 for a pattern that verifyPattern() rejects.
+double estimatedPieces(const Pattern& pattern, const SolidDomain& domain);
+
 }  // namespace rubble

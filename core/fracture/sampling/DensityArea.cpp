@@ -44,6 +44,17 @@ double densityAt(const GreyImage& image, DenseWhere dense, Vec2 position) {
     return densityOf(image, std::size_t{row} * image.width + column, dense);
 }
 
+double maxDensityIn(const GreyImage& image, DenseWhere dense, Vec2 min, Vec2 max) {
+    const std::uint32_t left = stepAt(min.x, 0.0, 1.0, image.width), right = stepAt(max.x, 0.0, 1.0, image.width),
+                        bottom = stepAt(min.y, 1.0, 0.0, image.height), top = stepAt(max.y, 1.0, 0.0, image.height);
+    double most = 0.0;
+    for (std::uint32_t row = top; row <= bottom; ++row) {
+        for (std::uint32_t column = left; column <= right; ++column)
+            most = std::max(most, densityOf(image, std::size_t{row} * image.width + column, dense));
+    }
+    return most;
+}
+
 DensityArea::DensityArea(const Polygon& polygon, const GreyImage& image)
     : m_image(&image), m_box(boundsOf(polygon.outer)) {}
 

@@ -13,6 +13,8 @@ namespace rubble {
 
 /// The density of an image at a position, in [0, 1]: (0, 0) is the lower left corner, (1, 1) the upper right one.
 double densityAt(const GreyImage& image, DenseWhere dense, Vec2 position);
+/// The largest density of an image between two positions.
+double maxDensityIn(const GreyImage& image, DenseWhere dense, Vec2 min, Vec2 max);
 
 /// Random points of a polygon, with the density of an image that is stretched over its bounding box. The polygon is
 /// divided into triangles, and these along the pixels; each point draws one of these parts by weight and a point in it:

@@ -12,8 +12,7 @@ namespace {
 
 /// Triangles are bisected until their density varies by at max this factor: four of five points are accepted.
 constexpr double kMaxRatio = 1.5;
-constexpr double kMinRadiusFraction = 1e-6;  // of the diameter: the minimum radius
-constexpr double kMaxRadii = 1e30;           // distance at which densities stop decreasing, against overflow
+constexpr double kMaxRadii = 1e30;  // distance at which densities stop decreasing, against overflow
 
 double length(Vec2 vector) { return std::sqrt(vector.x * vector.x + vector.y * vector.y); }
 
@@ -43,7 +42,7 @@ Result<FalloffArea> FalloffArea::of(const Polygon& polygon, const Falloff& fallo
     if (!loops) return loops.error();
     const std::vector<Vec2> corners = cornersOf(polygon);
     FalloffArea area(falloff);
-    area.m_falloff.radius = std::max(falloff.radius, kMinRadiusFraction * boundsOf(polygon.outer).diagonal());
+    area.m_falloff.radius = std::max(falloff.radius, Falloff::kMinRadiusFraction * boundsOf(polygon.outer).diagonal());
     std::vector<Corners> open;
     for (const std::vector<std::uint32_t>& loop : *loops) {
         open.push_back({corners[loop[0]], corners[loop[1]], corners[loop[2]]});

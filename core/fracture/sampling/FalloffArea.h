@@ -12,6 +12,8 @@ namespace rubble {
 
 /// A density that decreases with the distance d from a centre: (1 + (d/radius)²)^(-falloff/2).
 struct Falloff {
+    static constexpr double kMinRadiusFraction = 1e-6;  // of a domain's diameter: smaller radii are raised to it
+
     Vec2 centre{0.0, 0.0};  // m
     double radius = 1.0;    // m, > 0
     double falloff = 0.0;   // >= 0

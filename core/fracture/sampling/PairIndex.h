@@ -21,6 +21,12 @@ inline std::uint32_t zigzag(int number) {
     return number < 0 ? static_cast<std::uint32_t>(-2 * number - 1) : static_cast<std::uint32_t>(2 * number);
 }
 
+/// The inverse of zigzag().
+inline int zigzagged(std::uint32_t number) {
+    const int half = static_cast<int>(number / 2);
+    return number % 2 == 0 ? half : -half - 1;
+}
+
 struct IndexPair {
     std::uint32_t first = 0;
     std::uint32_t second = 0;
@@ -42,6 +48,16 @@ inline std::vector<IndexPair> pairsBelow(std::uint32_t firsts, std::uint32_t sec
         }
     }
     return pairs;
+}
+
+/// The limit below which the index of three numbers fits in 32 bits.
+inline constexpr std::uint32_t kMaxTripleNumber = 1'600;
+
+/// Enumerates all triples in growing cubes, as pairIndex() does pairs.
+inline std::uint32_t tripleIndex(std::uint32_t first, std::uint32_t second, std::uint32_t third) {
+    const std::uint32_t side = std::max({first, second, third}), cube = side * side * side;
+    if (third == side) return cube + pairIndex(first, second);
+    return cube + (side + 1) * (side + 1) + third * (2 * side + 1) + pairIndex(first, second) - side * side;
 }
 
 }  // namespace rubble

@@ -139,13 +139,21 @@ private:
         const Box3 box = m_nodes[index].part.box;
         const std::vector<std::uint32_t> triangles = std::move(m_nodes[index].triangles);
         m_nodes[index].isDivided = true;
-        m_total -= m_nodes[index].part.weight();
+        subtract(m_nodes[index].part.weight());
         const Vec3 size = box.max - box.min;
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         Box3 low = box, high = box;
         low.max[axis] = high.min[axis] = box.min[axis] + size[axis] / 2.0;
         add(low, triangles);
         add(high, triangles);
+    }
+
+    /// Subtracts a weight from the total; where hardly any is left, digits are lost, and it is summed anew.
+    void subtract(double weight) {
+        m_total -= weight;
+        if (m_total > 1e-6 * weight) return;
+        m_total = 0.0;
+        for (const Node& node : m_nodes) m_total += node.isDivided ? 0.0 : node.part.weight();
     }
 
     /// Adds a box, of which only what can contain solid is kept.

@@ -1,6 +1,7 @@
 #include "core/fracture/cuts/CutSet.h"
 #include "core/fracture/pattern/PatternCuts.h"
 #include "core/fracture/pattern/PatternPartition.h"
+#include "core/geometry/search/Box3.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/geometry/Outlines.h"
 
@@ -97,7 +98,8 @@ private slots:
     }
     void noCrackIsLoose() {
         for (std::uint64_t seed = 0; seed < 30; ++seed) {
-            RadialCracks cracks = RadialCracks::defaultsFor(boundsOf(kPane.outer));
+            RadialCracks cracks =
+                RadialCracks::defaultsFor(boxOf(boundsOf(kPane.outer).min, boundsOf(kPane.outer).max));
             cracks.variation = static_cast<double>(seed % 3) / 2.0;
             cracks.centre = {0.03 * static_cast<double>(seed), -0.2};
             const Result<PatternStages> stages = patternStages(patternOf(cracks, seed), kPane);
