@@ -14,6 +14,7 @@
 #include "core/fracture/kinds/RadialCracks.h"
 #include "core/fracture/kinds/RadialPattern.h"
 #include "core/fracture/kinds/Slices.h"
+#include "core/fracture/kinds/SurfaceScatter.h"
 #include "core/fracture/kinds/UniformScatter.h"
 #include "core/fracture/kinds/WeightedLloyd.h"
 
@@ -25,6 +26,6 @@ namespace rubble {
 /// kinds at the end.
 using LayerParameters = std::variant<UniformScatter, BlueNoise, PlacedSeeds, LloydRelaxation, JitteredGrid, Clusters,
                                      RadialPattern, ImpactScatter, DensityImage, BrickBond, Slices, CrackLines, Grain,
-                                     WeightedLloyd, HexagonalLattice, RadialCracks>;
+                                     WeightedLloyd, HexagonalLattice, RadialCracks, SurfaceScatter>;
 
 }  // namespace rubble

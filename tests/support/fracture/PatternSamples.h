@@ -49,7 +49,8 @@ inline std::vector<LayerParameters> patternSamples() {
                     {4, {{0.4, 0.4}, {0.6, 0.4}, {0.5, 0.6}, {0.4, 0.4}}},
                     {9, {{0.0, 0.0}, {0.3, 0.55}}}}},
         Grain{.angle = 0.7, .ratio = 4.0},
-        WeightedLloyd{.rounds = 2}};
+        WeightedLloyd{.rounds = 2},
+        SurfaceScatter{.count = 13, .minDepth = 0.02, .maxDepth = 0.2, .falloff = 2.0}};
     // Kinds without a sample above are tried with their defaults.
     for (const PatternKind* kind : patternKinds()) {
         const bool hasSample =

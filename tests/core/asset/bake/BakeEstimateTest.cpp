@@ -64,6 +64,7 @@ private slots:
         QTest::newRow("grid of a size") << LayerParameters(
             JitteredGrid{.cells = GridCells::Size, .cellWidth = 0.1, .cellHeight = 0.05});
         QTest::newRow("lattice") << LayerParameters(HexagonalLattice{.spacing = 0.07});
+        QTest::newRow("near surface") << LayerParameters(SurfaceScatter{.count = 150, .maxDepth = 0.2});
         QTest::newRow("bricks") << LayerParameters(BrickBond{.length = 0.1, .width = 0.05, .height = 0.04});
     }
     void kindsOfLayersAreEstimatedWithinAHalf() {

@@ -141,6 +141,7 @@ private slots:
             {Clusters{.clusters = 3, .seedsPerCluster = 4}, Clusters{.clusters = 5, .seedsPerCluster = 4}},
             {Clusters{.clusters = 3, .seedsPerCluster = 4}, Clusters{.clusters = 3, .seedsPerCluster = 7}},
             {ImpactScatter{.count = 10}, ImpactScatter{.count = 30}},
+            {SurfaceScatter{.count = 10}, SurfaceScatter{.count = 30}},
             {DensityImage{.count = 10, .image = fourPixels()}, DensityImage{.count = 30, .image = fourPixels()}},
             {RadialPattern{.radius = 1.4, .layers = 2}, RadialPattern{.radius = 1.4, .layers = 4}},
             {HexagonalLattice{.layerHeight = 0.2},

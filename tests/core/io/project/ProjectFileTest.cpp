@@ -300,7 +300,7 @@ private slots:
         test::addWrongValue(
             "assets[0].pattern[0].kind: expected \"uniform\", \"blueNoise\", \"placed\", \"lloyd\", \"jitteredGrid\", "
             "\"clusters\", \"radial\", \"impact\", \"densityImage\", \"bricks\", \"slices\", \"strokes\", \"grain\", "
-            "\"weightedLloyd\", \"hexagonal\" or \"radialCracks\", found \"tiles\".",
+            "\"weightedLloyd\", \"hexagonal\", \"radialCracks\" or \"surfaceScatter\", found \"tiles\".",
             "/assets/0/pattern/0/kind", "\"tiles\"");
         test::addWrongValue("assets[0].pattern[0].parameters: unknown key \"count\".", "/assets/0/pattern/0/kind",
                             "\"placed\"");
