@@ -25,13 +25,15 @@ void setOverride(PatternLayer& layer, const SeedOverride& change) {
 
 }  // namespace
 
-void moveSeed(Pattern& pattern, SeedId seed, Vec2 position) {
+void moveSeed(Pattern& pattern, SeedId seed, Vec2 position) { moveSeed(pattern, seed, Vec3(position, 0.0)); }
+
+void moveSeed(Pattern& pattern, SeedId seed, Vec3 position) {
     PatternLayer* layer = findLayer(pattern, seed.layer);
     if (!layer) return;
     auto* placed = std::get_if<PlacedSeeds>(&layer->parameters);
-    if (!placed) return setOverride(*layer, {.index = seed.index, .position = position});
+    if (!placed) return setOverride(*layer, {.index = seed.index, .position = Vec2(position), .height = position.z});
     const auto found = lowerBound(placed->seeds, seed.index);
-    if (found != placed->seeds.end() && found->index == seed.index) found->position = position;
+    if (found != placed->seeds.end() && found->index == seed.index) *found = {seed.index, Vec2(position), position.z};
 }
 
 void deleteSeed(Pattern& pattern, SeedId seed) {
@@ -50,10 +52,12 @@ void restoreSeed(Pattern& pattern, SeedId seed) {
     if (found != layer->overrides.end() && found->index == seed.index) layer->overrides.erase(found);
 }
 
-SeedId placeSeed(PatternLayer& layer, Vec2 position) {
+SeedId placeSeed(PatternLayer& layer, Vec2 position) { return placeSeed(layer, Vec3(position, 0.0)); }
+
+SeedId placeSeed(PatternLayer& layer, Vec3 position) {
     std::vector<PlacedSeeds::Seed>& seeds = std::get<PlacedSeeds>(layer.parameters).seeds;
     const std::uint32_t index = seeds.empty() ? 0 : seeds.back().index + 1;
-    seeds.push_back({index, position});
+    seeds.push_back({index, Vec2(position), position.z});
     return {layer.id, index};
 }
 

@@ -40,6 +40,9 @@ private slots:
         row("placed index", [](Asset& a) { std::get<PlacedSeeds>(a.pattern.layers[0].parameters).seeds[1].index = 2; });
         row("placed position",
             [](Asset& a) { std::get<PlacedSeeds>(a.pattern.layers[0].parameters).seeds[1].position.y = 0.25; });
+        row("placed height",
+            [](Asset& a) { std::get<PlacedSeeds>(a.pattern.layers[0].parameters).seeds[1].height = 0.25; });
+        row("override's height", [](Asset& a) { a.pattern.layers[1].overrides[0].height = 0.25; });
         row("override index", [](Asset& a) { a.pattern.layers[1].overrides[0].index = 1; });
         row("override deletes", [](Asset& a) { a.pattern.layers[1].overrides[0].isDeleted = true; });
         row("override moves", [](Asset& a) { a.pattern.layers[1].overrides[0].position.x = 0.5; });
@@ -84,6 +87,20 @@ private slots:
         };
         QVERIFY(hashOf({CountBy::Density, 5.0}) != hashOf(5));
         QVERIFY(hashOf({CountBy::Density, 5.0}) != hashOf({CountBy::FragmentSize, 5.0}));
+    }
+    void spatialDefaultsAreNotHashed() {
+        // The hash of an asset of before there were spatial parameters.
+        Asset asset = hashedBox();
+        const auto hashOf = [&asset](const LayerParameters& parameters) {
+            asset.pattern.layers[0] = {.id = 30, .randomSeed = 2, .parameters = parameters};
+            return bakeInputHash(asset).hex();
+        };
+        QVERIFY2(hashOf(JitteredGrid{}) == "01ff86583b798100d672c0830b93dbef", hashOf(JitteredGrid{}).c_str());
+        QVERIFY2(hashOf(Grain{}) == "056f2da0a6df9ea7ac32b6d9128db7e2", hashOf(Grain{}).c_str());
+        QVERIFY2(hashOf(PlacedSeeds{{{0, {0.1, 0.2}}, {3, {0.4, 0.3}}}}) == "76c97ed184320f6775b160abefdd8853",
+                 hashOf(PlacedSeeds{{{0, {0.1, 0.2}}, {3, {0.4, 0.3}}}}).c_str());
+        QVERIFY(hashOf(JitteredGrid{.layers = 2}) != hashOf(JitteredGrid{}));
+        QVERIFY(hashOf(RadialPattern{.layers = 3}) != hashOf(RadialPattern{.axis = CoordinateAxis::X}));
     }
     void hashCoversTheDensityImage() {
         const auto hashOf = [](const GreyImage& image) {

@@ -34,6 +34,16 @@ private slots:
         QVERIFY(pattern.layers[1].overrides.empty());
         QVERIFY((placeSeed(pattern.layers[1], {3.0, 3.0}) == SeedId{4, 3}));
     }
+    void seedsInSpaceHaveHeights() {
+        Pattern pattern = twoLayers();
+        moveSeed(pattern, {3, 4}, Vec3(0.5, 0.5, 0.75));
+        moveSeed(pattern, {4, 2}, Vec3(2.0, 2.0, -1.0));
+        QVERIFY((placeSeed(pattern.layers[1], Vec3(3.0, 3.0, 4.0)) == SeedId{4, 3}));
+        const std::vector<SeedOverride> expected = {{.index = 4, .position = {0.5, 0.5}, .height = 0.75}};
+        QVERIFY(pattern.layers[0].overrides == expected);
+        QVERIFY((std::get<PlacedSeeds>(pattern.layers[1].parameters) ==
+                 PlacedSeeds{{{0, {0.0, 0.0}}, {2, {2.0, 2.0}, -1.0}, {3, {3.0, 3.0}, 4.0}}}));
+    }
     void restoredSeedHasNoOverride() {
         Pattern pattern = twoLayers();
         moveSeed(pattern, {3, 4}, {0.5, 0.5});

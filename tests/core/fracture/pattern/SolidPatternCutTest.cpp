@@ -59,6 +59,21 @@ private slots:
         for (std::uint32_t fragment = 0; fragment < cut.fragmentCount(); ++fragment) volume += cut.volumes[fragment];
         QVERIFY(std::abs(volume / domainOf(mesh).volume() - 1.0) < 1e-12);
     }
+    void mappedCellsAreThoseOfTheMappedSeeds() {
+        const Pattern grain = grainPattern({{.angle = 0.4, .ratio = 5.0, .tilt = 0.8}});
+        for (const TriangleMesh& mesh : {boxMeshOf({-1, -1, -1}, {1, 2, 3}), torus(20, 12)}) {
+            std::vector<Vec3> seeds = seedsInBox(mesh, 40, 2);
+            SolidPartition cut = cutWithPattern(grain, mesh, seeds).value();
+            const SolidAnisotropyMap map = *SolidAnisotropyMap::of(grain, boundsOf(mesh));
+            TriangleMesh mapped = mesh;
+            for (Vec3& point : mapped.points) point = map(point);
+            for (Vec3& seed : seeds) seed = map(seed);
+            for (Vec3& point : cut.points) point = map(cut.origin + point);
+            cut.origin = Vec3(0.0);
+            for (double& volume : cut.volumes) volume /= 5.0;
+            QCOMPARE(verifySolidPartition(cut, mapped, seeds).value_or(""), std::string());
+        }
+    }
     void cellsAreStretchedAlongTheGrain() {
         const TriangleMesh mesh = boxMeshOf({-1, -1, -1}, {1, 1, 1});
         const std::vector<Vec3> seeds = seedsInBox(mesh, 200, 3);

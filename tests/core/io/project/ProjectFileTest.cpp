@@ -213,6 +213,23 @@ private slots:
         QVERIFY2(read, read ? "" : read.error().message.c_str());
         QVERIFY(*read == project);
     }
+    void spatialParametersAndHeightsAreWrittenWhereNotDefaultOnly() {
+        Project project = boxProject(JitteredGrid{});
+        const nlohmann::json plain =
+            nlohmann::json::parse(projectText(project))["assets"][0]["pattern"][0]["parameters"];
+        QVERIFY(plain.contains("columns") && !plain.contains("layers") && !plain.contains("cellDepth"));
+        PatternLayer& layer = project.assets[0].pattern.layers[0];
+        layer.parameters = JitteredGrid{.layers = 4};
+        layer.overrides = {{.index = 2, .position = {0.25, 0.5}, .height = -0.75}};
+        project.assets[0].pattern.layers.push_back(
+            {.id = project.nextId++, .parameters = PlacedSeeds{{{0, {0.1, 0.2}}, {3, {0.4, 0.3}, 0.5}}}});
+        const std::string text = projectText(project);
+        QVERIFY(text.find("\"layers\": 4") != std::string::npos && text.find("\"cellDepth\"") == std::string::npos);
+        const Result<Project> read = readProjectText(text);
+        QVERIFY2(read, read ? "" : read.error().message.c_str());
+        QVERIFY(*read == project);
+        QCOMPARE(test::Schema("project.schema.json").fault(nlohmann::json::parse(text)), std::string());
+    }
     void everythingRoundTripsBitForBit() {
         const std::string text = projectText(fullProject());
         const Result<Project> read = readProjectText(text);
