@@ -14,14 +14,6 @@
 namespace rubble {
 namespace {
 
-std::vector<Box3> boxesOfTriangles(const TriangleMesh& mesh) {
-    std::vector<Box3> boxes(mesh.triangles.size());
-    for (std::size_t t = 0; t < boxes.size(); ++t) {
-        for (const std::uint32_t point : mesh.triangles[t]) boxes[t].include(mesh.points[point]);
-    }
-    return boxes;
-}
-
 double distanceToSegment(Vec3 point, Vec3 from, Vec3 to) {
     const Vec3 along = to - from;
     const double length = glm::dot(along, along);
@@ -42,8 +34,7 @@ double distanceToTriangle(Vec3 point, Vec3 a, Vec3 b, Vec3 c) {
 
 }  // namespace
 
-SolidSurface::Content::Content(TriangleMesh given)
-    : mesh(std::move(given)), bounds(boundsOf(mesh)), containment(mesh), triangles(boxesOfTriangles(mesh)) {
+SolidSurface::Content::Content(TriangleMesh given) : mesh(std::move(given)), bounds(boundsOf(mesh)), containment(mesh) {
     volume = signedVolume(mesh);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) area += glm::length(doubleArea(mesh, t)) / 2.0;
 }
@@ -67,7 +58,7 @@ bool SolidSurface::contains(Vec3 point) const {
 
 double SolidSurface::depth(Vec3 point) const {
     double nearest = HUGE_VAL;
-    m_content->triangles.visitNear(point, [&](std::uint32_t triangle) {
+    m_content->containment.triangleBoxes().visitNear(point, [&](std::uint32_t triangle) {
         const auto& [a, b, c] = mesh().triangles[triangle];
         nearest = std::min(nearest, distanceToTriangle(point, mesh().points[a], mesh().points[b], mesh().points[c]));
         return nearest;

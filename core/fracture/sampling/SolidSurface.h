@@ -3,7 +3,6 @@
 #include "core/base/Result.h"
 #include "core/geometry/mesh/MeshContainment.h"
 #include "core/geometry/mesh/TriangleMesh.h"
-#include "core/geometry/search/BoxTree.h"
 
 #include <memory>
 
@@ -36,7 +35,6 @@ private:
         double volume = 0.0;
         double area = 0.0;
         MeshContainment containment;
-        BoxTree triangles;
     };
     explicit SolidSurface(std::shared_ptr<const Content> content) : m_content(std::move(content)) {}
 

@@ -11,7 +11,7 @@
 namespace rubble {
 namespace {
 
-std::vector<Box3> triangleBoxes(const TriangleMesh& mesh) {
+std::vector<Box3> boxesOfTriangles(const TriangleMesh& mesh) {
     std::vector<Box3> boxes(mesh.triangles.size());
     for (std::size_t t = 0; t < boxes.size(); ++t) {
         for (const std::uint32_t point : mesh.triangles[t]) boxes[t].include(mesh.points[point]);
@@ -31,7 +31,7 @@ int sideOf(Vec3 a, Vec3 b, Vec3 point) {
 }  // namespace
 
 MeshContainment::MeshContainment(const TriangleMesh& mesh)
-    : m_mesh(mesh), m_top(boundsOf(mesh).max.z), m_tree(triangleBoxes(mesh)) {}
+    : m_mesh(mesh), m_top(boundsOf(mesh).max.z), m_tree(boxesOfTriangles(mesh)) {}
 
 MeshContainment::Passage MeshContainment::passageAbove(std::uint32_t triangle, Vec3 point) const {
     const auto& [i, j, k] = m_mesh.triangles[triangle];

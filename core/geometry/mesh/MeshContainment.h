@@ -17,6 +17,8 @@ public:
     explicit MeshContainment(const TriangleMesh& mesh);
 
     Containment containment(Vec3 point) const;
+    /// The boxes of the mesh's triangles.
+    const BoxTree& triangleBoxes() const { return m_tree; }
     bool isInside(Vec3 point) const { return containment(point) == Containment::Inside; }
 
 private:
