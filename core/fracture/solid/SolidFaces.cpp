@@ -3,8 +3,8 @@
 #include "core/base/DisjointSets.h"
 #include "core/base/Parallel.h"
 #include "core/fracture/solid/FaceLoops.h"
+#include "core/fracture/solid/LoopNesting.h"
 #include "core/fracture/solid/SolidPoints.h"
-#include "core/geometry/polygon/Polygon.h"
 
 #include <glm/geometric.hpp>
 
@@ -66,7 +66,7 @@ public:
         const PlaneView view(m_in.diagram.site(sites[1]).point - m_in.diagram.site(sites[0]).point);
         std::vector<PointLoop> loops = linkedLoops(m_steps, m_in.points, view);
         std::erase_if(loops, [this](const PointLoop& loop) { return isDivided(loop); });
-        for (const std::vector<PointLoop>& face : nestedLoops(std::move(loops), view)) {
+        for (const std::vector<PointLoop>& face : nestedLoops(std::move(loops), m_in.points, view)) {
             addFace(face, view, {sites[0], sites[1], kNone});
         }
     }
@@ -180,71 +180,6 @@ private:
             result.firstCorner.push_back(static_cast<std::uint32_t>(result.corners.size()));
         }
         result.firstLoop.push_back(static_cast<std::uint32_t>(result.firstCorner.size()) - 1);
-    }
-
-    /// Groups loops in a plane: each outer one with the holes in it.
-    std::vector<std::vector<PointLoop>> nestedLoops(std::vector<PointLoop> loops, const PlaneView& view) const {
-        std::vector<std::vector<PointLoop>> faces;
-        if (loops.size() == 1) {
-            faces.push_back(std::move(loops));
-            return faces;
-        }
-        std::vector<Polygon> rings;
-        std::vector<PointLoop> holes;
-        for (PointLoop& loop : loops) {
-            Ring ring;
-            for (const std::uint32_t point : loop) ring.push_back(view(m_in.points[point]));
-            if (signedArea(ring) > 0.0) {
-                rings.push_back({std::move(ring), {}});
-                faces.push_back({std::move(loop)});
-            } else {
-                holes.push_back(std::move(loop));
-            }
-        }
-        const std::size_t outerCount = faces.size();
-        for (PointLoop& hole : holes) {
-            Ring ring;
-            for (const std::uint32_t point : hole) ring.push_back(view(m_in.points[point]));
-            const std::size_t around = ringAround(rings, ring);
-            if (around < outerCount)
-                faces[around].push_back(std::move(hole));
-            else
-                faces.push_back({std::move(hole)});  // of hardly any area
-        }
-        return faces;
-    }
-
-    /// The smallest polygon around a hole; the number of polygons if there is none.
-    static std::size_t ringAround(const std::vector<Polygon>& polygons, const Ring& hole) {
-        const Vec2 inside = pointIn(hole);  // not a corner, which may lie on an edge
-        std::size_t around = polygons.size();
-        for (std::size_t k = 0; k < polygons.size(); ++k) {
-            const double area = signedArea(polygons[k].outer);
-            // What fills a hole exactly, as another part of the mesh may, is in it, not around it.
-            if (area < -(1.0 + 1e-9) * signedArea(hole)) continue;
-            if (containment(polygons[k], inside) == Containment::Outside) continue;
-            if (around == polygons.size() || area < signedArea(polygons[around].outer)) around = k;
-        }
-        return around;
-    }
-
-    /// A point inside a simple ring: beside its lowest corner.
-    static Vec2 pointIn(const Ring& ring) {
-        const std::size_t count = ring.size();
-        const std::size_t lowest =
-            static_cast<std::size_t>(std::min_element(ring.begin(), ring.end(), lexicographicLess) - ring.begin());
-        const Vec2 before = ring[(lowest + count - 1) % count], corner = ring[lowest],
-                   after = ring[(lowest + 1) % count];
-        const Polygon triangle = withCanonicalWinding({{before, corner, after}, {}});
-        Vec2 deepest = (before + after) / 2.0;
-        double depth = 0.0;
-        for (const Vec2 other : ring) {
-            if (other == before || other == corner || other == after) continue;
-            if (containment(triangle, other) == Containment::Outside) continue;
-            const double distance = std::abs(cross(after - before, other - before));
-            if (distance > depth) depth = distance, deepest = other;
-        }
-        return (corner + deepest) / 2.0;
     }
 
     const FaceInput& m_in;

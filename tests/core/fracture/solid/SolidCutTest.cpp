@@ -1,6 +1,6 @@
 // Tests core/fracture/solid/SolidCut.cpp, core/fracture/solid/SurfaceWalk.cpp, core/fracture/solid/InnerFaces.cpp,
 // core/fracture/solid/SolidPoints.cpp, core/fracture/solid/SolidPlacement.cpp, core/fracture/solid/FaceLoops.cpp,
-// core/fracture/solid/SolidFaces.cpp, core/fracture/solid/SolidShells.cpp and
+// core/fracture/solid/SolidFaces.cpp, core/fracture/solid/LoopNesting.cpp, core/fracture/solid/SolidShells.cpp and
 // core/fracture/verify/VerifySolidPartition.cpp.
 #include "core/fracture/solid/SolidCut.h"
 
