@@ -39,7 +39,7 @@ public:
         for (const Vec3 point : m_placed) m_result.points.push_back(lattice.metres(point));
         m_result.volumes.resize(m_result.fragmentCount());
         forEachIndex(m_result.fragmentCount(), m_task.threads, [this](std::size_t fragment) {
-            m_result.volumes[fragment] = volumeOf(static_cast<std::uint32_t>(fragment));
+            m_result.volumes[fragment] = m_result.volumeOf(static_cast<std::uint32_t>(fragment));
         });
         m_result.duplicates = m_diagram.sites().duplicates;
         return std::move(m_result);
@@ -87,20 +87,6 @@ private:
             if (face.fragment == face.behind || face.fragment == kNone) continue;
             m_result.addFace(face, m_faces.trianglesOf(f));
         }
-    }
-
-    double volumeOf(std::uint32_t fragment) const {
-        const std::span<const SolidPartition::FaceSide> sides = m_result.facesOf(fragment);
-        const auto point = [this](std::uint32_t index) { return m_result.points[index]; };
-        const Vec3 origin = point(m_result.trianglesOf(sides[0].face)[0][0]);
-        double six = 0.0;
-        for (const SolidPartition::FaceSide& side : sides) {
-            for (const auto& [a, b, c] : m_result.trianglesOf(side.face)) {
-                const double part = glm::dot(point(a) - origin, glm::cross(point(b) - origin, point(c) - origin));
-                six += side.isReversed ? -part : part;
-            }
-        }
-        return six / 6.0;
     }
 
     const SolidDiagram& m_diagram;

@@ -1,8 +1,23 @@
 #include "core/fracture/solid/SolidPartition.h"
 
+#include <glm/geometric.hpp>
+
 #include <numeric>
 
 namespace rubble {
+
+double SolidPartition::volumeOf(std::uint32_t fragment) const {
+    const std::span<const FaceSide> sides = facesOf(fragment);
+    const Vec3 start = points[trianglesOf(sides[0].face)[0][0]];
+    double six = 0.0;
+    for (const FaceSide& side : sides) {
+        for (const auto& [a, b, c] : trianglesOf(side.face)) {
+            const double part = glm::dot(points[a] - start, glm::cross(points[b] - start, points[c] - start));
+            six += side.isReversed ? -part : part;
+        }
+    }
+    return six / 6.0;
+}
 
 void SolidPartition::addFace(const Face& face, std::span<const std::array<std::uint32_t, 3>> itsTriangles) {
     triangles.insert(triangles.end(), itsTriangles.begin(), itsTriangles.end());

@@ -54,6 +54,8 @@ struct SolidPartition {
     std::span<const std::array<std::uint32_t, 3>> trianglesOf(std::uint32_t face) const {
         return std::span(triangles).subspan(firstTriangle[face], firstTriangle[face + 1] - firstTriangle[face]);
     }
+    /// The volume of a fragment as its triangles have it, m³.
+    double volumeOf(std::uint32_t fragment) const;
 
     void addFace(const Face& face, std::span<const std::array<std::uint32_t, 3>> itsTriangles);
     /// Sets facesOfFragment, once all faces and fragments are there.
