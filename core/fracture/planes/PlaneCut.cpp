@@ -184,4 +184,17 @@ PlaneCut cutByPlane(std::span<const SolidTriangle> surface, std::vector<Vec3>& p
     return PlaneCutter(surface, points, plane, tolerance).cut();
 }
 
+Result<SolidShells> shellsOf(const SolidFaces& faces, std::span<const Vec3> points, double tolerance,
+                             const TaskContext& task) {
+    std::vector<Vec3> scaled(points.begin(), points.end());
+    for (Vec3& point : scaled) point *= kTieDistance / tolerance;
+    return solidShells(faces, scaled, task);
+}
+
+double planeTolerance(const SolidPartition& partition) {
+    Box3 box;
+    for (const Vec3 point : partition.points) box.include(point);
+    return kInPlane * box.diagonal();
+}
+
 }  // namespace rubble

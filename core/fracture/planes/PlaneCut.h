@@ -3,6 +3,8 @@
 #include "core/fracture/planes/SectionPlane.h"
 #include "core/fracture/solid/SolidFaces.h"
 #include "core/fracture/solid/SolidPartition.h"
+#include "core/fracture/solid/SolidShells.h"
+#include "core/geometry/mesh/SolidLattice.h"
 
 #include <array>
 #include <cstdint>
@@ -45,5 +47,18 @@ struct PlaneCut {
 /// faces in the plane. O(n log n).
 PlaneCut cutByPlane(std::span<const SolidTriangle> surface, std::vector<Vec3>& points, const SectionPlane& plane,
                     double tolerance);
+
+/// Shells below this volume may be there because of rounding: that of a needle as thick as some tie distances and as
+/// long as the solid, in units of shellsOf().
+inline constexpr double kMinShellVolume = 16.0 * kTieDistance * kTieDistance * kLatticeSteps;
+
+/// The shells of faces, with kTieDistance as the length of `tolerance` metres.
+///
+/// Errors: Cancelled.
+Result<SolidShells> shellsOf(const SolidFaces& faces, std::span<const Vec3> points, double tolerance,
+                             const TaskContext& task = {});
+
+/// How near a point of a partition may be to a plane to count as in it, m.
+double planeTolerance(const SolidPartition& partition);
 
 }  // namespace rubble

@@ -1,8 +1,6 @@
 #include "core/fracture/planes/SolidSplit.h"
 
 #include "core/fracture/planes/PlaneCut.h"
-#include "core/fracture/solid/SolidShells.h"
-#include "core/geometry/mesh/SolidLattice.h"
 
 #include <algorithm>
 #include <string>
@@ -18,10 +16,6 @@ struct FragmentPieces {
     std::vector<std::uint32_t> ofSide;  // the piece of each side of a face of the cut, 2 * face, + 1 if from behind
     std::uint32_t count = 0;
 };
-
-/// The volume of a needle as thick as some tie distances and as long as the solid, in steps³: the volume of what has
-/// less may be rounding.
-constexpr double kMinPieceVolume = 16.0 * kTieDistance * kTieDistance * kLatticeSteps;
 
 /// Whether two shells have a common point.
 bool doTouch(const SolidFaces& faces, const SolidShell& a, const SolidShell& b) {
@@ -57,14 +51,12 @@ std::uint32_t pieceBeside(const SolidFaces& faces, const SolidShells& found, con
 /// Finds the parts: shells, with their cavities and with what is too thin to be one.
 Result<FragmentPieces> piecesOf(const PlaneCut& cut, std::span<const Vec3> points, double tolerance,
                                 const TaskContext& task) {
-    std::vector<Vec3> scaled(points.begin(), points.end());
-    for (Vec3& point : scaled) point *= kTieDistance / tolerance;
-    const Result<SolidShells> found = solidShells(cut.faces, scaled, task);
+    const Result<SolidShells> found = shellsOf(cut.faces, points, tolerance, task);
     if (!found) return found.error();
     const std::vector<SolidShell>& shells = found->shells;
     std::vector<std::uint32_t> owners;
     for (std::uint32_t s = 0; s < shells.size(); ++s) {
-        if (shells[s].owner == s && shells[s].volume > kMinPieceVolume) owners.push_back(s);
+        if (shells[s].owner == s && shells[s].volume > kMinShellVolume) owners.push_back(s);
     }
     std::ranges::stable_sort(owners, [&](std::uint32_t a, std::uint32_t b) {
         const Vec3 p = points[shells[a].smallest], q = points[shells[b].smallest];
@@ -295,9 +287,7 @@ Result<SolidSplit> splitFragment(SolidPartition partition, std::uint32_t fragmen
         return Error{ErrorCode::BadInput, "The plane of the cut is not finite."};
     }
     if (task.isCancelled()) return TaskContext::cancelled();
-    Box3 box;
-    for (const Vec3 point : partition.points) box.include(point);
-    const double tolerance = kInPlane * box.diagonal();
+    const double tolerance = planeTolerance(partition);
     FragmentSurface surface = surfaceOf(partition, fragment);
     const SectionPlane local{plane.origin - partition.origin, plane.x, plane.y};
     const PlaneCut cut = cutByPlane(surface.triangles, surface.points, local, tolerance);
