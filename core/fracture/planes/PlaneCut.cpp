@@ -33,6 +33,14 @@ public:
 
     PlaneCut cut() {
         findEdges();
+        SolidFaces& faces = m_result.faces;
+        const std::size_t count = m_surface.size() + 4 * m_result.edges.size();
+        faces.faces.reserve(count);
+        faces.triangles.reserve(count);
+        faces.firstTriangle.reserve(count + 1);
+        faces.firstLoop.reserve(count + 1);
+        faces.firstCorner.reserve(count + 1);
+        faces.corners.reserve(3 * count);
         for (const SolidTriangle& triangle : m_surface) addTriangle(triangle);
         addCap();
         return std::move(m_result);
