@@ -163,6 +163,21 @@ private:
     PlaneCut m_result;
 };
 
+/// Numbers the points of a surface that has most points of its partition.
+void numberByTable(std::size_t pointCount, FragmentSurface& surface) {
+    std::vector<std::uint32_t> numbers(pointCount, kNone);
+    for (const std::uint32_t name : surface.names) numbers[name] = 0;
+    surface.names.clear();
+    for (std::uint32_t name = 0; name < pointCount; ++name) {
+        if (numbers[name] == kNone) continue;
+        numbers[name] = static_cast<std::uint32_t>(surface.names.size());
+        surface.names.push_back(name);
+    }
+    for (SolidTriangle& triangle : surface.triangles) {
+        for (std::uint32_t& corner : triangle.corners) corner = numbers[corner];
+    }
+}
+
 }  // namespace
 
 FragmentSurface surfaceOf(const SolidPartition& partition, std::uint32_t fragment) {
@@ -174,16 +189,20 @@ FragmentSurface surfaceOf(const SolidPartition& partition, std::uint32_t fragmen
             surface.names.insert(surface.names.end(), {a, b, c});
         }
     }
-    std::ranges::sort(surface.names);
-    const auto repeated = std::ranges::unique(surface.names);
-    surface.names.erase(repeated.begin(), repeated.end());
-    for (const std::uint32_t name : surface.names) surface.points.push_back(partition.points[name]);
-    for (SolidTriangle& triangle : surface.triangles) {
-        for (std::uint32_t& corner : triangle.corners) {
-            corner =
-                static_cast<std::uint32_t>(std::ranges::lower_bound(surface.names, corner) - surface.names.begin());
+    if (partition.points.size() <= 4 * surface.names.size()) {
+        numberByTable(partition.points.size(), surface);
+    } else {
+        std::ranges::sort(surface.names);
+        const auto repeated = std::ranges::unique(surface.names);
+        surface.names.erase(repeated.begin(), repeated.end());
+        const auto number = [&](std::uint32_t name) { return std::ranges::lower_bound(surface.names, name); };
+        for (SolidTriangle& triangle : surface.triangles) {
+            for (std::uint32_t& corner : triangle.corners) {
+                corner = static_cast<std::uint32_t>(number(corner) - surface.names.begin());
+            }
         }
     }
+    for (const std::uint32_t name : surface.names) surface.points.push_back(partition.points[name]);
     return surface;
 }
 
