@@ -3,6 +3,7 @@
 #include "core/base/Parallel.h"
 #include "core/base/QuantityText.h"
 #include "core/fracture/partition/CappedDiagnostics.h"
+#include "core/fracture/planes/ContactPlanes.h"
 #include "core/fracture/planes/PlaneCut.h"
 #include "core/fracture/planes/SolidSplit.h"
 #include "core/fracture/solid/SolidMerge.h"
@@ -17,94 +18,6 @@
 
 namespace rubble {
 namespace {
-
-constexpr double kMinContactWidth = 16.0;  // tolerances
-
-/// The plane of inner faces to one neighbour.
-struct ContactPlane {
-    std::uint32_t neighbour = kNone;
-    Vec3 normal{0.0};                  // of length 1, out of the fragment
-    double height = 0.0;               // m: of the plane, along its normal
-    double slack = 0.0;                // m: how far points of the plane may seem to be from it
-    std::vector<std::uint32_t> sides;  // places in facesOf(fragment)
-    double heightOf(Vec3 point) const { return glm::dot(point, normal) - height; }
-};
-
-/// An inner face of a fragment.
-struct ContactFace {
-    std::uint32_t side = 0;  // place in facesOf(fragment)
-    Vec3 doubleArea{0.0};    // out of the fragment
-    double size = 0.0;       // m²: the length of doubleArea
-    double width = 0.0;      // m
-};
-
-/// The planes of the inner faces of a fragment. The largest face in a plane decides where it is.
-class ContactPlanes {
-public:
-    ContactPlanes(const SolidPartition& partition, std::uint32_t fragment, double tolerance)
-        : m_partition(partition), m_fragment(fragment), m_sides(partition.facesOf(fragment)), m_tolerance(tolerance) {}
-
-    std::vector<ContactPlane> find(double extent) {
-        std::vector<ContactFace> faces;
-        for (std::uint32_t side = 0; side < m_sides.size(); ++side) {
-            if (neighbourOf(side) == kNone) continue;
-            const ContactFace face = measured(side);
-            if (face.width > kMinContactWidth * m_tolerance) faces.push_back(face);
-        }
-        std::ranges::stable_sort(faces, [](const ContactFace& a, const ContactFace& b) { return a.size > b.size; });
-        for (const ContactFace& face : faces) add(face, extent);
-        return std::move(m_planes);
-    }
-
-private:
-    std::uint32_t neighbourOf(std::uint32_t side) const {
-        const SolidPartition::Face& face = m_partition.faces[m_sides[side].face];
-        return m_sides[side].isReversed ? face.fragment : face.behind;
-    }
-
-    ContactFace measured(std::uint32_t side) const {
-        ContactFace face{.side = side};
-        Box3 box;
-        for (const auto& [a, b, c] : m_partition.trianglesOf(m_sides[side].face)) {
-            const Vec3 p = m_partition.points[a], q = m_partition.points[b], r = m_partition.points[c];
-            for (const Vec3 point : {p, q, r}) box.include(point);
-            face.doubleArea += glm::cross(q - p, r - p);
-        }
-        if (m_sides[side].isReversed) face.doubleArea = -face.doubleArea;
-        face.size = glm::length(face.doubleArea);
-        face.width = face.size / box.diagonal();
-        return face;
-    }
-
-    void add(const ContactFace& face, double extent) {
-        const std::uint32_t neighbour = neighbourOf(face.side);
-        const std::span<const std::array<std::uint32_t, 3>> triangles =
-            m_partition.trianglesOf(m_sides[face.side].face);
-        for (ContactPlane& plane : m_planes) {
-            if (plane.neighbour != neighbour || glm::dot(plane.normal, face.doubleArea) <= 0.0) continue;
-            const auto isIn = [&](std::uint32_t point) {
-                return std::abs(plane.heightOf(m_partition.points[point])) <= plane.slack;
-            };
-            if (std::ranges::all_of(triangles, [&](const auto& t) { return isIn(t[0]) && isIn(t[1]) && isIn(t[2]); })) {
-                plane.sides.push_back(face.side);
-                return;
-            }
-        }
-        const Vec3 normal = face.doubleArea / face.size;
-        double sum = 0.0;
-        for (const auto& t : triangles) {
-            for (const std::uint32_t point : t) sum += glm::dot(m_partition.points[point], normal);
-        }
-        const double height = sum / (3.0 * static_cast<double>(triangles.size()));
-        m_planes.push_back({neighbour, normal, height, m_tolerance * (1.0 + extent / face.width), {face.side}});
-    }
-
-    const SolidPartition& m_partition;
-    std::uint32_t m_fragment;
-    std::span<const SolidPartition::FaceSide> m_sides;
-    double m_tolerance;
-    std::vector<ContactPlane> m_planes;
-};
 
 /// A convex polygon in space, counter-clockwise seen from where its normal points.
 using Corners = std::vector<Vec3>;
@@ -155,6 +68,26 @@ PointLoop loopAround(std::span<const std::array<std::uint32_t, 3>> triangles) {
     return loop.size() == next.size() ? loop : PointLoop();
 }
 
+/// Whether each edge is there as often in one direction as in the other.
+bool isClosed(const std::vector<SolidTriangle>& triangles) {
+    std::vector<std::array<std::uint32_t, 3>> edges;  // lower point, higher point, 1 if from lower to higher
+    for (const SolidTriangle& triangle : triangles) {
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t a = triangle.corners[k], b = triangle.corners[(k + 1) % 3];
+            edges.push_back({std::min(a, b), std::max(a, b), a < b ? 1u : 0u});
+        }
+    }
+    std::ranges::sort(edges);
+    for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+        std::uint32_t forward = 0;
+        for (; end < edges.size() && edges[end][0] == edges[begin][0] && edges[end][1] == edges[begin][1]; ++end) {
+            forward += edges[end][2];
+        }
+        if (2 * forward != end - begin) return false;
+    }
+    return true;
+}
+
 bool isConvex(const Corners& loop, Vec3 normal) {
     for (std::size_t k = 0; k < loop.size(); ++k) {
         const Vec3 a = loop[k], b = loop[(k + 1) % loop.size()], c = loop[(k + 2) % loop.size()];
@@ -183,7 +116,7 @@ public:
     Result<ShrunkFragment> shrink() {
         Box3 box;
         for (const Vec3 point : m_points) box.include(point);
-        m_planes = ContactPlanes(m_partition, m_fragment, m_tolerance).find(box.diagonal());
+        m_planes = contactPlanes(m_partition, m_fragment, m_tolerance, box.diagonal());
         std::vector<bool> isSupporting;  // as the fragment is before it is cut
         for (const ContactPlane& plane : m_planes) {
             isSupporting.push_back(
@@ -339,10 +272,13 @@ private:
                 for (const std::uint32_t point : triangle) isNeeded[point] = true;
             }
         }
+        std::vector<SolidTriangle> whole = left;
         for (std::uint32_t t = 0; t < parts.size(); ++t) {
-            if (!loops[t].empty()) parts[t] = triangulated(merged.points, std::move(loops[t]), isNeeded);
             for (const auto& triangle : parts[t]) left.push_back({triangle, m_triangles[t].tag});
+            if (!loops[t].empty()) parts[t] = triangulated(merged.points, std::move(loops[t]), isNeeded);
+            for (const auto& triangle : parts[t]) whole.push_back({triangle, m_triangles[t].tag});
         }
+        if (isClosed(whole)) left = std::move(whole);  // not where triangles without area have no loop to go by
         m_points = merged.points;
         m_triangles = std::move(left);
         dropUnusedPoints();
@@ -396,9 +332,16 @@ private:
         }
         if (largest == kNone) return result;
         std::vector<std::uint32_t> numbers(m_points.size(), kNone);
+        std::vector<SolidTriangle> part, withThin;  // triangles without area may join the part with shells of no volume
         for (std::uint32_t t = 0; t < m_triangles.size(); ++t) {
-            if (shells->ownerOf(shells->ofSide[2 * t]) == largest) add(m_triangles[t], numbers, result);
+            const std::uint32_t owner = shells->ownerOf(shells->ofSide[2 * t]);
+            if (owner == largest) part.push_back(m_triangles[t]);
+            if (owner == largest || owner == kNone || !(shells->shells[owner].volume > kMinShellVolume)) {
+                withThin.push_back(m_triangles[t]);
+            }
         }
+        const std::vector<SolidTriangle>& left = isClosed(part) ? part : isClosed(withThin) ? withThin : m_triangles;
+        for (const SolidTriangle& triangle : left) add(triangle, numbers, result);
         result.volume = signedVolume(result.mesh);
         return result;
     }

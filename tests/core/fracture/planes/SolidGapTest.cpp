@@ -1,4 +1,4 @@
-// Tests core/fracture/planes/SolidGap.cpp.
+// Tests core/fracture/planes/SolidGap.cpp and core/fracture/planes/ContactPlanes.cpp.
 #include "core/fracture/planes/SolidGap.h"
 
 #include "core/base/Stopwatch.h"
