@@ -135,12 +135,15 @@ void AssetActions::addLayerAction(QMenu& menu, const PatternKind& kind, QString&
     menu.addAction(action);
     connect(action, &QAction::triggered, this, [this, &kind] {
         const Asset& asset = *m_workspace.asset();
-        const LayerParameters parameters = kind.defaultsFor(domainBounds(asset));
+        const LayerParameters parameters = kind.defaultsFor(domainBox(asset));
         m_workspace.document().push(addLayer(m_workspace.project(), asset.id, parameters).edit);
     });
 }
 
 void AssetActions::addSeedsFromMesh() {
+    if (!m_workspace.asset()->isPrism())
+        return m_views.showStatus(
+            tr("Seeds are taken from a mesh into the outline of a prism; the active asset is a mesh."));
     QWidget* window = &m_views.window();
     const QString path = QFileDialog::getOpenFileName(window, tr("Add Seeds from Mesh"), {}, meshFilter());
     if (path.isEmpty()) return;

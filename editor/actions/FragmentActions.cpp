@@ -110,9 +110,13 @@ std::vector<SelectedFragment> FragmentActions::selectedFragments() const {
     const Selection& selection = m_workspace.selection();
     const auto pattern = m_workspace.bakes().findPattern(selection.asset(), selection.enteredFragment());
     if (!pattern || !m_workspace.asset()) return {};
+    const auto baked = m_workspace.bakes().find(selection.asset());
+    if (pattern->section) {  // not all fragments are in it
+        if (!baked || !baked->bake) return {};
+        return rubble::selectedFragments(*baked->bake, selection.fragments(), pattern->parent);
+    }
     std::vector<SelectedFragment> fragments = rubble::selectedFragments(
         selection.asset(), pattern->partition, pattern->seeds, selection.fragments(), pattern->parent, pattern->offset);
-    const auto baked = m_workspace.bakes().find(selection.asset());
     if (baked && baked->bake && selection.fragments().ids) {
         std::vector<SelectedFragment> deeper =
             selectedDescendants(*baked->bake, selection.fragments(), pattern->parent);

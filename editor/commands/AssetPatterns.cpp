@@ -114,6 +114,18 @@ Box2 domainBounds(const Asset& asset, std::size_t index) {
     return {-half, half};
 }
 
+Box3 domainBox(const Asset& asset, std::size_t index) {
+    const ClosedMesh* mesh = asset.mesh();
+    if (!mesh) {
+        const Box2 bounds = domainBounds(asset, index);
+        return boxOf(bounds.min, bounds.max);
+    }
+    if (index == 0) return mesh->bounds;
+    const auto depth = static_cast<double>(depthAt(asset, index));
+    const Vec3 half = (mesh->bounds.max - mesh->bounds.min) / 2.0 * std::pow(kTypicalFragmentSize, depth);
+    return {-half, half};
+}
+
 QString patternName(const Asset& asset, std::size_t index) {
     if (index == 0) return AssetPatternsTexts::tr("Intact asset");
     if (index <= asset.levels.size()) return AssetPatternsTexts::tr("Fragments, level %1").arg(index);

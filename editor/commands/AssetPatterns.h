@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/asset/project/Project.h"
+#include "core/geometry/search/Box3.h"
 
 #include <QString>
 
@@ -38,6 +39,8 @@ std::size_t depthAt(const Asset& asset, std::size_t index);
 /// The bounding box of what the pattern fractures, in the frame of its seeds. For the fragments of a level, which
 /// differ, it has a typical size.
 Box2 domainBounds(const Asset& asset, std::size_t index = 0);
+/// The same in space; without height for a prism.
+Box3 domainBox(const Asset& asset, std::size_t index = 0);
 /// The name of a pattern: "Intact asset", "Fragments, level 1", "Fragment 5.17".
 QString patternName(const Asset& asset, std::size_t index);
 

@@ -73,16 +73,23 @@ std::vector<SelectedFragment> selectedFragments(Id asset, const Partition& parti
     return fragments;
 }
 
-std::vector<SelectedFragment> selectedDescendants(const Bake& bake, const FragmentSelection& selection,
-                                                  const FragmentPath& parent) {
+std::vector<SelectedFragment> selectedFragments(const Bake& bake, const FragmentSelection& selection,
+                                                const FragmentPath& parent) {
     std::vector<SelectedFragment> fragments;
     for (const std::uint32_t root : rootsOf(bake, fragmentsOf(selection, bake))) {
         const FragmentPath path = bake.fragmentPath(root);
-        if (!isWithin(path, parent) || parentOf(path) == parent) continue;
+        if (!isWithin(path, parent) || path == parent) continue;
         const Fragment solid = bake.fragment(root).solid;
         const Polygon outline = silhouetteOf(solid);
         fragments.push_back({path, area(outline), splitLine(outline, Vec2{solid.offset()})});
     }
+    return fragments;
+}
+
+std::vector<SelectedFragment> selectedDescendants(const Bake& bake, const FragmentSelection& selection,
+                                                  const FragmentPath& parent) {
+    std::vector<SelectedFragment> fragments = selectedFragments(bake, selection, parent);
+    std::erase_if(fragments, [&](const SelectedFragment& one) { return parentOf(one.path) == parent; });
     return fragments;
 }
 

@@ -23,6 +23,9 @@ std::vector<SelectedFragment> selectedFragments(Id asset, const Partition& parti
                                                 const FragmentSelection& selection, const FragmentPath& parent = {},
                                                 Vec2 offset = Vec2(0.0, 0.0));
 
+/// The selected fragments of a bake below `parent` that have no selected ancestor.
+std::vector<SelectedFragment> selectedFragments(const Bake& bake, const FragmentSelection& selection,
+                                                const FragmentPath& parent = {});
 /// The selected fragments of a bake that are deeper than the children of `parent` and have no selected ancestor.
 std::vector<SelectedFragment> selectedDescendants(const Bake& bake, const FragmentSelection& selection,
                                                   const FragmentPath& parent = {});

@@ -4,6 +4,7 @@
 #include "core/base/Result.h"
 #include "core/fracture/delaunay/Delaunay.h"
 #include "core/fracture/partition/Partition.h"
+#include "core/fracture/planes/SectionPlane.h"
 
 #include <QObject>
 
@@ -21,6 +22,11 @@ struct BakedPattern {
     std::optional<Error> fault;    // why it could not be made; then the rest is empty
     FragmentPath parent = {};      // the fragment that is fractured; empty: the whole asset
     Vec2 offset = Vec2(0.0, 0.0);  // of its frame in the asset's, m
+
+    // Of a mesh, whose pattern is that of a section, see sectionPattern(): seeds have their heights above its plane.
+    std::optional<SectionPlane> section = {};  // none: of a prism
+    std::vector<Polygon> otherOutlines = {};   // of the section, beside that of the asset's prism
+    std::vector<double> volumes = {};          // m³, of the fragment of each piece
 };
 
 /// One state of an asset with its bake, or the error that prevented it.

@@ -76,6 +76,7 @@ Views::Views(Workspace& workspace, QMainWindow& window)
           new PatternCanvas(workspace.document(), workspace.selection(), workspace.bakes(), workspace.bondPainter())),
       m_scene(new SceneView(workspace)),
       m_fragmentMenu(new QMenu(&window)) {
+    m_canvas->setSections(workspace.sections());
     m_panes->addWidget(m_canvas);
     m_panes->addWidget(m_scene);
     m_panes->setStretchFactor(0, 1);

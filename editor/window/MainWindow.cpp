@@ -409,8 +409,10 @@ void MainWindow::updateCounts() {
     const auto pattern = m_workspace.bakes().findPattern(selection.asset(), selection.enteredFragment());
     const auto baked = m_workspace.bakes().find(selection.asset());
     if (!pattern || !baked || !baked->bake) return m_counts->clear();
+    const BakedFracture& whole = baked->bake->fractures.front();
+    const std::size_t seeds = pattern->section ? whole.seeds.ids.size() : pattern->seeds.positions.size();
     QStringList counts = {
-        tr("%Ln seed(s)", nullptr, static_cast<int>(pattern->seeds.positions.size())),
+        tr("%Ln seed(s)", nullptr, static_cast<int>(seeds)),
         tr("%Ln fragment(s)", nullptr, static_cast<int>(baked->bake->fragmentCount())),
     };
     const FragmentSet selected = fragmentsOf(selection.fragments(), *baked->bake);

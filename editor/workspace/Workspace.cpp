@@ -10,6 +10,7 @@ Workspace::Workspace(Project project, const QString& backups, QObject* parent)
       m_file(m_document),
       m_autosave(m_document, backups),
       m_bondPainter(m_document, m_selection),
+      m_sectionUpdater(m_selection, m_sections, m_bakes),
       m_problems(m_document, m_bakes),
       m_mortars(m_document, m_bakes),
       m_baker(m_document, m_selection, m_bakes),

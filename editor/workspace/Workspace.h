@@ -4,6 +4,7 @@
 #include "editor/background/MortarWatch.h"
 #include "editor/background/PlayTestRunner.h"
 #include "editor/background/ProblemWatch.h"
+#include "editor/background/SectionUpdater.h"
 #include "editor/background/SwapAuditRunner.h"
 #include "editor/background/VideoExporter.h"
 #include "editor/commands/BondPainter.h"
@@ -28,6 +29,7 @@ public:
     Selection& selection() { return m_selection; }
     BondPainter& bondPainter() { return m_bondPainter; }
     Bakes& bakes() { return m_bakes; }
+    Sections& sections() { return m_sections; }
     ProblemWatch& problems() { return m_problems; }
     MortarWatch& mortars() { return m_mortars; }
     Baker& baker() { return m_baker; }
@@ -46,6 +48,8 @@ private:
     Selection m_selection;
     BondPainter m_bondPainter;
     Bakes m_bakes;
+    Sections m_sections;
+    SectionUpdater m_sectionUpdater;
     ProblemWatch m_problems;
     MortarWatch m_mortars;
     Baker m_baker;

@@ -32,7 +32,9 @@ public:
     }
     const Box2& box(std::uint32_t piece) const { return m_boxes[piece]; }
     double area(std::uint32_t piece) const { return m_areas[piece]; }
-    double volume(std::uint32_t piece) const { return m_areas[piece] * baked().asset->prism().depth; }
+    double volume(std::uint32_t piece) const {
+        return baked().section ? baked().volumes[piece] : m_areas[piece] * baked().asset->prism().depth;
+    }
     Vec2 centroid(std::uint32_t piece) const { return m_centroids[piece]; }
     /// See minimumSharedEdge(), m.
     double minimumEdge() const;

@@ -83,7 +83,7 @@ std::shared_ptr<const BakedPattern> bakedOf(const DrawablePattern& whole, const 
 }  // namespace
 
 std::optional<std::vector<MovedSeed>> movedSeeds(const DrawablePattern& before, const Asset& now) {
-    if (!isSameShape(now, *before.baked().asset)) return std::nullopt;
+    if (before.baked().section || !isSameShape(now, *before.baked().asset)) return std::nullopt;
     PatternComparison comparison(before);
     if (!comparison.compare(before.baked().asset->pattern, now.pattern)) return std::nullopt;
     return std::move(comparison.moved);

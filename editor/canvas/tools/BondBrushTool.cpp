@@ -22,13 +22,13 @@ BondBrushTool::BondBrushTool(const CanvasState& state) : CanvasTool(state), m_pa
 }
 
 /// A fragment whose solid is not known has no place in the asset's plane.
-bool BondBrushTool::canPaint() const { return m_state.displayedAsset() && m_painter.asset(); }
+bool BondBrushTool::canPaint() const { return m_state.assetInItsPlane() && m_painter.asset(); }
 
 Vec2 BondBrushTool::pointInAsset(const CanvasPointer& pointer) const { return pointer.metres + m_state.fragmentOffset; }
 
 void BondBrushTool::press(const CanvasPointer& pointer) {
     m_pointer = pointer;
-    if (!m_state.displayedAsset()) return;
+    if (!m_state.assetInItsPlane()) return;
     if (const QString reason = m_painter.refusal(pointer.modifiers); !reason.isEmpty())
         return emit statusMessage(reason);
     m_painter.begin(pointInAsset(pointer), m_painter.radiusPixels() / m_state.view.scale, pointer.modifiers);
@@ -110,7 +110,7 @@ QString BondBrushTool::actionHint() const {
 }
 
 QString BondBrushTool::hint() const {
-    if (!m_state.displayedAsset()) return {};
+    if (!m_state.assetInItsPlane()) return {};
     if (!canPaint()) return m_painter.refusal({});
     if (m_painter.stroke()) return tr("Release to finish · Esc: cancel");
     const QString hint = tr("%1 · Shift: invert · X: switch between paint and erase · [ ], Ctrl and wheel: size");

@@ -66,7 +66,7 @@ void setNumber(SeedCount& count, double number, double area) {
 }  // namespace
 
 const PatternLayer* BrushTool::layer() const {
-    const Asset* shown = m_state.displayedAsset();
+    const Asset* shown = m_state.planarAsset();
     if (!shown) return nullptr;
     const auto isDensity = [](const PatternLayer& each) {
         return each.isOn && std::holds_alternative<DensityImage>(each.parameters);
@@ -78,7 +78,7 @@ const PatternLayer* BrushTool::layer() const {
 
 const Polygon& BrushTool::imageOutline() const {
     const PatternLayer* target = layer();
-    return target && target->scatteredIn ? *target->scatteredIn : m_state.displayedAsset()->prism().outline;
+    return target && target->scatteredIn ? *target->scatteredIn : m_state.planarAsset()->prism().outline;
 }
 
 /// That of the layer as it is painted; of a layer without a picture, some times that of the pieces.
@@ -95,7 +95,7 @@ double BrushTool::seedsPerArea(const PatternLayer* target) const {
 }
 
 void BrushTool::press(const CanvasPointer& pointer) {
-    if (!m_state.displayedAsset()) return;
+    if (!m_state.planarAsset()) return;
     m_pointer = pointer;
     const PatternLayer* target = layer();
     m_painting = Painting{.before = *m_state.asset(),
@@ -129,7 +129,7 @@ void BrushTool::push(std::shared_ptr<const GreyImage> picture) {
     Pattern& pattern = m_state.patternIn(asset);
     Edit edit{.text = tr("Paint Density"), .mergeKey = m_painting->mergeKey};
     if (m_painting->newId != 0) {
-        const bool exists = findLayer(m_state.displayedAsset()->pattern, m_painting->newId) != nullptr;
+        const bool exists = findLayer(m_state.planarAsset()->pattern, m_painting->newId) != nullptr;
         const Id id = exists ? m_painting->newId : edit.allocateId(m_state.document.project());
         m_painting->newId = m_painting->layer = id;
         pattern.layers.push_back({.id = id, .randomSeed = id, .parameters = DensityImage{}});
@@ -232,7 +232,7 @@ void BrushTool::paintPicture(QPainter& painter, const CanvasColours& colours) co
 }
 
 void BrushTool::paint(QPainter& painter, const CanvasColours& colours) const {
-    if (!m_state.displayedAsset()) return;
+    if (!m_state.planarAsset()) return;
     paintPicture(painter, colours);
     if (!m_pointer) return;
     const bool isErasing = m_isErasing != m_pointer->modifiers.testFlag(Qt::ShiftModifier);

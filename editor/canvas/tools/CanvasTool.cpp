@@ -30,6 +30,28 @@ std::optional<Vec2> directionOf(int key) {
 
 Pattern& CanvasState::patternIn(Asset& copy) const { return ownPattern(copy, selection.enteredFragment()); }
 
+const Asset* CanvasState::assetInItsPlane() const {
+    if (!isMesh()) return displayedAsset();
+    const bool isAlongZ = pattern && pattern->baked().section && pattern->baked().section->normal().z > 0.5;
+    return isAlongZ ? displayedAsset() : nullptr;
+}
+
+void CanvasState::moveSeed(Pattern& changed, SeedId seed, Vec2 position) const {
+    const std::optional<SectionPlane> section = pattern ? pattern->baked().section : std::nullopt;
+    if (!section) return rubble::moveSeed(changed, seed, position);
+    const std::uint32_t number = pattern->find(seed);
+    const double height = number == kNone ? 0.0 : pattern->seeds().heights[number];
+    rubble::moveSeed(changed, seed, section->movedUp(height).inSpace(position));
+}
+
+void CanvasState::placeSeed(PatternLayer& layer, Vec2 position) const {
+    const std::optional<SectionPlane> section = pattern ? pattern->baked().section : std::nullopt;
+    if (section)
+        rubble::placeSeed(layer, section->inSpace(position));
+    else
+        rubble::placeSeed(layer, position);
+}
+
 bool CanvasState::push(Edit edit) const {
     const QScopedValueRollback pushing(isPushing, true);
     return document.push(std::move(edit));
@@ -49,6 +71,10 @@ QString CanvasState::placeholder() const {
         return document.project().assets.empty()
                    ? QString()
                    : CanvasTool::tr("No asset selected. Select one in the project tree, or add one.");
+    }
+    if (isMesh()) {
+        const auto baked = bakes.find(selection.asset());
+        return baked && baked->fault ? QString::fromStdString(baked->fault->message) : QString();
     }
     const auto shown = bakes.findPattern(selection.asset(), selection.enteredFragment());
     return shown && shown->fault ? QString::fromStdString(shown->fault->message) : QString();

@@ -27,8 +27,8 @@ struct CanvasState {
     BondPainter& bondPainter;
     CanvasView view;
     std::shared_ptr<const DrawablePattern> pattern;  // the last baked one; may be null
-    std::shared_ptr<const Asset> fragment;           // the entered one, see fragmentAsAsset(); null if not known
-    Units units;                                     // of displayed quantities
+    std::shared_ptr<const Asset> fragment;  // the entered one, or the section of a mesh, as an asset; null if not known
+    Units units;                            // of displayed quantities
     bool isSnapping = false;
     Vec2 fragmentOffset{0.0};        // of the entered fragment's frame in the asset's plane, m; 0: none is entered
     mutable bool isPushing = false;  // push() is applying an edit
@@ -36,12 +36,20 @@ struct CanvasState {
     /// The active asset; null if there is none.
     const Asset* asset() const { return findAsset(document.project(), selection.asset()); }
     bool isInFragment() const { return !selection.enteredFragment().empty(); }
-    /// The asset whose prism and pattern are shown: the active one, or the entered fragment as an asset. Null if there
-    /// is none, or it is a mesh.
-    const Asset* displayedAsset() const {
-        const Asset* active = isInFragment() ? fragment.get() : asset();
-        return active && active->isPrism() ? active : nullptr;
-    }
+    /// The asset whose prism and pattern are shown: the active one, or the entered fragment or the section of a mesh as
+    /// an asset. Null if there is none.
+    const Asset* displayedAsset() const { return isInFragment() || isMesh() ? fragment.get() : asset(); }
+    /// Whether the active asset is a mesh, of which a section is shown.
+    bool isMesh() const { return asset() && !asset()->isPrism(); }
+    /// The asset that is displayed in the plane in which its outline, layers and strokes are; null for a mesh that is
+    /// seen along another axis than z.
+    const Asset* assetInItsPlane() const;
+    /// The displayed asset if it is cut in the plane; null for a mesh.
+    const Asset* planarAsset() const { return isMesh() ? nullptr : displayedAsset(); }
+    /// Moves a seed of the displayed pattern to a position in its plane.
+    void moveSeed(Pattern& changed, SeedId seed, Vec2 position) const;
+    /// Adds a seed at a position in the plane.
+    void placeSeed(PatternLayer& layer, Vec2 position) const;
     /// Pushes an edit of a tool; other edits end a drag.
     bool push(Edit edit) const;
     /// The displayed pattern within `copy`, a copy of the active asset that is being changed.

@@ -54,8 +54,8 @@ void forEachLine(const Pattern& pattern, Visit visit) {
 std::optional<CrackLineTool::LinePoint> CrackLineTool::pointAt(const CanvasPointer& pointer) const {
     std::optional<LinePoint> nearest;
     double least = kPointGrabRadius * kPointGrabRadius;
-    if (!m_state.displayedAsset()) return nearest;
-    forEachLine(m_state.displayedAsset()->pattern, [&](const PatternLayer& layer, const CrackLines::CrackLine& line) {
+    if (!m_state.planarAsset()) return nearest;
+    forEachLine(m_state.planarAsset()->pattern, [&](const PatternLayer& layer, const CrackLines::CrackLine& line) {
         for (std::size_t k = 0; k < line.points.size(); ++k) {
             const QPointF off = m_state.view.pixels(line.points[k]) - pointer.pixels;
             const double squared = QPointF::dotProduct(off, off);
@@ -69,7 +69,7 @@ std::optional<CrackLineTool::LinePoint> CrackLineTool::pointAt(const CanvasPoint
 
 Vec2 CrackLineTool::snappedPoint(const CanvasPointer& pointer) const {
     SnapTargets targets = outlineTargets(m_state);
-    forEachLine(m_state.displayedAsset()->pattern, [&](const PatternLayer& layer, const CrackLines::CrackLine& line) {
+    forEachLine(m_state.planarAsset()->pattern, [&](const PatternLayer& layer, const CrackLines::CrackLine& line) {
         for (std::size_t k = 0; k < line.points.size(); ++k) {
             const bool isOwn = m_drag && m_drag->point == LinePoint{layer.id, line.index, k};
             if (!isOwn) targets.points.push_back(line.points[k]);
@@ -81,7 +81,7 @@ Vec2 CrackLineTool::snappedPoint(const CanvasPointer& pointer) const {
 void CrackLineTool::press(const CanvasPointer& pointer) {
     m_pressed = pointer.pixels;
     m_hasMoved = false;
-    if (!m_state.displayedAsset() || !m_draft.empty()) return;
+    if (!m_state.planarAsset() || !m_draft.empty()) return;
     m_selected = pointAt(pointer);
     if (!m_selected) {
         m_path = {snappedPoint(pointer)};
@@ -100,13 +100,13 @@ void CrackLineTool::move(const CanvasPointer& pointer) {
         const QPointF off = m_state.view.pixels(m_path.back()) - pointer.pixels;
         if (QPointF::dotProduct(off, off) >= kPathStep * kPathStep) m_path.push_back(pointer.metres);
     }
-    m_hovered = isDrawing() || !m_state.displayedAsset() ? std::nullopt : pointAt(pointer);
+    m_hovered = isDrawing() || !m_state.planarAsset() ? std::nullopt : pointAt(pointer);
     emit changed();
 }
 
 void CrackLineTool::release(const CanvasPointer& pointer) {
     m_drag.reset();
-    if (!m_state.displayedAsset()) return;
+    if (!m_state.planarAsset()) return;
     if (m_path.size() > 1) {
         m_path.push_back(snappedPoint(pointer));
         endPath();
@@ -140,7 +140,7 @@ void CrackLineTool::endDraft() {
 }
 
 void CrackLineTool::add(std::vector<Vec2> points) {
-    if (points.size() < 2 || !m_state.displayedAsset()) return;
+    if (points.size() < 2 || !m_state.planarAsset()) return;
     Asset asset = *m_state.asset();
     Edit edit{.text = tr("Draw Crack")};
     const auto isCrackLayer = [](const PatternLayer& layer) {
@@ -176,7 +176,7 @@ void CrackLineTool::dragTo(Vec2 position) {
 }
 
 void CrackLineTool::deleteSelectedPoint() {
-    if (!m_selected || !m_state.displayedAsset()) return;
+    if (!m_selected || !m_state.planarAsset()) return;
     Asset asset = *m_state.asset();
     CrackLines::CrackLine* line = findLine(m_state.patternIn(asset), m_selected->layer, m_selected->line);
     if (!line || m_selected->point >= line->points.size()) return;
@@ -190,7 +190,7 @@ void CrackLineTool::deleteSelectedPoint() {
 }
 
 void CrackLineTool::deleteSelectedLine() {
-    if (!m_selected || !m_state.displayedAsset()) return;
+    if (!m_selected || !m_state.planarAsset()) return;
     Asset asset = *m_state.asset();
     PatternLayer* layer = findLayer(m_state.patternIn(asset), m_selected->layer);
     auto* lines = layer ? std::get_if<CrackLines>(&layer->parameters) : nullptr;
@@ -239,9 +239,9 @@ bool CrackLineTool::cancel() {
 void CrackLineTool::endDrag() {
     m_drag.reset();
     m_path.clear();
-    if (m_selected && m_state.displayedAsset()) {
+    if (m_selected && m_state.planarAsset()) {
         const CrackLines::CrackLine* line =
-            findLine(m_state.displayedAsset()->pattern, m_selected->layer, m_selected->line);
+            findLine(m_state.planarAsset()->pattern, m_selected->layer, m_selected->line);
         if (!line || m_selected->point >= line->points.size()) m_selected.reset();
     }
     m_hovered.reset();
@@ -249,7 +249,7 @@ void CrackLineTool::endDrag() {
 }
 
 void CrackLineTool::paint(QPainter& painter, const CanvasColours& colours) const {
-    if (!m_state.displayedAsset()) return;
+    if (!m_state.planarAsset()) return;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     const auto paintLine = [&](const QPolygonF& path) {
@@ -264,7 +264,7 @@ void CrackLineTool::paint(QPainter& painter, const CanvasColours& colours) const
         painter.drawEllipse(at, kPointSize / 2.0, kPointSize / 2.0);
         painter.setBrush(Qt::NoBrush);
     };
-    forEachLine(m_state.displayedAsset()->pattern, [&](const PatternLayer& layer, const CrackLines::CrackLine& line) {
+    forEachLine(m_state.planarAsset()->pattern, [&](const PatternLayer& layer, const CrackLines::CrackLine& line) {
         const QPolygonF path = polyline(line.points, m_state.view);
         paintLine(path);
         for (std::size_t k = 0; k < line.points.size(); ++k) {

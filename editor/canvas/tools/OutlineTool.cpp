@@ -76,7 +76,9 @@ OutlineTool::OutlineTool(const CanvasState& state) : CanvasTool(state), m_drawin
 }
 
 /// The outline of a fragment cannot be edited.
-const Asset* OutlineTool::editableAsset() const { return m_state.isInFragment() ? nullptr : m_state.asset(); }
+const Asset* OutlineTool::editableAsset() const {
+    return m_state.isInFragment() || m_state.isMesh() ? nullptr : m_state.asset();
+}
 
 std::optional<OutlineTool::Handle> OutlineTool::handleAt(const CanvasPointer& pointer) const {
     if (!editableAsset()) return std::nullopt;

@@ -90,8 +90,8 @@ std::vector<ParameterHandle> parameterHandles(const Asset& asset) {
 std::optional<ParameterHandle> ParameterHandles::handleAt(QPointF pixels) const {
     std::optional<ParameterHandle> nearest;
     double least = kHandleGrabRadius * kHandleGrabRadius;
-    if (!m_state.displayedAsset()) return nearest;
-    for (const ParameterHandle& handle : parameterHandles(*m_state.displayedAsset())) {
+    if (!m_state.assetInItsPlane()) return nearest;
+    for (const ParameterHandle& handle : parameterHandles(*m_state.assetInItsPlane())) {
         const QPointF off = m_state.view.pixels(handle.position) - pixels;
         const double squared = QPointF::dotProduct(off, off);
         if (squared > least) continue;
@@ -130,10 +130,10 @@ bool ParameterHandles::cancel() {
 }
 
 void ParameterHandles::paint(QPainter& painter, const CanvasColours& colours) const {
-    if (!m_state.displayedAsset()) return;
+    if (!m_state.assetInItsPlane()) return;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
-    for (const ParameterHandle& handle : parameterHandles(*m_state.displayedAsset())) {
+    for (const ParameterHandle& handle : parameterHandles(*m_state.assetInItsPlane())) {
         const bool isHovered =
             m_hovered && m_hovered->layer == handle.layer && m_hovered->parameter == handle.parameter;
         const QColor colour = isHovered ? colours.hover : colours.accent;
@@ -144,8 +144,8 @@ void ParameterHandles::paint(QPainter& painter, const CanvasColours& colours) co
 }
 
 QString ParameterHandles::text() const {
-    if (!m_hovered || !m_state.displayedAsset()) return {};
-    const PatternLayer* layer = findLayer(m_state.displayedAsset()->pattern, m_hovered->layer);
+    if (!m_hovered || !m_state.assetInItsPlane()) return {};
+    const PatternLayer* layer = findLayer(m_state.assetInItsPlane()->pattern, m_hovered->layer);
     if (!layer) return {};
     return ParameterHandlesTexts::tr("%1 of %2")
         .arg(patternText(m_hovered->parameter->caption), layerKindName(layer->parameters).toLower());

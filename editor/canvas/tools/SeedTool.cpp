@@ -97,7 +97,8 @@ std::map<SeedId, Vec2> SeedTool::selectedPositions() const {
         const std::uint32_t seed = m_state.pattern->find(id);
         if (seed == kNone) continue;
         // The baked position may be outdated.
-        const std::optional<Vec2> byHand = positionByHand(m_state.displayedAsset()->pattern, id);
+        const std::optional<Vec2> byHand =
+            m_state.isMesh() ? std::nullopt : positionByHand(m_state.displayedAsset()->pattern, id);
         positions.emplace(id, byHand.value_or(m_state.pattern->seeds().positions[seed]));
     }
     return positions;
@@ -131,7 +132,7 @@ void SeedTool::dragBy(Vec2 by) {
     Asset asset = m_drag->before;
     if (by != Vec2(0.0)) {
         Pattern& pattern = m_state.patternIn(asset);
-        for (const auto& [id, from] : m_drag->from) moveSeed(pattern, id, from + by);
+        for (const auto& [id, from] : m_drag->from) m_state.moveSeed(pattern, id, from + by);
     }
     m_state.push(modify(moveText(m_drag->from.size()), std::move(asset), m_drag->mergeKey));
 }
@@ -229,7 +230,7 @@ void SeedTool::place(Vec2 position) {
         pattern.layers.push_back({.id = id, .randomSeed = id, .parameters = PlacedSeeds{}});
         layer = &pattern.layers.back();
     }
-    placeSeed(*layer, position);
+    m_state.placeSeed(*layer, position);
     edit.replacements = {Replacement<Asset>{asset.id, std::move(asset)}};
     m_state.push(std::move(edit));
 }
@@ -284,7 +285,7 @@ void SeedTool::nudge(Vec2 by, bool isRepeated) {
     const std::map<SeedId, Vec2> positions = selectedPositions();
     if (positions.empty()) return;
     Pattern& pattern = m_state.patternIn(asset);
-    for (const auto& [id, from] : positions) moveSeed(pattern, id, from + by);
+    for (const auto& [id, from] : positions) m_state.moveSeed(pattern, id, from + by);
     m_state.push(modify(moveText(positions.size()), std::move(asset), nudgeMergeKey(isRepeated)));
 }
 

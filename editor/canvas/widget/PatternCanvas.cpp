@@ -1,5 +1,6 @@
 #include "editor/canvas/widget/PatternCanvas.h"
 
+#include "core/asset/project/AssetShape.h"
 #include "editor/canvas/painting/BondMarkPainting.h"
 #include "editor/canvas/painting/HighlightPainting.h"
 #include "editor/canvas/painting/LegendPainting.h"
@@ -10,6 +11,7 @@
 #include "editor/canvas/widget/AccessibleCanvas.h"
 #include "editor/canvas/widget/Breadcrumb.h"
 #include "editor/canvas/widget/CanvasFraming.h"
+#include "editor/canvas/widget/SectionBar.h"
 #include "editor/commands/AssetPatterns.h"
 #include "editor/document/EnteredFragment.h"
 #include "editor/document/ShownText.h"
@@ -69,6 +71,7 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
     });
     connect(&bakes, &Bakes::patternChanged, this, [this](Id asset) {
         if (asset != m_state.selection.asset()) return;
+        if (m_state.isMesh()) refreshFragment();
         m_updater.refreshPattern();
         m_state.pattern = contents().pattern;
         if (std::exchange(m_isPatternAwaited, false)) refit();  // edits do not move the view
@@ -90,6 +93,21 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
 }
 
 PatternCanvas::~PatternCanvas() = default;
+
+void PatternCanvas::setSections(Sections& sections) {
+    m_sectionBar = new SectionBar(sections, this);
+    m_sectionBar->setUnits(m_state.units);
+    refreshSectionBar();
+}
+
+/// The bar is above the lower edge, beside the ruler.
+void PatternCanvas::refreshSectionBar() {
+    if (!m_sectionBar) return;
+    const bool isShown = m_state.isMesh();
+    m_sectionBar->setAsset(isShown ? m_state.asset()->id : 0, isShown ? boundsOf(*m_state.asset()) : Box3());
+    m_sectionBar->move(static_cast<int>(kRulerWidth) + kBreadcrumbGap,
+                       height() - m_sectionBar->sizeHint().height() - kBreadcrumbGap);
+}
 
 QAccessibleInterface* PatternCanvas::makeAccessible(const QString& /*className*/, QObject* object) {
     auto* canvas = qobject_cast<PatternCanvas*>(object);
@@ -123,6 +141,7 @@ void PatternCanvas::setOverlays(const CanvasOverlays& overlays) {
 void PatternCanvas::setUnits(const Units& units) {
     m_state.units = units;
     m_updater.setUnits(units);
+    if (m_sectionBar) m_sectionBar->setUnits(units);
     update();
 }
 
@@ -193,6 +212,7 @@ void PatternCanvas::applyChanges(const Changes& changes) {
 void PatternCanvas::refreshAsset() {
     m_tool->cancel();
     refreshFragment();
+    refreshSectionBar();
     m_updater.refreshAll();
     m_state.pattern = contents().pattern;
     updateHovered();
@@ -230,7 +250,9 @@ void PatternCanvas::refreshFragment() {
     const FragmentPath& entered = m_state.selection.enteredFragment();
     m_state.fragment = nullptr;
     m_state.fragmentOffset = Vec2(0.0);
-    if (asset && !entered.empty()) {
+    if (m_state.isMesh()) {
+        if (const auto section = m_state.bakes.findPattern(asset->id, entered)) m_state.fragment = section->asset;
+    } else if (asset && !entered.empty()) {
         if (std::optional<FragmentSolid> solid = fragmentSolid(m_state.bakes, asset->id, entered)) {
             m_state.fragmentOffset = solid->offset;
             m_state.fragment = std::make_shared<const Asset>(fragmentAsAsset(*asset, entered, std::move(solid->prism)));
@@ -308,6 +330,10 @@ void PatternCanvas::paintHighlights(QPainter& painter) const {
     if (hasPiece && !m_isPressed) paintHovered(painter, *contents().pattern, m_hovered, m_state.view, m_colours);
     if (const Asset* shown = m_state.displayedAsset())
         paintOutline(painter, shown->prism().outline, m_state.view, m_colours);
+    if (contents().pattern) {
+        for (const Polygon& outline : contents().pattern->baked().otherOutlines)
+            paintOutline(painter, outline, m_state.view, m_colours);
+    }
     if (contents().pattern && contents().overlays.hasTriangles && m_pointer) {
         paintTriangleAt(painter, m_pointer->metres, m_state.view, contents(), m_colours);
     }
@@ -364,6 +390,7 @@ bool PatternCanvas::event(QEvent* event) {
 void PatternCanvas::resizeEvent(QResizeEvent*) {
     m_state.view.size = size();
     if (m_isFitted) fit();
+    refreshSectionBar();
     m_updater.invalidateAll();
     update();
 }

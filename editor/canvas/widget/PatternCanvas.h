@@ -10,6 +10,8 @@ class QAccessibleInterface;
 namespace rubble {
 
 class Breadcrumb;
+class SectionBar;
+class Sections;
 
 /// Shows the pattern of the active asset, or of its entered fragment, in the plane, with tools to edit outline, seeds
 /// and cracks. Only what changed is repainted. While seeds are dragged, the cells around them are updated at once; the
@@ -21,6 +23,9 @@ public:
     PatternCanvas(Document& document, Selection& selection, const Bakes& bakes, BondPainter& bondPainter,
                   QWidget* parent = nullptr);
     ~PatternCanvas() override;
+
+    /// Shows the bar that moves the sections of meshes.
+    void setSections(Sections& sections);
 
     CanvasToolKind toolKind() const { return m_toolKind; }
     void setTool(CanvasToolKind kind);
@@ -103,6 +108,7 @@ private:
     void refreshEnteredFragment();
     void saveView();
     void refreshFragment();
+    void refreshSectionBar();
     void reportOwnPattern(const Changes& changes);
     static QAccessibleInterface* makeAccessible(const QString& className, QObject* object);
     void reportAccessible(int event);
@@ -124,6 +130,7 @@ private:
     QList<QAction*> m_fragmentActions;
     QList<QAction*> m_precedingActions;
     Breadcrumb* m_breadcrumb;
+    SectionBar* m_sectionBar = nullptr;
     FragmentPath m_displayedFragment;  // empty: the whole asset
     struct SavedView {
         FragmentPath fragment;

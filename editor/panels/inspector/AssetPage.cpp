@@ -338,6 +338,8 @@ void AssetPage::refresh() {
         showTexture(assets.front());
     }
     m_outline->refresh(m_selection.asset());
+    const Asset* shown = findAsset(m_document.project(), m_selection.asset());
+    m_outline->setVisible(shown && shown->isPrism());
     m_fragments->refresh();
     m_bonds->refresh();
     m_clusters->refresh();

@@ -1,5 +1,6 @@
 #include "editor/panels/inspector/LayerPage.h"
 
+#include "core/asset/project/AssetShape.h"
 #include "editor/commands/AssetPatterns.h"
 #include "editor/commands/ProjectEdits.h"
 #include "editor/panels/inspector/LayerSection.h"
@@ -12,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rubble {
 
@@ -131,14 +133,19 @@ void LayerPage::setUnits(const Units& units) {
     if (m_parameters) m_parameters->setUnits(units);
 }
 
-/// The area in m² that the layer fills; an estimate for a fragment of a level.
-double LayerPage::domainArea(const PatternLayer& layer) const {
+SeedSpace LayerPage::space() const {
+    const Asset* asset = findAsset(m_document.project(), m_pattern.asset);
+    return asset && !asset->isPrism() ? SeedSpace::Solid : SeedSpace::Plane;
+}
+
+/// The area in m², or of a mesh the volume in m³, that the layer fills; an estimate for a fragment of a level.
+double LayerPage::domainSize(const PatternLayer& layer) const {
     if (layer.scatteredIn) return area(*layer.scatteredIn);
     const Asset* asset = findAsset(m_document.project(), m_pattern.asset);
     if (!asset) return 1.0;
     const Vec2 whole = domainBounds(*asset).size(), filled = domainBounds(*asset, m_pattern.index).size();
-    const double all = asset->isPrism() ? area(asset->prism().outline) : whole.x * whole.y;
-    return all * (filled.x / whole.x) * (filled.y / whole.y);
+    if (!asset->isPrism()) return volumeOf(*asset) * std::pow(filled.x / whole.x, 3.0);
+    return area(asset->prism().outline) * (filled.x / whole.x) * (filled.y / whole.y);
 }
 
 void LayerPage::showOverrides(const PatternLayer& layer) {
@@ -153,7 +160,7 @@ void LayerPage::refresh() {
     setVisible(!layers.empty());
     if (layers.empty()) return;
     const PatternLayer& layer = layers.front();
-    sectionFor(layer).refresh(layer, domainArea(layer));
+    sectionFor(layer).refresh(layer, domainSize(layer), space());
     const PatternKind& kind = kindOf(layer.parameters);
     m_common->setRowVisible(m_randomSeed, kind.isRandom);
     m_common->setRowVisible(m_scatterAnew, layer.scatteredIn.has_value());

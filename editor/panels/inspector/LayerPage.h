@@ -34,7 +34,8 @@ private:
     void buildRandomSeed();
     void buildPicture();
     void buildOverrides();
-    double domainArea(const PatternLayer& layer) const;
+    SeedSpace space() const;
+    double domainSize(const PatternLayer& layer) const;
     LayerSection& sectionFor(const PatternLayer& layer);
     void showOverrides(const PatternLayer& layer);
 

@@ -3,7 +3,9 @@
 #include "editor/widgets/appearance/LayerText.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace rubble {
 
@@ -45,13 +47,14 @@ SeedCount countOf(const LayerParameter& parameter, const PatternLayer& layer) {
 }
 
 /// The same count expressed in another way, up to rounding.
-SeedCount converted(const SeedCount& count, CountBy by, double area) {
+SeedCount converted(const SeedCount& count, CountBy by, double size, SeedSpace space) {
     if (count.by == by) return count;
-    const double number = std::clamp(count.in(area), 1.0, static_cast<double>(kMaxSeeds));
+    const double number = std::clamp(count.in(size, space), 1.0, static_cast<double>(kMaxSeeds));
+    const double each = size / number;
     switch (by) {
         case CountBy::Number: break;
-        case CountBy::Density: return {by, number / area};
-        case CountBy::FragmentSize: return {by, std::sqrt(area / number)};
+        case CountBy::Density: return {by, number / size};
+        case CountBy::FragmentSize: return {by, space == SeedSpace::Plane ? std::sqrt(each) : std::cbrt(each)};
     }
     return {by, number};
 }
@@ -77,9 +80,10 @@ void LayerSection::addParameter(const LayerParameter& parameter) {
         case ParameterType::Point: return addPoint(parameter, step);
         case ParameterType::Count: return addCount(parameter, step);
     }
-    if (!parameter.usedIf) return;
-    m_rowUpdates.push_back(
-        [this, row, &parameter](const PatternLayer& layer) { setRowVisible(row, parameter.isUsed(layer.parameters)); });
+    if (!parameter.usedIf && !parameter.isSpatial) return;
+    m_rowUpdates.push_back([this, row, &parameter](const PatternLayer& layer) {
+        setRowVisible(row, isShown(parameter, m_space) && parameter.isUsed(layer.parameters));
+    });
 }
 
 template <class Control, class Read, class Write>
@@ -120,19 +124,25 @@ void LayerSection::addCount(const LayerParameter& parameter, const QString& step
         by, step, [&parameter](const PatternLayer& layer) { return static_cast<Id>(countOf(parameter, layer).by); },
         [this, &parameter](PatternLayer& layer, Id entered) {
             const auto wanted = static_cast<CountBy>(entered);
-            parameter.write(layer.parameters, converted(countOf(parameter, layer), wanted, m_area));
+            parameter.write(layer.parameters, converted(countOf(parameter, layer), wanted, m_size, m_space));
         });
-    const auto bound = [&](CountBy way, Quantity quantity, auto* control) {
+    m_rowUpdates.push_back([this, by](const PatternLayer&) {
+        const bool isPlane = m_space == SeedSpace::Plane;
+        by->setItemText(by->findData(static_cast<Id>(CountBy::Density)),
+                        isPlane ? tr("Seeds per m²") : tr("Seeds per m³"));
+    });
+    const auto bound = [&](CountBy way, Quantity quantity, auto* control,
+                           std::optional<SeedSpace> only = std::nullopt) {
         bindNumber(
             control, quantity, step,
             [this, &parameter, way](const PatternLayer& layer) {
-                return converted(countOf(parameter, layer), way, m_area).amount;
+                return converted(countOf(parameter, layer), way, m_size, m_space).amount;
             },
             [&parameter, way](PatternLayer& layer, double entered) {
                 parameter.write(layer.parameters, SeedCount(way, entered));
             });
-        m_rowUpdates.push_back([this, control, way, &parameter](const PatternLayer& layer) {
-            setRowVisible(control, countOf(parameter, layer).by == way);
+        m_rowUpdates.push_back([this, control, way, only, &parameter](const PatternLayer& layer) {
+            setRowVisible(control, countOf(parameter, layer).by == way && only.value_or(m_space) == m_space);
         });
     };
     const FieldRange whole = FieldRange::whole(parameter.range.min, parameter.range.max);
@@ -147,10 +157,15 @@ void LayerSection::addCount(const LayerParameter& parameter, const QString& step
     }
     bound(CountBy::Density, Quantity::Number,
           addRow(tr("Seeds per m²"), new SliderField(FieldRange::aboveZero(), 0.1, 10'000.0, SliderScale::Logarithmic),
-                 tr("Number of seeds per square metre of the outline")));
+                 tr("Number of seeds per square metre of the outline")),
+          SeedSpace::Plane);
+    bound(CountBy::Density, Quantity::Number,
+          addRow(tr("Seeds per m³"), new SliderField(FieldRange::aboveZero(), 0.1, 1e6, SliderScale::Logarithmic),
+                 tr("Number of seeds per cubic metre of the mesh")),
+          SeedSpace::Solid);
     bound(CountBy::FragmentSize, Quantity::Length,
           addRow(tr("Fragment size"), new SliderField(FieldRange::aboveZero(), 0.005, 2.0, SliderScale::Logarithmic),
-                 tr("Side length of a square with the area of the average fragment")));
+                 tr("Side length of a square, or a cube in a mesh, of the size of the average fragment")));
 }
 
 QWidget* LayerSection::addOption(const LayerParameter& parameter, const QString& step) {
@@ -192,8 +207,9 @@ void LayerSection::setUnits(const Units& units) {
     for (const auto& take : m_unitSetters) take(units);
 }
 
-void LayerSection::refresh(const PatternLayer& layer, double area) {
-    m_area = area;
+void LayerSection::refresh(const PatternLayer& layer, double size, SeedSpace space) {
+    m_size = size;
+    m_space = space;
     for (const auto& show : m_rowUpdates) show(layer);
     m_form.refresh();
 }

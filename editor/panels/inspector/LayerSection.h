@@ -17,8 +17,9 @@ public:
 
     const PatternKind& kind() const { return m_kind; }
     void setUnits(const Units& units);
-    /// Shows a layer of this kind, the one that `selected` returns. `area`: that it fills, m².
-    void refresh(const PatternLayer& layer, double area);
+    /// Shows a layer of this kind, the one that `selected` returns. `size`: what it fills, m² of an outline or m³ of a
+    /// mesh.
+    void refresh(const PatternLayer& layer, double size, SeedSpace space);
 
 signals:
     void refused(const QString& sentence);
@@ -34,7 +35,8 @@ private:
 
     const PatternKind& m_kind;
     LayerForm m_form;
-    double m_area = 1.0;  // m²
+    double m_size = 1.0;  // m² or m³
+    SeedSpace m_space = SeedSpace::Plane;
     std::vector<std::function<void(const Units&)>> m_unitSetters;
     std::vector<std::function<void(const PatternLayer&)>> m_rowUpdates;
 };

@@ -159,7 +159,7 @@ QWidget* PatternEditor::buttonRow() {
     for (const PatternKind* kind : patternKinds()) {
         menuAction(*menu, kind->icon, inTitleCase(patternText(kind->caption)), patternText(kind->hint), [this, kind] {
             const std::vector<Asset> assets = selected();
-            if (!assets.empty()) addLayer(kind->defaultsFor(domainBounds(assets[0], m_pattern.index)));
+            if (!assets.empty()) addLayer(kind->defaultsFor(domainBox(assets[0], m_pattern.index)));
         });
     }
     add->setMenu(menu);

@@ -18,6 +18,7 @@ QString textOf(DiagnosticCode kind) {
         case DiagnosticCode::LostPiece: return ProblemModel::tr("Edit of a missing fragment");
         case DiagnosticCode::LooseCut: return ProblemModel::tr("Dangling cut");
         case DiagnosticCode::NoRoom: return ProblemModel::tr("Too few seeds");
+        case DiagnosticCode::NeedsPlane: return ProblemModel::tr("Layer without effect");
         case DiagnosticCode::Gap: return ProblemModel::tr("Gap");
         case DiagnosticCode::ThinPiece: return ProblemModel::tr("Thin fragment");
         case DiagnosticCode::VanishedPiece: return ProblemModel::tr("Fragment lost to the gap");
