@@ -4,12 +4,11 @@
 #include "core/io/play/ReplayFile.h"
 #include "core/io/play/StateArchive.h"
 #include "core/io/system/AtomicFile.h"
+#include "core/io/system/Compression.h"
 #include "core/io/system/FileErrors.h"
 #include "core/io/system/FolderReading.h"
 #include "core/physics/state/Contacts.h"
 #include "core/play/state/SessionFields.h"
-
-#include <zlib.h>
 
 namespace rubble {
 
@@ -98,29 +97,13 @@ Error unreadable(const std::string& what) {
     return {ErrorCode::BadInput, "The state cannot be read: " + what + "; save it again."};
 }
 
-std::string compressed(const std::string& bytes) {
-    uLongf size = compressBound(bytes.size());
-    std::string packed(size, '\0');
-    const int done = compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
-                               reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_SPEED);
-    RUBBLE_ASSERT(done == Z_OK);
-    packed.resize(size);
-    return packed;
-}
-
-Result<std::string> uncompressed(std::string_view packed, std::uint64_t size) {
-    constexpr std::uint64_t kMaxFold = 1100;  // zlib compresses to no less than a 1032nd
+Result<std::string> fieldsOf(std::string_view packed, std::uint64_t size) {
     if (size > kMaxStateBytes) {
         return Error{ErrorCode::Limit, "The state takes " + std::to_string(size) + " bytes, but at most " +
                                            std::to_string(kMaxStateBytes) + " are read."};
     }
-    if (size > kMaxFold * packed.size()) return unreadable("its size is wrong");
-    std::string bytes(size, '\0');
-    uLongf length = size;
-    uLong used = packed.size();
-    const int done = uncompress2(reinterpret_cast<Bytef*>(bytes.data()), &length,
-                                 reinterpret_cast<const Bytef*>(packed.data()), &used);
-    if (done != Z_OK || length != size || used != packed.size()) return unreadable("its compressed part is damaged");
+    Result<std::string> bytes = uncompressed(packed, size);
+    if (!bytes) return unreadable(bytes.error().message);
     return bytes;
 }
 
@@ -167,7 +150,7 @@ Result<SavedSession> readStateBytes(std::string_view bytes, ContentHash scene) {
     const Result<StateHeader> header = readHeader(bytes, scene);
     if (!header) return header.error();
     const std::size_t packed = bytes.size() - kHeaderBytes - kChecksumBytes;
-    const Result<std::string> fields = uncompressed(bytes.substr(kHeaderBytes, packed), header->size);
+    const Result<std::string> fields = fieldsOf(bytes.substr(kHeaderBytes, packed), header->size);
     if (!fields) return fields.error();
     SavedSession saved;
     StateReader reader(*fields, absentIn(header->version));
