@@ -1,5 +1,7 @@
 #include "core/geometry/mesh/ClosedMesh.h"
 
+#include "core/geometry/mesh/MeshHash.h"
+
 #include <algorithm>
 
 namespace rubble {
@@ -9,15 +11,7 @@ std::shared_ptr<const ClosedMesh> withProperties(TriangleMesh mesh) {
     auto closed = std::make_shared<ClosedMesh>();
     closed->bounds = boundsOf(mesh);
     closed->mass = massOf(mesh.points, mesh.triangles);
-    Hasher hasher;
-    hasher.add(std::uint64_t{mesh.points.size()});
-    for (const Vec3& point : mesh.points) {
-        for (int axis = 0; axis < 3; ++axis) hasher.add(point[axis]);
-    }
-    for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) {
-        for (const std::uint32_t point : triangle) hasher.add(std::uint64_t{point});
-    }
-    closed->hash = hasher.digest();
+    closed->hash = hashOf(mesh);
     closed->mesh = std::move(mesh);
     return closed;
 }
@@ -35,6 +29,18 @@ bool isChange(const MeshFinding& finding) {
 }
 
 }  // namespace
+
+ContentHash hashOf(const TriangleMesh& mesh) {
+    Hasher hasher;
+    hasher.add(std::uint64_t{mesh.points.size()});
+    for (const Vec3& point : mesh.points) {
+        for (int axis = 0; axis < 3; ++axis) hasher.add(point[axis]);
+    }
+    for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) {
+        for (const std::uint32_t point : triangle) hasher.add(std::uint64_t{point});
+    }
+    return hasher.digest();
+}
 
 std::shared_ptr<const ClosedMesh> closedMesh(MeshVerdict verdict) { return withProperties(std::move(verdict.mesh)); }
 
