@@ -60,7 +60,7 @@ private slots:
 
         const Asset whole = fragmentAsAsset(desk.asset(), "5.1", half->prism);
         QVERIFY(whole.pattern == desk.asset().levels[0].pattern);
-        QVERIFY(whole.prism() == half->prism());
+        QVERIFY(whole.prism() == half->prism);
     }
     void failedBakeKeepsTheLastSolid() {
         Desk desk(halves());
