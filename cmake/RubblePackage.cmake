@@ -3,7 +3,7 @@
 
 # What the programs read while they run. Not below share/doc, which small systems leave out.
 install(DIRECTORY docs DESTINATION share/rubble)
-install(DIRECTORY projects DESTINATION share/rubble FILES_MATCHING PATTERN "*.rubble")  # no locks
+install(DIRECTORY projects DESTINATION share/rubble FILES_MATCHING PATTERN "*.rubble" PATTERN "*.mesh")  # no locks
 install(DIRECTORY resources/schemas DESTINATION share/rubble/resources)
 
 # The README's links lead from share/doc/rubble to the same files.

@@ -126,7 +126,9 @@ Result<SimulationRun> simulateBodies(const BodyScene& scene, const SimulateOptio
 Result<SimulationRun> simulateProject(const std::string& text, const SimulateOptions& options,
                                       const CliContext& context) {
     std::vector<Diagnostic> notes;
-    const Result<Project> project = readProjectText(text, &notes);
+    const bool isFile = options.input != "-";
+    const Result<Project> project =
+        readProjectText(text, &notes, isFile ? meshesIn(meshFolderOf(options.input)) : MeshSource());
     if (!project) return project.error();
     printNotes(notes, *project, options.input, context);
     std::vector<Diagnostic> diagnostics;

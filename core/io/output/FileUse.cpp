@@ -3,6 +3,7 @@
 #include "core/base/MessageText.h"
 #include "core/io/output/ExportIndex.h"
 #include "core/io/output/ExportManifest.h"
+#include "core/io/project/MeshFolder.h"
 #include "core/io/system/AtomicFile.h"
 
 #include <algorithm>
@@ -96,6 +97,7 @@ Status checkFileUses(std::span<const FileUse> uses) {
         if (uses[k].role != FileRole::Written || (targets[k].exists && !targets[k].isFile)) continue;
         if (const std::optional<std::string> other = otherUse(k, uses, targets)) return refused(uses[k], *other);
         if (isOfExport(targets[k].path)) return refused(uses[k], "is a file of an export.");
+        if (isInMeshFolder(targets[k].path)) return refused(uses[k], "lies in the folder of a project's meshes.");
         if (targets[k].exists && !hasExtension(targets[k].path, uses[k].extensions)) {
             return refused(uses[k], "exists, and is something else by its name: what is written ends in " +
                                         uses[k].extensions.front() + ".");

@@ -29,6 +29,7 @@ struct FileUse {
 /// apart by device and inode; pipes and devices may be written to. Refused is a file
 /// - that the run also reads, changes, or writes otherwise;
 /// - that is one of an export, by the index and the manifests beside it;
+/// - that lies in the folder of a project's meshes;
 /// - that exists with an extension that what is written does not have: it is something else.
 ///
 /// Errors: BadInput, with the path and what to do.

@@ -1,13 +1,18 @@
 #include "core/io/project/AssetJson.h"
 
+#include "core/base/MessageText.h"
 #include "core/io/json/VectorJson.h"
 #include "core/io/project/BondingJson.h"
 #include "core/io/project/ColourJson.h"
+#include "core/io/project/MeshFile.h"
 #include "core/io/project/PatternJson.h"
 #include "core/io/project/ShapingJson.h"
 #include "core/io/project/StrengthRequirementJson.h"
 
 #include <array>
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace rubble {
 namespace {
@@ -145,9 +150,35 @@ std::shared_ptr<const Surface> readSurface(const JsonValue& value) {
                                              .triangles = value["triangles"].list(readTriangle)});
 }
 
+void writeMesh(JsonWriter& json, const ClosedMesh& mesh) {
+    json.openObject("mesh", JsonLayout::Inline);
+    json.text("hash", mesh.hash.hex());
+    json.wholeNumber("points", mesh.mesh.points.size());
+    json.wholeNumber("triangles", mesh.mesh.triangles.size());
+    json.close();
+}
+
+/// What the file of a project says of a mesh.
+struct MeshReference {
+    ContentHash hash;
+    std::size_t points = 0;
+    std::size_t triangles = 0;
+};
+
+MeshReference readMeshReference(const JsonValue& value) {
+    value.requireObject({"hash", "points", "triangles"});
+    const std::optional<ContentHash> hash = parseContentHash(value["hash"].text());
+    if (!hash) value["hash"].fail("expected a hash of 32 hexadecimal digits");
+    return {.hash = hash.value_or(ContentHash()),
+            .points = value["points"].wholeNumber(1, kMaxMeshFilePoints),
+            .triangles = value["triangles"].wholeNumber(1, kMaxMeshFileTriangles)};
+}
+
+std::string countFault(std::size_t count) { return "the mesh of this hash has " + std::to_string(count); }
+
 void writeShape(JsonWriter& json, const Asset& asset) {
     if (const ClosedMesh* mesh = asset.mesh())
-        json.text("mesh", mesh->hash.hex());
+        writeMesh(json, *mesh);
     else
         writePrism(json, asset.prism());
 }
@@ -178,10 +209,11 @@ Material readMaterialMembers1(const JsonValue& value) {
 }
 
 Asset readAssetMembers1(const JsonValue& value) {
+    const bool isPrism = !value["mesh"].isPresent();
     return {.id = value["id"].index(),
             .name = value["name"].text(),
             .material = value["material"].index(),
-            .shape = readPrism(value["prism"]),
+            .shape = isPrism ? readPrism(value["prism"]) : Prism(),
             .pattern = readPattern(value["pattern"]),
             .levels = value["levels"].list(readLevel),
             .threshold = value["threshold"].number(),
@@ -289,11 +321,18 @@ Asset readAssetVersion4(const JsonValue& value) {
     return readAssetMembers4(value);
 }
 
+Asset readAssetVersion5(const JsonValue& value) {
+    if (value["mesh"].isPresent()) value.fail("unknown key \"mesh\"");
+    return readAsset(value);
+}
+
 Asset readAsset(const JsonValue& value) {
-    value.requireObject(
-        {"id", "name", "material", "threshold", "contactTime", "insideUvScale", "insideMaterial", "prism", "pattern",
-         "shaping", "levels", "leaves", "edits", "cutAtImpact", "intents", "surface"},
-        {"strengthRule", "fragmentThresholds", "breakAs", "bonding", "texture"});
+    const bool isPrism = !value["mesh"].isPresent();
+    value.requireObject({"id", "name", "material", "threshold", "contactTime", "insideUvScale", "insideMaterial",
+                         isPrism ? "prism" : "mesh", "pattern", "shaping", "levels", "leaves", "edits", "cutAtImpact",
+                         "intents", "surface"},
+                        {"strengthRule", "fragmentThresholds", "breakAs", "bonding", "texture"});
+    if (!isPrism) readMeshReference(value["mesh"]);  // its mesh is read later
     Asset asset = readAssetMembers4(value);
     asset.contactTime = value["contactTime"].optionalNumber();
     const JsonValue thresholds = value["fragmentThresholds"];
@@ -308,6 +347,27 @@ Asset readAsset(const JsonValue& value) {
             "\"strengthRule\": \"bending\", or set \"contactTime\" to null");
     }
     return asset;
+}
+
+Status readMeshes(JsonDocument& document, std::vector<Asset>& assets, const MeshSource& meshes) {
+    auto asset = assets.begin();
+    for (const JsonValue value : document.root()["assets"].elements()) {
+        Asset& reading = *asset++;
+        if (!value["mesh"].isPresent()) continue;
+        const MeshReference reference = readMeshReference(value["mesh"]);
+        Result<std::shared_ptr<const ClosedMesh>> mesh =
+            meshes ? meshes(reference.hash)
+                   : Error{ErrorCode::Unsupported,
+                           "Its mesh lies in a folder beside the project's file; give the file, not its text."};
+        if (!mesh) return Error{mesh.error().code, "Asset " + quotedName(reading.name) + ": " + mesh.error().message};
+        const TriangleMesh& read = (*mesh)->mesh;
+        if (read.points.size() != reference.points) value["mesh"]["points"].fail(countFault(read.points.size()));
+        if (read.triangles.size() != reference.triangles)
+            value["mesh"]["triangles"].fail(countFault(read.triangles.size()));
+        if (document.firstError()) return *document.firstError();
+        reading.shape = std::move(*mesh);
+    }
+    return success();
 }
 
 }  // namespace rubble

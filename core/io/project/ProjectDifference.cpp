@@ -18,10 +18,10 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMaxShown = 4;  // elements of a list; longer ones are counted
 
 /// The keys of an asset whose changes recipeChanges() describes.
-constexpr std::array<std::string_view, 18> kInRecipe{
-    "name",          "prism",       "material", "insideMaterial", "threshold", "contactTime",
-    "insideUvScale", "cutAtImpact", "pattern",  "levels",         "shaping",   "leaves",
-    "edits",         "intents",     "surface",  "breakAs",        "bonding",   "fragmentThresholds"};
+constexpr std::array<std::string_view, 19> kInRecipe{
+    "name",          "prism",       "mesh",    "material", "insideMaterial",    "threshold", "contactTime",
+    "insideUvScale", "cutAtImpact", "pattern", "levels",   "shaping",           "leaves",    "edits",
+    "intents",       "surface",     "breakAs", "bonding",  "fragmentThresholds"};
 
 /// Keys that are no words for users, and the lists whose elements are called by another word.
 constexpr std::array<std::array<std::string_view, 2>, 13> kWords{{{"materials", "material"},
@@ -219,7 +219,7 @@ std::vector<RecipeChange> assetChanges(const Project& before, const Asset& earli
 std::vector<RecipeChange> settingChanges(const Project& before, const Project& after) {
     Json from = jsonOf(before), to = jsonOf(after);
     JsonChanges changes(from, to);
-    for (const char* other : {"assets", "identity"}) {  // compared elsewhere; no setting
+    for (const char* other : {"assets", "identity", "version"}) {  // compared elsewhere; no settings
         from.erase(other);
         to.erase(other);
     }

@@ -17,11 +17,13 @@
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/FileErrors.h"
 
+#include <algorithm>
 #include <array>
 
 namespace rubble {
 namespace {
 
+constexpr std::uint32_t kVersionWithoutMeshes = 5;
 constexpr FileFormat kProjectFormat{.name = "rubble-project", .noun = "project", .version = kProjectVersion};
 
 /// The readers of the elements whose format differs between versions.
@@ -89,10 +91,9 @@ void readTextures(const JsonValue& root, std::vector<Asset>& assets) {
     }
 }
 
-/// Version 5 added strength and toughness of materials, and thresholds derived from them.
-Project readProjectVersion5(const JsonValue& root) {
-    Project project = readProjectSinceVersion2(root, {readMaterial, readAsset, readInstance},
-                                               {"identity", "events", "mortars", "images"});
+/// Reads all members since version 5.
+Project readProjectSinceVersion5(const JsonValue& root, const ElementReaders& read) {
+    Project project = readProjectSinceVersion2(root, read, {"identity", "events", "mortars", "images"});
     if (root["identity"].isPresent()) project.identity = root["identity"].text();
     if (root["events"].isPresent()) project.events = readEventSettings(root["events"]);
     if (root["mortars"].isPresent()) project.mortars = root["mortars"].list(readMortar);
@@ -100,15 +101,33 @@ Project readProjectVersion5(const JsonValue& root) {
     return project;
 }
 
+/// Version 5 added strength and toughness of materials, and thresholds derived from them.
+Project readProjectVersion5(const JsonValue& root) {
+    return readProjectSinceVersion5(root, {readMaterial, readAssetVersion5, readInstance});
+}
+
+/// Version 6 added assets that are closed meshes, which readMeshes() gives them.
+Project readProjectVersion6(const JsonValue& root) {
+    return readProjectSinceVersion5(root, {readMaterial, readAsset, readInstance});
+}
+
 /// The reader of each version, version 1 at index 0. A new version adds a reader; older ones stay and set defaults.
 constexpr std::array<Project (*)(const JsonValue&), kProjectVersion> kReaders{
-    &readProjectVersion1, &readProjectVersion2, &readProjectVersion3, &readProjectVersion4, &readProjectVersion5};
+    &readProjectVersion1, &readProjectVersion2, &readProjectVersion3,
+    &readProjectVersion4, &readProjectVersion5, &readProjectVersion6};
 
-Result<Project> readAnyVersion(JsonDocument& document) {
+/// The version that a project is written as: the oldest that holds it, so that older programs read it.
+std::uint32_t versionFor(const Project& project) {
+    return std::ranges::all_of(project.assets, &Asset::isPrism) ? kVersionWithoutMeshes : kProjectVersion;
+}
+
+Result<Project> readAnyVersion(JsonDocument& document, const MeshSource& meshes) {
     const Result<std::uint32_t> version = versionOf(document, kProjectFormat);
     if (!version) return version.error();
     Project project = kReaders[*version - 1](document.root());
     if (document.firstError()) return *document.firstError();
+    if (*version <= kVersionWithoutMeshes) return project;
+    if (const Status read = readMeshes(document, project.assets, meshes); !read) return read.error();
     return project;
 }
 
@@ -124,11 +143,11 @@ Result<RecoveredProject> recovered(Project project) {
 }
 
 /// Recovers a project from a text, with what its journal has; without that where it does not fit.
-Result<RecoveredProject> readRecovered(std::string_view json, std::string_view journal) {
-    Result<Project> project = readProjectPart(json);
+Result<RecoveredProject> readRecovered(std::string_view json, std::string_view journal, const MeshSource& meshes) {
+    Result<Project> project = readProjectPart(json, meshes);
     if (!project) return project.error();
     if (journal.empty()) return recovered(std::move(*project));
-    Result<Project> edited = replayed(*project, contentHash(json), journal);
+    Result<Project> edited = replayed(*project, contentHash(json), journal, meshes);
     Result<RecoveredProject> whole = edited ? recovered(std::move(*edited)) : Result<RecoveredProject>(edited.error());
     if (whole) return whole;
     Result<RecoveredProject> earlier = recovered(std::move(*project));
@@ -159,17 +178,17 @@ bool hasFaultyPrism(const Asset& asset) {
 
 }  // namespace
 
-Result<Project> readProjectPart(std::string_view json) {
+Result<Project> readProjectPart(std::string_view json, const MeshSource& meshes) {
     Result<JsonDocument> document = JsonDocument::parse(json);
     if (!document) return document.error();
-    return readAnyVersion(*document);
+    return readAnyVersion(*document, meshes);
 }
 
 std::string projectText(const Project& project) {
     JsonWriter json;
     json.openObject();
     json.text("format", kProjectFormat.name);
-    json.wholeNumber("version", kProjectVersion);
+    json.wholeNumber("version", versionFor(project));
     if (!project.identity.empty()) json.text("identity", project.identity);
     json.wholeNumber("nextId", project.nextId);
     json.list("materials", project.materials, writeMaterial);
@@ -190,8 +209,8 @@ std::string projectText(const Project& project) {
     return std::move(json).finished();
 }
 
-Result<Project> readProjectText(std::string_view json, std::vector<Diagnostic>* notes) {
-    Result<Project> project = readProjectPart(json);
+Result<Project> readProjectText(std::string_view json, std::vector<Diagnostic>* notes, const MeshSource& meshes) {
+    Result<Project> project = readProjectPart(json, meshes);
     if (!project) return project;
     std::vector<Diagnostic> found;
     for (Asset& asset : project->assets) cleanOutline(asset, found);
@@ -208,7 +227,7 @@ Result<Project> readProjectText(std::string_view json, std::vector<Diagnostic>* 
 Result<Project> readProjectText(std::string_view json, const std::filesystem::path& path,
                                 std::vector<Diagnostic>* notes) {
     if (isInterruptedSave(json)) return withPath("Cannot read", path, {ErrorCode::BadInput, interruptedSaveText(path)});
-    Result<Project> project = readProjectText(json, notes);
+    Result<Project> project = readProjectText(json, notes, meshesIn(meshFolderOf(path)));
     if (!project) return withPath("Cannot read", path, project.error());
     return project;
 }
@@ -224,7 +243,8 @@ Result<RecoveredProject> recoverProject(const std::filesystem::path& path, const
     if (!text) return text.error();
     const Result<std::string> edits = journal.empty() ? std::string() : readFile(journal);
     if (!edits && edits.error().code != ErrorCode::NotFound) return edits.error();
-    Result<RecoveredProject> project = readRecovered(*text, edits ? *edits : std::string());
+    Result<RecoveredProject> project =
+        readRecovered(*text, edits ? *edits : std::string(), meshesIn(meshFolderOf(path)));
     if (!project) return withPath("Cannot read", path, project.error());
     return project;
 }
@@ -234,6 +254,7 @@ Status saveProject(const std::filesystem::path& path, const Project& project) {
         return withPath("Cannot write", path, {ErrorCode::BadInput, *fault});
     const std::string text = projectText(project);
     if (const Status fits = checkJsonSize(text); !fits) return withPath("Cannot write", path, fits.error());
+    if (const Status saved = saveMeshes(project, meshFolderOf(path)); !saved) return saved;
     return writeFileAtomically(path, text);
 }
 

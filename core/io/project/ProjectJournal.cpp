@@ -128,14 +128,14 @@ std::string journalRecord(const ProjectPart& part, ContentHash& seal) {
     return std::to_string(ids.size()) + ' ' + std::to_string(values.size()) + ' ' + seal.hex() + '\n' + ids + values;
 }
 
-Result<Project> replayed(Project project, const ContentHash& text, std::string_view journal) {
+Result<Project> replayed(Project project, const ContentHash& text, std::string_view journal, const MeshSource& meshes) {
     if (!journal.starts_with(journalStart(text))) return project;
     journal.remove_prefix(journalStart(text).size());
     ContentHash seal = text;
     while (const std::optional<RecordTexts> record = takeRecord(journal, seal)) {
         ProjectPart part;
         if (const Status read = readIds(record->ids, part); !read) return read.error();
-        Result<Project> values = readProjectPart(record->values);
+        Result<Project> values = readProjectPart(record->values, meshes);
         if (!values) return values.error();
         part.values = std::move(*values);
         apply(project, std::move(part));

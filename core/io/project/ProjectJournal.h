@@ -3,6 +3,7 @@
 #include "core/asset/project/Project.h"
 #include "core/base/Hash.h"
 #include "core/base/Result.h"
+#include "core/io/project/MeshFolder.h"
 
 #include <string>
 #include <string_view>
@@ -30,9 +31,10 @@ std::string journalStart(const ContentHash& text);
 std::string journalRecord(const ProjectPart& part, ContentHash& seal);
 
 /// Returns a project with the edits of its journal, up to the first record that is not whole. `text` is the hash of
-/// what the project was read from; edits of another text are left out.
+/// what the project was read from; edits of another text are left out. `meshes` gives the closed meshes.
 ///
-/// Errors: those of readProjectText() in a sealed record, which another version may have written.
-Result<Project> replayed(Project project, const ContentHash& text, std::string_view journal);
+/// Errors: those of readProjectPart() in a sealed record, which another version may have written.
+Result<Project> replayed(Project project, const ContentHash& text, std::string_view journal,
+                         const MeshSource& meshes = {});
 
 }  // namespace rubble

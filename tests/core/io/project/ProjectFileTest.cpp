@@ -304,8 +304,8 @@ private slots:
         test::addWrongValue("version: expected a whole number from 1 to 18446744073709551615, found 0.", "/version",
                             "0");
         test::addWrongValue(
-            "The project has version 6, but this program reads versions up to 5; open it with a newer one.", "/version",
-            "6");
+            "The project has version 7, but this program reads versions up to 6; open it with a newer one.", "/version",
+            "7");
         test::addWrongValue("nextId: expected a whole number from 0 to 4294967295, found 40.5.", "/nextId", "40.5");
         test::addWrongValue("materials[1].id: expected a whole number from 0 to 4294967295, found -1.",
                             "/materials/1/id", "-1");
