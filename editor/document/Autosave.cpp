@@ -18,12 +18,15 @@ Result<Autosave::Written> Autosave::writeProject(const Backup& backup, const Pro
                                                  const TaskContext& task) {
     const std::string text = projectText(project);
     if (task.isCancelled()) return TaskContext::cancelled();
+    if (const Status status = writeBackupMeshes(backup, project); !status) return status.error();
     if (const Status status = writeBackup(backup, QByteArray::fromStdString(text)); !status) return status.error();
+    removeUnusedMeshes(backup, project);
     const ContentHash hash = contentHash(text);
     return Written{.text = hash, .textBytes = text.size(), .seal = hash};
 }
 
 Result<Autosave::Written> Autosave::writeRecord(const Backup& backup, const ProjectPart& part, Written before) {
+    if (const Status status = writeBackupMeshes(backup, part.values); !status) return status.error();
     const bool isNew = before.journalBytes == 0;
     const std::string start = isNew ? journalStart(before.text) : std::string();
     const std::string record = start + journalRecord(part, before.seal);
@@ -47,7 +50,10 @@ Autosave::Autosave(const Document& document, const QString& folder, QObject* par
             [this](bool isModified) { isModified ? noteChange() : discardBackup(); });
 }
 
-Autosave::~Autosave() { discardBackup(); }
+Autosave::~Autosave() {
+    discardBackup();
+    removeBackup(m_backup);
+}
 
 void Autosave::setInterval(std::chrono::seconds interval) {
     m_timer.stop();
@@ -147,7 +153,7 @@ void Autosave::discardBackup() {
     m_hasChange = false;
     stopWriting();
     m_unrecorded.forget(m_document.project());
-    removeBackup(m_backup);
+    removeBackup(m_backup, BackupMeshes::Kept);
 }
 
 }  // namespace rubble

@@ -1,5 +1,6 @@
 #include "editor/document/Backup.h"
 
+#include "core/io/project/MeshFolder.h"
 #include "core/io/system/FileErrors.h"
 #include "core/io/system/OpenFile.h"
 #include "core/io/system/Temporary.h"
@@ -12,9 +13,12 @@
 #include <QStandardPaths>
 #include <QUuid>
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
+#include <set>
 #include <string_view>
 
 namespace rubble {
@@ -25,6 +29,7 @@ constexpr const char* kBackupSuffix = ".rubble";
 constexpr const char* kLockSuffix = ".lock";
 constexpr const char* kOriginSuffix = ".json";
 constexpr const char* kJournalSuffix = ".journal";
+constexpr const char* kMeshesSuffix = ".rubble.meshes";  // as meshFolderOf() the backup
 constexpr const char* kProjectKey = "project";
 constexpr const char* kBytesKey = "projectBytes";  // base64 of a path that is not UTF-8
 constexpr const char* kHashKey = "projectHash";
@@ -41,6 +46,13 @@ Status written(const QString& path, const QByteArray& bytes) {
     if (code == 0) code = writeAll(file.descriptor(), {bytes.data(), static_cast<std::size_t>(bytes.size())});
     if (code != 0) return cannotWrite(target, code);
     return file.renameTo(target, target);
+}
+
+std::filesystem::path meshFolder(const Backup& backup) { return toPath(withSuffix(backup.path, kMeshesSuffix)); }
+
+void removeMeshes(const Backup& backup) {
+    std::error_code ignored;
+    std::filesystem::remove_all(meshFolder(backup), ignored);
 }
 
 QByteArray originText(const BackupOrigin& origin) {
@@ -84,6 +96,7 @@ void removeOrphanedLock(const QString& folder, const QString& lockName) {
     Backup backup{.path = folder + '/' + name + kBackupSuffix};
     if (QFile::exists(backup.path) || isInUse(backup)) return;
     for (const char* suffix : {kJournalSuffix, kOriginSuffix}) QFile::remove(withSuffix(backup.path, suffix));
+    removeMeshes(backup);
 }
 
 }  // namespace
@@ -106,6 +119,23 @@ Status writeBackup(const Backup& backup, const QByteArray& project) {
     return status ? written(backup.path, project) : status;
 }
 
+Status writeBackupMeshes(const Backup& backup, const Project& project) {
+    const std::filesystem::path folder = meshFolder(backup);
+    if (!std::ranges::all_of(project.assets, &Asset::isPrism)) ::mkdir(folder.c_str(), 0700);  // or saveMeshes() fails
+    return saveMeshes(project, folder);
+}
+
+void removeUnusedMeshes(const Backup& backup, const Project& project) {
+    std::set<std::filesystem::path> used;
+    for (const Asset& asset : project.assets) {
+        if (const ClosedMesh* mesh = asset.mesh()) used.insert(meshPath(meshFolder(backup), mesh->hash));
+    }
+    std::error_code ignored;
+    for (const auto& file : std::filesystem::directory_iterator(meshFolder(backup), ignored)) {
+        if (!used.contains(file.path())) std::filesystem::remove(file.path(), ignored);
+    }
+}
+
 QString journalPath(const Backup& backup) { return withSuffix(backup.path, kJournalSuffix); }
 
 Status appendToJournal(const Backup& backup, std::string_view bytes, bool isNew) {
@@ -117,9 +147,10 @@ Status appendToJournal(const Backup& backup, std::string_view bytes, bool isNew)
     return code == 0 ? success() : Status(cannotWrite(path, code));
 }
 
-void removeBackup(const Backup& backup) {
+void removeBackup(const Backup& backup, BackupMeshes meshes) {
     for (const char* suffix : {kBackupSuffix, kJournalSuffix, kOriginSuffix})
         QFile::remove(withSuffix(backup.path, suffix));
+    if (meshes == BackupMeshes::Removed) removeMeshes(backup);
 }
 
 bool takeOverBackup(Backup& backup) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/asset/project/Project.h"
 #include "core/base/Hash.h"
 #include "core/base/Result.h"
 #include "core/io/system/LockFile.h"
@@ -21,7 +22,8 @@ struct BackupOrigin {
     std::optional<ContentHash> hash;  // of the file that the changes are based on; none: there was no file
 };
 
-/// A backup: a project, its journal and its origin beside it, and a lock that is held while a program uses the backup.
+/// A backup: a project, its meshes, its journal and its origin beside it, and a lock that is held while a program uses
+/// the backup.
 struct Backup {
     QString path;
     BackupOrigin origin;
@@ -41,6 +43,13 @@ void lockBackup(Backup& backup);
 ///
 /// Errors: Io, with the path and the system's reason.
 Status writeBackup(const Backup& backup, const QByteArray& project);
+/// Writes the closed meshes of a project's assets beside its backup, but those that are there; only the user may read
+/// them. They have to be there before the text or the record that names them.
+///
+/// Errors: those of saveMeshes().
+Status writeBackupMeshes(const Backup& backup, const Project& project);
+/// Removes the closed meshes beside a backup that its project, which was just written, does not have.
+void removeUnusedMeshes(const Backup& backup, const Project& project);
 /// The journal of a backup: what was edited since it was written.
 QString journalPath(const Backup& backup);
 /// Appends to the journal of a backup, or begins it anew, and flushes it to disk; only the user may read it. On an
@@ -48,8 +57,10 @@ QString journalPath(const Backup& backup);
 ///
 /// Errors: Io, with the path and the system's reason.
 Status appendToJournal(const Backup& backup, std::string_view bytes, bool isNew);
+/// What becomes of the closed meshes beside a backup that is removed: kept, the next one need not write them.
+enum class BackupMeshes { Removed, Kept };
 /// Removes a backup, its journal and its origin.
-void removeBackup(const Backup& backup);
+void removeBackup(const Backup& backup, BackupMeshes meshes = BackupMeshes::Removed);
 
 /// Takes the lock of a backup over from its holder. Returns false if the holder is running after all.
 bool takeOverBackup(Backup& backup);

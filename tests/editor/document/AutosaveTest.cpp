@@ -5,6 +5,7 @@
 #include "editor/document/FilePath.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/ManyInstances.h"
+#include "tests/support/asset/MeshProjects.h"
 #include "tests/support/files/FileLimits.h"
 
 #include <QDeadlineTimer>
@@ -21,6 +22,8 @@
 
 using namespace rubble;
 using namespace std::chrono_literals;
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -351,6 +354,44 @@ private slots:
         QCOMPARE(recoveredHeight(), 3.0);
         QTRY_COMPARE_WITH_TIMEOUT(recoveredHeight(), 4.0, kPatience);
     }
+    void meshesAreBackedUpOnceAndRecovered() {
+        Document document(test::meshProject());
+        Autosave autosave(document, m_folder->path());
+        autosave.setInterval(60s);
+        setHeight(document, 3.0);
+        QTRY_COMPARE(recoveredHeight(), 3.0);
+        QVERIFY(*recovered() == document.project());
+        const fs::path mesh = meshFile(document.project());
+        const auto written = fs::last_write_time(mesh) - std::chrono::hours(1);
+        fs::last_write_time(mesh, written);
+        rename(document, "statue");  // recorded in the journal, with its mesh
+        QTRY_VERIFY(*recovered() == document.project());
+        autosave.writeNow();
+        document.setSaved();
+        QVERIFY(backups().isEmpty());
+        setHeight(document, 4.0);
+        autosave.writeNow();
+        QVERIFY(*recovered() == document.project() && fs::last_write_time(mesh) == written);
+
+        Asset other = document.project().assets[1];
+        other.shape = test::meshProject(test::torus(8, 6)).assets[1].shape;
+        document.push({.text = "Edit", .replacements = {Replacement<Asset>{other.id, other}}});
+        QTRY_VERIFY(*recovered() == document.project());  // by the journal
+        QVERIFY(fs::exists(mesh) && fs::exists(meshFile(document.project())));
+        setHeight(document, 5.0);
+        autosave.writeNow();
+        QVERIFY(*recovered() == document.project() && !fs::exists(mesh));
+    }
+    void closingRemovesTheMeshes() {
+        {
+            Document document(test::meshProject());
+            Autosave autosave(document, m_folder->path());
+            setHeight(document, 3.0);
+            autosave.writeNow();
+            QVERIFY(*recovered() == document.project());
+        }
+        QVERIFY(QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).isEmpty());
+    }
     void longJournalsBecomeBackups() {
         Document document(test::manyInstances(kMany));
         Autosave autosave(document, m_folder->path());
@@ -383,6 +424,14 @@ private:
         Document document(starterProject());
         for (int number = 1; number <= edits; ++number) makeEdit(document, number);
         return document.project();
+    }
+    static void rename(Document& document, const char* name) {
+        Asset asset = document.project().assets[1];
+        asset.name = name;
+        QVERIFY(document.push({.text = "Rename", .replacements = {Replacement<Asset>{asset.id, asset}}}));
+    }
+    fs::path meshFile(const Project& project) const {
+        return meshPath(meshFolderOf(toPath(backups()[0])), project.assets[1].mesh()->hash);
     }
     /// The backup with its journal.
     std::optional<Project> recovered() const {

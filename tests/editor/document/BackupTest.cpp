@@ -1,7 +1,9 @@
 #include "editor/document/Backup.h"
 
+#include "core/io/project/MeshFolder.h"
 #include "editor/document/FilePath.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/MeshProjects.h"
 #include "tests/support/files/FileLimits.h"
 
 #include <QDir>
@@ -55,6 +57,34 @@ private slots:
         QVERIFY(QFile::setPermissions(backup.path, QFile::ReadOwner | QFile::WriteOwner | QFile::ReadOther));
         QVERIFY(writeBackup(backup, "new"));
         QVERIFY(!(QFile::permissions(backup.path) & QFile::ReadOther));
+    }
+    void meshesAreWrittenOnceAndOnlyTheOwnerReadsThem() {
+        const Backup backup = newBackup(m_backups);
+        const Project project = test::meshProject();
+        const auto path = meshPath(meshFolderOf(toPath(backup.path)), project.assets[1].mesh()->hash);
+        QVERIFY(writeBackupMeshes(backup, boxProject(UniformScatter{})));
+        QVERIFY(!std::filesystem::exists(path.parent_path()));
+        QVERIFY(writeBackupMeshes(backup, project));
+        QCOMPARE(std::filesystem::status(path.parent_path()).permissions(), std::filesystem::perms::owner_all);
+        const auto written = std::filesystem::last_write_time(path) - std::chrono::hours(1);
+        std::filesystem::last_write_time(path, written);
+        QVERIFY(writeBackupMeshes(backup, project));
+        QVERIFY(std::filesystem::last_write_time(path) == written);
+        const Project other = test::meshProject(test::torus(8, 6));
+        QVERIFY(writeBackupMeshes(backup, other));
+        removeUnusedMeshes(backup, other);
+        QVERIFY(!std::filesystem::exists(path));
+        removeBackup(backup, BackupMeshes::Kept);
+        QVERIFY(std::filesystem::exists(path.parent_path()));
+        removeBackup(backup);
+        QVERIFY(!std::filesystem::exists(path.parent_path()));
+    }
+    void meshesOfAProgramThatWasKilledAreRemoved() {
+        const Backup left{.path = newBackup(m_backups).path};
+        write(left.path.chopped(7) + ".lock", "");
+        QVERIFY(writeBackupMeshes(left, test::meshProject()));
+        QVERIFY(orphanedBackups(m_backups).empty());
+        QVERIFY(!std::filesystem::exists(meshFolderOf(toPath(left.path))));
     }
     void oneProgramAtATimeIsOffered() {
         leaveBackup({});

@@ -7,6 +7,7 @@
 #include "editor/document/FilePath.h"
 #include "editor/document/Messages.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/MeshProjects.h"
 #include "tests/support/editor/EventLoop.h"
 #include "tests/support/files/FileBytes.h"
 #include "tests/support/files/FileLimits.h"
@@ -355,6 +356,36 @@ private slots:
         QVERIFY(document.push({.text = "Move Ground", .replacements = {scene}}));
         QVERIFY(file.save());
         QVERIFY(loadProject(toPath(m_path)));
+    }
+    void meshesFollowTheProject() {
+        const Project project = identified(test::meshProject());
+        QVERIFY(saveProject(toPath(m_path), project));
+        Document document(emptyProject());
+        DocumentFile file(document);
+        QVERIFY(file.open(m_path));
+        QVERIFY(document.project() == project);
+        const QString copy = m_folder->filePath("copy.rubble");
+        QVERIFY(file.saveAs(copy));
+        QVERIFY(QDir(m_path + ".meshes").removeRecursively());
+        QVERIFY(file.reload() && document.project().assets == project.assets);
+        QVERIFY(loadProject(toPath(copy))->assets == project.assets);
+        const Status opened = file.open(m_path);
+        QVERIFY(!opened && opened.error().message.find("Asset \"sculpture\": The file of its mesh is missing, ") !=
+                               std::string::npos);
+        QVERIFY(file.path() == copy && document.project().assets == project.assets);
+    }
+    void backupWithMeshesIsRestoredAndSaved() {
+        const Project project = identified(test::meshProject());
+        const Backup backup{.path = backupPath(), .origin = {m_path, {}}};
+        QVERIFY(writeBackupMeshes(backup, project));
+        QVERIFY(writeBackup(backup, QByteArray::fromStdString(projectText(project))));
+        Document document(emptyProject());
+        DocumentFile file(document);
+        QVERIFY(file.restore(backup, accessProject(m_path)));
+        QVERIFY(document.project() == project);
+        removeBackup(backup);
+        QVERIFY(file.save());
+        QVERIFY(*loadProject(toPath(m_path)) == project);
     }
 
 private:
