@@ -114,6 +114,15 @@ private slots:
                 expectRefused(verb, {{option, inPlace(name)}}, inPlace(name), " is a file of an export.");
         }
     }
+    void meshesAreKept() {
+        const fs::path folder = inPlace("box.rubble.meshes");
+        fs::create_directory(folder);
+        QVERIFY(writeFileAtomically(folder / "a.png", "mine"));
+        for (const auto& [verb, option] : writtenOptions()) {
+            expectRefused(verb, {{option, folder / "a.png"}}, folder / "a.png", " lies in the folder of a project's");
+            expectRefused(verb, {{option, folder / "b.png"}}, folder / "a.png", " lies in the folder of a project's");
+        }
+    }
     void foreignFilesAreKept() {
         for (const auto& [verb, option] : writtenOptions()) {
             for (const char* name : {"README.md", "link.png"})
