@@ -96,8 +96,11 @@ Result<SolidPartition> shapedPartition(const Recipe& recipe, const TriangleMesh&
         dropSeeds(dropped, seeds);
         cut = cutInSpace(recipe.pattern, mesh, seeds, task);
     }
+    if (cut && !recipe.edits.empty()) {
+        cut =
+            editedFragments(std::move(*cut), seeds, recipe.edits, recipe.place, Vec2{recipe.offset}, diagnostics, task);
+    }
     if (!cut) return cut.error();
-    if (!recipe.edits.empty()) *cut = editedFragments(std::move(*cut), seeds, recipe.edits, recipe.place, diagnostics);
     if (small.rule != SmallPieceRule::Keep) *cut = withoutSmallFragments(std::move(*cut), small, seeds, diagnostics);
     if (seeds.ids.empty()) {
         std::ranges::fill(cut->seedOfFragment, kNone);

@@ -2,11 +2,14 @@
 
 #include "core/base/QuantityText.h"
 #include "core/fracture/partition/CappedDiagnostics.h"
+#include "core/fracture/planes/SolidSplit.h"
 #include "core/fracture/solid/SolidContacts.h"
 #include "core/fracture/solid/SolidMerge.h"
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
+#include <span>
 #include <unordered_map>
 
 namespace rubble {
@@ -18,18 +21,26 @@ std::string nameOf(const SolidPartition& partition, std::uint32_t fragment, cons
     return id.text() + (part == kNone ? "" : "." + std::to_string(part));
 }
 
-/// Applies edits to the fragments of one fracture: all merges together, since numbers change with each.
+/// Applies edits to the fragments of one fracture, in order. Merges are carried out together before the next split,
+/// since each renumbers all fragments.
 class SolidEditor {
 public:
-    SolidEditor(const SolidPartition& partition, const Seeds& seeds)
-        : m_contacts(contactsOf(partition)), m_receivers(partition.fragmentCount()) {
-        std::iota(m_receivers.begin(), m_receivers.end(), 0u);
-        for (std::uint32_t k = 0; k < m_receivers.size(); ++k) m_fragments[nameOf(partition, k, seeds)] = k;
+    SolidEditor(SolidPartition&& partition, const Seeds& seeds, Vec2 offset, const TaskContext& task)
+        : m_partition(std::move(partition)),
+          m_seeds(seeds),
+          m_offset(offset),
+          m_task(task),
+          m_freeParts(m_partition.fragmentOfSeed.size()) {
+        for (std::uint32_t k = 0; k < m_partition.fragmentCount(); ++k) {
+            std::uint32_t& free = m_freeParts[m_partition.seedOfFragment[k]];
+            if (m_partition.partOfFragment[k] != kNone) free = std::max(free, m_partition.partOfFragment[k] + 1);
+        }
+        registerFragments();
     }
 
-    void apply(const FragmentMerge& merge) {
+    Status apply(const FragmentMerge& merge) {
         const std::uint32_t into = find(merge.into);
-        if (into == kNone) return reportLost(merge.into, "does not exist; nothing is merged into it.");
+        if (into == kNone) return lost(merge.into, "does not exist; nothing is merged into it.");
         std::vector<std::uint32_t> pending;
         for (const FragmentPath& path : merge.merged) {
             const std::uint32_t fragment = find(path);
@@ -45,13 +56,30 @@ public:
             if (fragment != kNone && fragment != into)
                 reportLost(path, "does not touch " + merge.into + "; they are not merged.");
         }
+        return success();
     }
 
-    void apply(const FragmentSplit& split) {
-        reportLost(split.fragment, "is one of a mesh, which is not split along a line.");
+    /// Splits along the plane through the line along z.
+    Status apply(const FragmentSplit& split) {
+        mergeAll();
+        const std::uint32_t fragment = find(split.fragment);
+        if (fragment == kNone) return lost(split.fragment, "does not exist; it is not split.");
+        const Vec2 point = split.line.point - m_offset, normal = perpendicular(split.line.direction);
+        Result<SolidSplit> parts =
+            splitFragment(std::move(m_partition), fragment, planeThrough(Vec3(point, 0.0), Vec3(normal, 0.0)), m_task);
+        if (!parts) return parts.error();
+        m_partition = std::move(parts->partition);
+        if (parts->pieces.size() == 1)
+            return lost(split.fragment, "does not intersect its split line; it is not split.");
+        numberParts(fragment, parts->pieces);
+        registerFragments();
+        return success();
     }
 
-    const std::vector<std::uint32_t>& receivers() const { return m_receivers; }
+    SolidPartition finished() && {
+        mergeAll();
+        return std::move(m_partition);
+    }
     std::vector<Diagnostic>& reports() { return m_reports; }
 
 private:
@@ -61,8 +89,27 @@ private:
         return found != m_fragments.end() && m_receivers[found->second] == found->second ? found->second : kNone;
     }
 
-    bool areNeighbours(std::uint32_t first, std::uint32_t second) const {
-        return std::ranges::any_of(m_contacts, [&](const SolidContact& contact) {
+    void registerFragments() {
+        m_contacts.reset();
+        m_receivers.resize(m_partition.fragmentCount());
+        std::iota(m_receivers.begin(), m_receivers.end(), 0u);
+        m_fragments.clear();
+        for (std::uint32_t k = 0; k < m_receivers.size(); ++k) m_fragments[nameOf(m_partition, k, m_seeds)] = k;
+    }
+
+    /// Numbers the parts of a fragment by the numbers that are next in its cell, also after those of parts that were
+    /// merged into others. The first keeps its number if it has one.
+    void numberParts(std::uint32_t fragment, std::span<const std::uint32_t> parts) {
+        std::uint32_t& free = m_freeParts[m_partition.seedOfFragment[fragment]];
+        const bool isNumbered = free > 0;
+        for (const std::uint32_t part : parts) {
+            if (part != fragment || !isNumbered) m_partition.partOfFragment[part] = free++;
+        }
+    }
+
+    bool areNeighbours(std::uint32_t first, std::uint32_t second) {
+        if (!m_contacts) m_contacts = contactsOf(m_partition);
+        return std::ranges::any_of(*m_contacts, [&](const SolidContact& contact) {
             const std::uint32_t one = m_receivers[contact.first], other = m_receivers[contact.second];
             return (one == first && other == second) || (one == second && other == first);
         });
@@ -81,12 +128,31 @@ private:
         }
     }
 
+    /// Carries out the merges since the last split.
+    void mergeAll() {
+        bool isAnyMerged = false;
+        for (std::uint32_t k = 0; k < m_receivers.size(); ++k) isAnyMerged = isAnyMerged || m_receivers[k] != k;
+        if (!isAnyMerged) return;
+        m_partition = mergedFragments(std::move(m_partition), m_receivers);
+        registerFragments();
+    }
+
     void reportLost(const FragmentPath& path, const std::string& rest) {
         m_reports.push_back(diagnostic(DiagnosticCode::LostPiece, {.path = path}, "Fragment " + path + " " + rest));
     }
+    /// Reports it; the other edits are applied.
+    Status lost(const FragmentPath& path, const std::string& rest) {
+        reportLost(path, rest);
+        return success();
+    }
 
-    const std::vector<SolidContact> m_contacts;
+    SolidPartition m_partition;
+    const Seeds& m_seeds;
+    Vec2 m_offset;  // m
+    TaskContext m_task;
+    std::optional<std::vector<SolidContact>> m_contacts;  // of the partition
     std::vector<std::uint32_t> m_receivers;
+    std::vector<std::uint32_t> m_freeParts;                      // of each seed: the next part number
     std::unordered_map<std::string, std::uint32_t> m_fragments;  // by name
     std::vector<Diagnostic> m_reports;
 };
@@ -103,16 +169,19 @@ double sumOf(const std::vector<double>& values) { return std::accumulate(values.
 
 }  // namespace
 
-SolidPartition editedFragments(SolidPartition partition, const Seeds& seeds, const std::vector<FragmentEdit>& edits,
-                               const FragmentPath& parent, std::vector<Diagnostic>& diagnostics) {
+Result<SolidPartition> editedFragments(SolidPartition partition, const Seeds& seeds,
+                                       const std::vector<FragmentEdit>& edits, const FragmentPath& parent, Vec2 offset,
+                                       std::vector<Diagnostic>& diagnostics, const TaskContext& task) {
     const auto isHere = [&](const FragmentEdit& edit) { return parentOf(edit) == parent; };
     if (std::ranges::none_of(edits, isHere)) return partition;
-    SolidEditor editor(partition, seeds);
+    SolidEditor editor(std::move(partition), seeds, offset, task);
     for (const FragmentEdit& edit : edits) {
-        if (isHere(edit)) std::visit([&](const auto& one) { editor.apply(one); }, edit);
+        if (!isHere(edit)) continue;
+        const Status applied = std::visit([&](const auto& one) { return editor.apply(one); }, edit);
+        if (!applied) return applied.error();
     }
     std::ranges::move(editor.reports(), std::back_inserter(diagnostics));
-    return mergedFragments(std::move(partition), editor.receivers());
+    return std::move(editor).finished();
 }
 
 double minFragmentVolume(const SmallPieces& small, double volume, std::uint32_t count) {

@@ -37,7 +37,8 @@ struct FragmentMerge {
     std::vector<FragmentPath> merged;
     bool operator==(const FragmentMerge&) const = default;
 };
-/// A fragment split along a line, in the prism's coordinates. Its parts take the next free numbers of their cell.
+/// A fragment split along a line, in the xy plane of the asset; one of a mesh along the plane through it along z. Its
+/// parts take the next free numbers of their cell.
 struct FragmentSplit {
     FragmentPath fragment;
     Line line;

@@ -4,6 +4,7 @@
 
 #include "core/asset/bake/BakeEstimate.h"
 #include "core/asset/bake/BakeHash.h"
+#include "core/asset/bake/FractureResult.h"
 #include "core/asset/bake/FragmentLookup.h"
 #include "core/asset/checks/Problems.h"
 #include "core/asset/checks/VerifyBake.h"
@@ -14,6 +15,8 @@
 
 #include <QTest>
 
+#include <algorithm>
+#include <array>
 #include <set>
 
 using namespace rubble;
@@ -33,6 +36,25 @@ double volumeOfLevel(const Bake& bake, std::uint32_t level) {
         if (fragment.level == level) volume += fragment.solid.volume();
     }
     return volume;
+}
+
+/// The least and the largest x of a fragment's points, m, in the asset's frame.
+std::array<double, 2> extentAlongX(const Fragment& fragment) {
+    std::array<double, 2> extent{1e300, -1e300};
+    for (const Vec3& point : meshInOwnFrame(fragment).points) {
+        const double x = point.x + fragment.offset().x;
+        extent = {std::min(extent[0], x), std::max(extent[1], x)};
+    }
+    return extent;
+}
+
+/// A line along y.
+Line lineAtX(double x) { return {{x, 0.0}, {0.0, 1.0}}; }
+
+std::vector<std::string> messagesOf(const std::vector<Diagnostic>& diagnostics) {
+    std::vector<std::string> messages;
+    for (const Diagnostic& one : diagnostics) messages.push_back(one.message);
+    return messages;
 }
 
 }  // namespace
@@ -107,6 +129,59 @@ private slots:
         QCOMPARE(merged->diagnostics.size(), 1u);
         QCOMPARE(merged->diagnostics[0].message,
                  std::string("Fragment 4.99 does not exist; nothing is merged into it."));
+    }
+    void fragmentsAreSplitByHand() {
+        Asset asset = meshAsset(cubes({{0, 0, 0}}), 5);
+        asset.pattern.layers.clear();
+        asset.edits = {FragmentSplit{"0.0", lineAtX(0.25)}, FragmentSplit{"0.0.1", lineAtX(0.75)}};
+        const Result<Bake> split = bake(asset);
+        QVERIFY2(split, split ? "" : split.error().message.c_str());
+        QCOMPARE(idsOf(*split), (std::vector<std::string>{"3/0.0.0", "3/0.0.1", "3/0.0.2"}));
+        QCOMPARE(split->diagnostics.size(), 0u);
+        for (const auto& [fragment, volume] : {std::pair(0u, 0.25), std::pair(1u, 0.5), std::pair(2u, 0.25)})
+            QVERIFY(std::abs(split->fragment(fragment).solid.volume() - volume) < 1e-12);
+        QCOMPARE(QString::fromStdString(faultOf(*split, asset)), QString());
+    }
+    void editsFollowEachOther() {
+        Asset asset = meshAsset(cubes({{0, 0, 0}}), 5);
+        asset.pattern.layers.clear();
+        asset.edits = {FragmentSplit{"0.0", lineAtX(0.5)},     // 0.0.0 and 0.0.1
+                       FragmentSplit{"0.0.1", lineAtX(0.75)},  // 0.0.1 and 0.0.2
+                       FragmentMerge{"0.0.0", {"0.0.2"}},      // they do not touch
+                       FragmentMerge{"0.0.1", {"0.0.2"}},
+                       FragmentSplit{"0.0.2", lineAtX(0.8)},     // it is not there any more
+                       FragmentSplit{"0.0.0", lineAtX(2.0)},     // elsewhere
+                       FragmentSplit{"0.0.0", lineAtX(0.125)}};  // 0.0.0 and 0.0.3
+        const Result<Bake> edited = bake(asset);
+        QVERIFY2(edited, edited ? "" : edited.error().message.c_str());
+        QCOMPARE(idsOf(*edited), (std::vector<std::string>{"3/0.0.0", "3/0.0.1", "3/0.0.3"}));
+        for (const auto& [fragment, volume] : {std::pair(0u, 0.125), std::pair(1u, 0.5), std::pair(2u, 0.375)})
+            QVERIFY(std::abs(edited->fragment(fragment).solid.volume() - volume) < 1e-12);
+        QCOMPARE(messagesOf(edited->diagnostics),
+                 (std::vector<std::string>{"Fragment 0.0.2 does not touch 0.0.0; they are not merged.",
+                                           "Fragment 0.0.2 does not exist; it is not split.",
+                                           "Fragment 0.0.0 does not intersect its split line; it is not split."}));
+        QCOMPARE(QString::fromStdString(faultOf(*edited, asset)), QString());
+    }
+    void splitLinesAreInTheFrameOfTheAsset() {
+        Asset asset = meshAsset(transformed(bumpySphere(24), Mat3(1.0), {5.0, 0.0, 0.0}), 6);
+        asset.levels = {scatteredLevel(6, 4)};
+        const Result<Bake> before = bake(asset);
+        const std::uint32_t child = before->fractures[3].first + 1;
+        const FragmentPath path = before->fragmentPath(child);
+        const double x = before->fragment(child).solid.offset().x;
+        asset.edits = {FragmentSplit{path, lineAtX(x)}};
+        const Result<Bake> after = bake(asset);
+        QVERIFY2(after, after ? "" : after.error().message.c_str());
+        QCOMPARE(after->fragmentCount(), before->fragmentCount() + 1);
+        QCOMPARE(after->diagnostics.size(), 0u);
+        const auto low = fragmentAt(*after, path + ".0"), high = fragmentAt(*after, path + ".1");
+        QVERIFY(low && high);
+        const Fragment first = after->fragment(*low).solid, second = after->fragment(*high).solid;
+        QVERIFY(std::abs(extentAlongX(first)[1] - x) < 1e-9);
+        QVERIFY(std::abs(extentAlongX(second)[0] - x) < 1e-9);
+        QVERIFY(std::abs(first.volume() + second.volume() - before->fragment(child).solid.volume()) < 1e-12);
+        QCOMPARE(QString::fromStdString(faultOf(*after, asset)), QString());
     }
     void theHashIsOfTheMesh() {
         const Asset asset = meshAsset(bumpySphere(12), 5);
