@@ -87,7 +87,7 @@ struct Diagnostic {
     std::string message;  // one sentence that names the place
     /// The measured value: m² for Gap, ThinPiece, MergedPiece, DroppedSeed and VanishedPiece; m for LooseCut,
     /// OverlappingPieces, CloseHulls and BeyondSpan; seeds for NoRoom; aspect ratio for Sliver; m³ for TinyPiece and
-    /// for VanishedPiece of a mesh; hulls for ManyHulls; N·s for UnknownStrength; N for WeakBonds; m/s for
+    /// for Gap and VanishedPiece of a mesh; hulls for ManyHulls; N·s for UnknownStrength; N for WeakBonds; m/s for
     /// PushedPiece; points for RepeatedPoint; bytes for LongName and LongPath; corners for ManyHullCorners; relative
     /// to that of the whole for SwapDrift and GapVolume.
     double value = 0.0;

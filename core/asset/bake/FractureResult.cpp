@@ -14,7 +14,6 @@
 #include "core/fracture/pattern/PieceEstimate.h"
 #include "core/fracture/pattern/SolidPatternCut.h"
 #include "core/fracture/sampling/SolidDomain.h"
-#include "core/fracture/solid/SolidHulls.h"
 
 namespace rubble {
 namespace {
@@ -153,15 +152,15 @@ Result<FractureResult> fractureResult(const Recipe& recipe, const TriangleMesh& 
     std::vector<Diagnostic> diagnostics;
     Result<SolidPartition> cut = shapedPartition(recipe, mesh, *seeds, diagnostics, task.stage(0.2, 0.6));
     if (!cut) return cut.error();
-    Result<Fragments> fragments = solidFragments(std::move(*cut), {}, task.stage(0.6, 1.0));
+    Result<Fragments> fragments = solidFragments(std::move(*cut), gapOf(recipe), {}, task.stage(0.6, 1.0));
     if (!fragments) return fragments.error();
-    fragments->diagnostics = std::move(diagnostics);
+    fragments->diagnostics.insert(fragments->diagnostics.begin(), diagnostics.begin(), diagnostics.end());
     return FractureResult{{}, std::move(*seeds), {}, std::move(*fragments)};
 }
 
 TriangleMesh meshInOwnFrame(const Fragment& fragment) {
     const SolidFragments& all = *fragment.all().solid();
-    TriangleMesh mesh = meshOf(all.partition, fragment.index());
+    TriangleMesh mesh = all.meshOf(fragment.index());
     for (Vec3& point : mesh.points) point -= all.masses[fragment.index()].centre;
     return mesh;
 }

@@ -54,7 +54,8 @@ Result<PlanarFracture> planarFracture(const Recipe& recipe, Prism prism, const T
 /// Errors: those of planarFracture() but Limit.
 Result<FractureResult> fractureResult(const Recipe& recipe, Prism prism, const TaskContext& task);
 
-/// All stages of a closed mesh: seeds in space, fragments merged and split by hand, then small ones removed.
+/// All stages of a closed mesh: seeds in space, fragments merged and split by hand, then small ones removed, then a gap
+/// taken off.
 ///
 /// Errors: those of seedsOf() and solidFragments(); Cancelled.
 Result<FractureResult> fractureResult(const Recipe& recipe, const TriangleMesh& mesh, const TaskContext& task);
@@ -63,7 +64,7 @@ Result<FractureResult> fractureResult(const Recipe& recipe, const TriangleMesh& 
 Result<FractureResult> fractureResult(const Recipe& recipe, const Asset& asset, const TaskContext& task);
 Result<FractureResult> fractureResult(const Recipe& recipe, const Fragment& fragment, const TaskContext& task);
 
-/// A fragment of a mesh in its own frame, m.
+/// A fragment of a mesh, less the gap, in its own frame, m.
 TriangleMesh meshInOwnFrame(const Fragment& fragment);
 
 /// The pattern with the random seed of each layer mixed with a fragment's id, so that no two fragments fracture alike.

@@ -14,6 +14,8 @@
 #include "core/fracture/verify/VerifySmallPieces.h"
 #include "core/fracture/verify/VerifySolidFragments.h"
 
+#include <algorithm>
+
 namespace rubble {
 namespace {
 
@@ -43,12 +45,23 @@ TriangleMesh meshOf(const Bake& bake, const Asset& asset, std::uint32_t parent) 
     return parent == kNone ? asset.mesh()->mesh : meshInOwnFrame(bake.fragment(parent).solid);
 }
 
+/// Whether fragments of a mesh are the same, bit for bit.
+bool areEqual(const SolidFragments& stored, const SolidFragments& again) {
+    const auto areSame = [](const ShrunkFragment& a, const ShrunkFragment& b) {
+        return a.mesh.points == b.mesh.points && a.mesh.triangles == b.mesh.triangles;
+    };
+    return stored.partition.points == again.partition.points &&
+           stored.partition.triangles == again.partition.triangles && stored.remaining == again.remaining &&
+           (stored.shrunk == nullptr) == (again.shrunk == nullptr) &&
+           (!stored.shrunk || std::ranges::equal(stored.shrunk->fragments, again.shrunk->fragments, areSame));
+}
+
 /// Checks the fragments of a mesh, and that they are those of another time.
-Sentence solidFault(const BakedFracture& stored, const FractureResult& again, const TriangleMesh& mesh) {
-    const SolidPartition &partition = stored.fragments.solid()->partition,
-                         &expected = again.fragments.solid()->partition;
-    if (partition.points != expected.points || partition.triangles != expected.triangles)
+Sentence solidFault(const BakedFracture& stored, const FractureResult& again, const TriangleMesh& mesh,
+                    const Recipe& recipe) {
+    if (!areEqual(*stored.fragments.solid(), *again.fragments.solid()))
         return "The fragments are not those of the seeds.";
+    if (stored.fragments.gap != gapOf(recipe)) return "The fragments have another gap than the asset.";
     return verifySolidFragments(stored.fragments, mesh);
 }
 
@@ -95,7 +108,7 @@ Sentence fractureFault(const Bake& bake, const Asset& asset, const BakedFracture
     const Result<FractureResult> again = fracturedAgain(bake, asset, stored.parent, recipe);
     if (!again) return again.error().message;
     if (Sentence fault = placeFault(bake, stored, *again)) return fault;
-    if (stored.fragments.solid()) return solidFault(stored, *again, meshOf(bake, asset, stored.parent));
+    if (stored.fragments.solid()) return solidFault(stored, *again, meshOf(bake, asset, stored.parent), recipe);
     return stageFault(stored, *again, recipe);
 }
 

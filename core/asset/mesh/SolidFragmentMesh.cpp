@@ -65,15 +65,45 @@ private:
     Mesh m_mesh;
 };
 
+/// The mesh of a fragment less a gap. Triangles of one side that follow each other in one plane are a face.
+Mesh shrunkMesh(const ShrunkFragment& fragment, Vec3 centre, Vec3 origin, const Asset& asset) {
+    constexpr double kFlat = 1e-10;  // radians between normals: less than meshes are verified to
+    const std::vector<Triangle>& triangles = fragment.mesh.triangles;
+    const auto normalOf = [&](std::size_t k) {
+        const Vec3 normal = doubleArea(fragment.mesh, k);
+        const double length = glm::length(normal);
+        return length > 0.0 ? normal / length : Vec3(0.0);
+    };
+    SolidMeshBuilder builder(fragment.mesh.points, centre, origin);
+    for (const FaceSide side : {FaceSide::Outside, FaceSide::Inside}) {
+        for (std::size_t first = 0, end = 0; first < triangles.size(); first = end) {
+            const ShrunkFragment::Side& one = fragment.sides[first];
+            const Vec3 normal = normalOf(first);
+            for (end = first + 1; end < triangles.size(); ++end) {
+                const ShrunkFragment::Side& next = fragment.sides[end];
+                const bool isOfSide = next.neighbour == one.neighbour && next.source == one.source;
+                if (!isOfSide || glm::distance(normalOf(end), normal) > kFlat) break;
+            }
+            const bool isOutside = one.neighbour == kNone;
+            if (isOutside != (side == FaceSide::Outside)) continue;
+            builder.addFace(std::span(triangles).subspan(first, end - first), false, side,
+                            isOutside ? 1.0 : asset.insideUvScale);
+        }
+    }
+    return std::move(builder).result();
+}
+
 }  // namespace
 
 Mesh solidFragmentMesh(const Fragment& fragment, const Asset& asset) {
     const SolidFragments& all = *fragment.all().solid();
     const SolidPartition& partition = all.partition;
-    const Vec3 origin = partition.origin + fragment.all().origin;
-    SolidMeshBuilder builder(partition.points, all.masses[fragment.index()].centre, origin);
+    const Vec3 origin = partition.origin + fragment.all().origin, centre = all.masses[fragment.index()].centre;
+    const std::uint32_t number = all.numberInPartition(fragment.index());
+    if (all.shrunk) return shrunkMesh(all.shrunk->fragments[number], centre, origin, asset);
+    SolidMeshBuilder builder(partition.points, centre, origin);
     for (const FaceSide side : {FaceSide::Outside, FaceSide::Inside}) {
-        for (const SolidPartition::FaceSide& one : partition.facesOf(fragment.index())) {
+        for (const SolidPartition::FaceSide& one : partition.facesOf(number)) {
             const bool isOutside = partition.faces[one.face].behind == kNone;
             if (isOutside != (side == FaceSide::Outside)) continue;
             builder.addFace(partition.trianglesOf(one.face), one.isReversed, side,

@@ -5,9 +5,9 @@
 
 namespace rubble {
 
-/// The render mesh of a fragment of a closed mesh, in its own frame: the triangles of its faces, those of the outside
-/// first. UVs are in metres in the face's plane, seen along the axis that is nearest to its normal; those of the inside
-/// are multiplied by the asset's inside scale.
+/// The render mesh of a fragment of a closed mesh, less the gap, in its own frame: the triangles of its faces, those of
+/// the outside first. UVs are in metres in the face's plane, seen along the axis nearest to its normal; those of
+/// the inside are multiplied by the asset's inside scale.
 Mesh solidFragmentMesh(const Fragment& fragment, const Asset& asset);
 
 /// The render mesh of a closed mesh about `centre`, with the same UVs.

@@ -39,7 +39,7 @@ void addHull(std::span<const Vec2> ring, double depth, std::vector<Polytope>& hu
 }  // namespace
 
 std::uint32_t Fragments::count() const {
-    if (const SolidFragments* all = solid()) return all->partition.fragmentCount();
+    if (const SolidFragments* all = solid()) return all->count();
     return static_cast<std::uint32_t>(extruded()->pieceOfFragment.size());
 }
 
@@ -49,12 +49,14 @@ std::optional<ExtrudedFragment> Fragment::extruded() const {
 }
 
 std::uint32_t Fragment::seed() const {
-    if (const SolidFragments* all = m_all->solid()) return all->partition.seedOfFragment[m_index];
+    if (const SolidFragments* all = m_all->solid())
+        return all->partition.seedOfFragment[all->numberInPartition(m_index)];
     return m_all->extruded()->partition.seedOfPiece[extruded()->piece()];
 }
 
 std::uint32_t Fragment::partOfCell() const {
-    if (const SolidFragments* all = m_all->solid()) return all->partition.partOfFragment[m_index];
+    if (const SolidFragments* all = m_all->solid())
+        return all->partition.partOfFragment[all->numberInPartition(m_index)];
     return rubble::partOfCell(m_all->extruded()->partition, extruded()->piece());
 }
 

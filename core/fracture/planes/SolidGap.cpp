@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 namespace rubble {
@@ -376,18 +375,19 @@ private:
     std::vector<SolidTriangle> m_triangles;  // tag: the place in facesOf(fragment), or tagOf() a plane
 };
 
+/// Reports that a fragment vanishes, or else falls apart.
 Diagnostic lossReport(const SolidPartition& partition, std::uint32_t fragment, const ShrunkFragment& left) {
     const double lost = partition.volumes[fragment] - left.volume;
     const std::uint32_t seed = partition.seedOfFragment[fragment];
-    const std::string cell = "the cell of seed " + std::to_string(seed),
+    const std::string of = seed == kNone ? "the mesh" : "the cell of seed " + std::to_string(seed),
                       volume = quantityText(QuantityKind::Volume, lost);
-    return diagnostic(DiagnosticCode::VanishedPiece, {.seed = seed},
-                      left.isDisconnected
-                          ? "The gap between fragments cuts a fragment of " + cell +
-                                " apart; its largest part remains, and " + volume + " are left out."
-                          : "A fragment of " + cell +
-                                " is narrower than the gap between fragments; it is omitted with " + volume + ".",
-                      lost);
+    return diagnostic(
+        DiagnosticCode::VanishedPiece, {.seed = seed},
+        left.isDisconnected
+            ? "The gap between fragments cuts a fragment of " + of + " apart; its largest part remains, and " + volume +
+                  " are left out."
+            : "A fragment of " + of + " is narrower than the gap between fragments; it is omitted with " + volume + ".",
+        lost);
 }
 
 }  // namespace
@@ -424,6 +424,10 @@ Result<ShrunkSolid> shrunkFragments(const SolidPartition& partition, double gap,
     }
     solid.diagnostics = std::move(found).list();
     return solid;
+}
+
+Diagnostic vanishedReport(const SolidPartition& partition, std::uint32_t fragment) {
+    return lossReport(partition, fragment, {});
 }
 
 }  // namespace rubble

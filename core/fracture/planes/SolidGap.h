@@ -43,4 +43,7 @@ struct ShrunkSolid {
 /// Errors: BadInput for a gap that is negative or not finite; Cancelled.
 Result<ShrunkSolid> shrunkFragments(const SolidPartition& partition, double gap, const TaskContext& task = {});
 
+/// Reports that a fragment vanishes because of a gap.
+Diagnostic vanishedReport(const SolidPartition& partition, std::uint32_t fragment);
+
 }  // namespace rubble

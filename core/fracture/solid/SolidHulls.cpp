@@ -161,23 +161,28 @@ Result<std::vector<Polytope>> hullsOf(const TriangleMesh& mesh, const HullLimits
     return hulls;
 }
 
+std::vector<Result<std::vector<Polytope>>> hullsOfEach(std::size_t count,
+                                                       const std::function<TriangleMesh(std::uint32_t)>& meshOf,
+                                                       const HullLimits& limits, const TaskContext& task) {
+    std::vector<Result<std::vector<Polytope>>> hulls(count, Result<std::vector<Polytope>>(std::vector<Polytope>{}));
+    forEachIndex(count, task.threads, [&](std::size_t k) {
+        if (!task.isCancelled()) hulls[k] = hullsOf(meshOf(static_cast<std::uint32_t>(k)), limits);
+    });
+    return hulls;
+}
+
 Result<std::vector<std::vector<Polytope>>> fragmentHulls(const SolidPartition& partition, const HullLimits& limits,
                                                          const TaskContext& task) {
-    std::vector<std::vector<Polytope>> hulls(partition.fragmentCount());
-    std::vector<std::optional<Error>> errors(partition.fragmentCount());
-    forEachIndex(hulls.size(), task.threads, [&](std::size_t fragment) {
-        if (task.isCancelled()) return;
-        Result<std::vector<Polytope>> made = hullsOf(meshOf(partition, static_cast<std::uint32_t>(fragment)), limits);
-        if (made)
-            hulls[fragment] = std::move(*made);
-        else
-            errors[fragment] = made.error();
-    });
+    std::vector<Result<std::vector<Polytope>>> each = hullsOfEach(
+        partition.fragmentCount(), [&](std::uint32_t fragment) { return meshOf(partition, fragment); }, limits, task);
     if (task.isCancelled()) return TaskContext::cancelled();
-    for (std::size_t fragment = 0; fragment < errors.size(); ++fragment) {
-        if (!errors[fragment]) continue;
-        return Error{errors[fragment]->code,
-                     "Fragment " + std::to_string(fragment) + " has no hull: " + errors[fragment]->message};
+    std::vector<std::vector<Polytope>> hulls;
+    for (std::size_t fragment = 0; fragment < each.size(); ++fragment) {
+        if (!each[fragment]) {
+            return Error{each[fragment].error().code,
+                         "Fragment " + std::to_string(fragment) + " has no hull: " + each[fragment].error().message};
+        }
+        hulls.push_back(std::move(*each[fragment]));
     }
     return hulls;
 }

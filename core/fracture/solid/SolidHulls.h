@@ -6,6 +6,7 @@
 #include "core/geometry/hull/Polytope.h"
 #include "core/geometry/mesh/TriangleMesh.h"
 
+#include <functional>
 #include <vector>
 
 namespace rubble {
@@ -26,6 +27,12 @@ TriangleMesh meshOf(const SolidPartition& partition, std::uint32_t fragment);
 ///
 /// Errors: those of cutSolid() and convexHull().
 Result<std::vector<Polytope>> hullsOf(const TriangleMesh& mesh, const HullLimits& limits = {});
+
+/// The hulls of each of several meshes, in their coordinates, each with its error if it has none. In parallel;
+/// `meshOf(k)` is called on any thread. What is not done when the task is cancelled is empty.
+std::vector<Result<std::vector<Polytope>>> hullsOfEach(std::size_t count,
+                                                       const std::function<TriangleMesh(std::uint32_t)>& meshOf,
+                                                       const HullLimits& limits, const TaskContext& task);
 
 /// The hulls of each fragment, in the coordinates of the partition. In parallel.
 ///

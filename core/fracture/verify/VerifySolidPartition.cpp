@@ -1,10 +1,12 @@
 #include "core/fracture/verify/VerifySolidPartition.h"
 
 #include "core/geometry/mesh/SolidMesh.h"
+#include "core/geometry/predicates/SegmentDistance.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rubble {
@@ -90,6 +92,17 @@ private:
         return std::nullopt;
     }
 
+    /// The ends of the longest side of a triangle of the mesh, relative to the partition's origin.
+    std::array<Vec3, 2> longestSide(std::uint32_t triangle) const {
+        std::array<Vec3, 2> longest{};
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 from = m_mesh.points[m_mesh.triangles[triangle][k]] - m_partition.origin;
+            const Vec3 to = m_mesh.points[m_mesh.triangles[triangle][(k + 1) % 3]] - m_partition.origin;
+            if (glm::distance(from, to) > glm::distance(longest[0], longest[1])) longest = {from, to};
+        }
+        return longest;
+    }
+
     Fault outsideFault() const {
         std::vector<double> covered(m_mesh.triangles.size(), 0.0);
         for (std::uint32_t f = 0; f < m_partition.faces.size(); ++f) {
@@ -98,11 +111,13 @@ private:
             const Vec3 normal = doubleArea(m_mesh, face.source);
             const double length = glm::length(normal);
             if (length == 0.0) continue;
-            const Vec3 first = m_mesh.points[m_mesh.triangles[face.source][0]] - m_partition.origin;
+            const auto [start, end] = longestSide(face.source);
             for (const std::array<std::uint32_t, 3>& t : m_partition.trianglesOf(f)) {
                 const auto [a, b, c] = corners(t);
                 covered[face.source] += glm::dot(glm::cross(b - a, c - a), normal) / length;
-                if (std::abs(glm::dot(a - first, normal)) > 1e-11 * m_size * length) {
+                // From a point nearby, since the normal of a narrow triangle has few digits.
+                const Vec3 nearby = start + closestFraction(a, start, end) * (end - start);
+                if (std::abs(glm::dot(a - nearby, normal)) > 1e-11 * m_size * length) {
                     return "Face " + text(f) + " is not in the plane of triangle " + text(face.source) + ".";
                 }
             }

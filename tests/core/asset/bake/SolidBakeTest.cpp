@@ -183,6 +183,35 @@ private slots:
         QVERIFY(std::abs(first.volume() + second.volume() - before->fragment(child).solid.volume()) < 1e-12);
         QCOMPARE(QString::fromStdString(faultOf(*after, asset)), QString());
     }
+    void gapsAreTakenOffOnAllLevels() {
+        Asset asset = meshAsset(bumpySphere(24), 12);
+        asset.levels = {scatteredLevel(6, 5)};
+        asset.shaping.gap = 0.02;
+        const Result<Bake> baked = bake(asset);
+        QVERIFY2(baked, baked ? "" : baked.error().message.c_str());
+        QCOMPARE(QString::fromStdString(faultOf(*baked, asset)), QString());
+        QVERIFY(baked->fractures.size() > 8);
+        for (const BakedFracture& fracture : baked->fractures) {
+            const double whole =
+                fracture.parent == kNone ? baked->whole.volume : baked->fragment(fracture.parent).solid.volume();
+            double left = 0.0;
+            for (std::uint32_t k = 0; k < fracture.fragments.count(); ++k) left += fracture.fragments[k].volume();
+            const double gap = fracture.fragments.solid()->gapVolume;
+            QVERIFY(gap > 0.0 && std::abs(left + gap - whole) < 1e-9);
+        }
+        QVERIFY(std::ranges::any_of(baked->diagnostics,
+                                    [](const Diagnostic& one) { return one.code == DiagnosticCode::Gap; }));
+    }
+    void bondsAreThoseBeforeTheGap() {
+        Asset asset = meshAsset(bumpySphere(24), 20);
+        const Result<Bake> before = bake(asset);
+        asset.shaping.gap = 0.01;
+        const Result<Bake> after = bake(asset);
+        const std::vector<SolidContact>&expected = before->fractures[0].fragments.solid()->contacts,
+              &contacts = after->fractures[0].fragments.solid()->contacts;
+        QCOMPARE(contacts.size(), expected.size());
+        for (std::size_t k = 0; k < contacts.size(); ++k) QCOMPARE(contacts[k].area, expected[k].area);
+    }
     void theHashIsOfTheMesh() {
         const Asset asset = meshAsset(bumpySphere(12), 5);
         QCOMPARE(bakeInputHash(asset), bakeInputHash(meshAsset(bumpySphere(12), 5)));
