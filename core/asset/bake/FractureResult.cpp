@@ -95,6 +95,7 @@ Result<SolidPartition> shapedPartition(const Recipe& recipe, const TriangleMesh&
         dropSeeds(dropped, seeds);
         cut = cutInSpace(recipe.pattern, mesh, seeds, task);
     }
+    if (cut && !seeds.ids.empty()) diagnostics = seedReports(*cut);
     if (cut && !recipe.edits.empty()) {
         cut =
             editedFragments(std::move(*cut), seeds, recipe.edits, recipe.place, Vec2{recipe.offset}, diagnostics, task);

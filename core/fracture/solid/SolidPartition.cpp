@@ -1,8 +1,12 @@
 #include "core/fracture/solid/SolidPartition.h"
 
+#include "core/fracture/partition/CappedDiagnostics.h"
+
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <numeric>
+#include <string>
 
 namespace rubble {
 
@@ -38,6 +42,29 @@ void SolidPartition::listFaces() {
         facesOfFragment[next[faces[f].fragment]++] = {f, false};
         if (faces[f].behind != kNone) facesOfFragment[next[faces[f].behind]++] = {f, true};
     }
+}
+
+std::vector<Diagnostic> seedReports(const SolidPartition& partition) {
+    CappedDiagnostics found;
+    for (std::uint32_t seed = 0; seed < partition.fragmentOfSeed.size(); ++seed) {
+        if (partition.fragmentOfSeed[seed] != kNone) continue;
+        const std::string name = "Seed " + std::to_string(seed);
+        const auto equal =
+            std::ranges::lower_bound(partition.duplicates, seed, {}, [](const auto& pair) { return pair[0]; });
+        if (equal != partition.duplicates.end() && (*equal)[0] == seed) {
+            const std::uint32_t other = (*equal)[1];
+            found.add(DiagnosticCode::DuplicateSeed, [&] {
+                return diagnostic(DiagnosticCode::DuplicateSeed, {.seed = seed, .otherSeed = other},
+                                  name + " equals seed " + std::to_string(other) + " and was left out.");
+            });
+        } else {
+            found.add(DiagnosticCode::SeedWithoutCell, [&] {
+                return diagnostic(DiagnosticCode::SeedWithoutCell, {.seed = seed},
+                                  name + " has no cell inside the mesh.");
+            });
+        }
+    }
+    return std::move(found).list();
 }
 
 }  // namespace rubble

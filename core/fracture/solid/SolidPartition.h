@@ -62,4 +62,8 @@ struct SolidPartition {
     void listFaces();
 };
 
+/// The seeds that equal another (DuplicateSeed) and those whose cell misses the mesh (SeedWithoutCell), by seed, of a
+/// partition as it was cut.
+std::vector<Diagnostic> seedReports(const SolidPartition& partition);
+
 }  // namespace rubble

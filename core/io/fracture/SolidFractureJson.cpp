@@ -17,23 +17,6 @@ Vec3 readPoint(const JsonValue& value) {
     return {xyz[0], xyz[1], xyz[2]};
 }
 
-std::vector<Diagnostic> reportsOf(const SolidPartition& partition) {
-    std::vector<Diagnostic> reports;
-    std::vector<bool> isDuplicate(partition.fragmentOfSeed.size());
-    for (const auto& [seed, of] : partition.duplicates) {
-        isDuplicate[seed] = true;
-        reports.push_back(diagnostic(DiagnosticCode::DuplicateSeed, {.seed = seed, .otherSeed = of},
-                                     "Seed " + std::to_string(seed) + " is at the same place as seed " +
-                                         std::to_string(of) + "; it has no cell."));
-    }
-    for (std::uint32_t seed = 0; seed < isDuplicate.size(); ++seed) {
-        if (isDuplicate[seed] || partition.fragmentOfSeed[seed] != kNone) continue;
-        reports.push_back(diagnostic(DiagnosticCode::SeedWithoutCell, {.seed = seed},
-                                     "The cell of seed " + std::to_string(seed) + " is outside the mesh."));
-    }
-    return reports;
-}
-
 /// Points in use, those of the mesh first.
 class PointNames {
 public:
@@ -148,7 +131,7 @@ Result<std::string> solidFractureJson(const SolidFractureInput& input, const Tas
         json.text("message", note.message);
         json.close();
     }
-    for (const Diagnostic& report : reportsOf(*partition)) writeFractureReport(json, report);
+    for (const Diagnostic& report : seedReports(*partition)) writeFractureReport(json, report);
     json.close();
     json.close();
     return std::move(json).finished();

@@ -212,6 +212,24 @@ private slots:
         QCOMPARE(contacts.size(), expected.size());
         for (std::size_t k = 0; k < contacts.size(); ++k) QCOMPARE(contacts[k].area, expected[k].area);
     }
+    void seedsWithoutFragmentsAreReported() {
+        Asset asset = meshAsset(cubes({{0, 0, 0}}), 5);
+        PlacedSeeds seeds{{{0, {0.5, 0.5}, 0.25}, {1, {0.5, 0.5}, 0.75}, {2, {0.5, 0.5}, 0.25}}};
+        seeds.seeds.push_back({3, {0.5, 0.5}, 9.0});
+        asset.pattern.layers[0].parameters = seeds;
+        asset.edits = {FragmentMerge{"4.0", {"4.1"}}};  // does not take the cell of its seed away
+        const Result<Bake> baked = bake(asset);
+        QVERIFY2(baked, baked ? "" : baked.error().message.c_str());
+        QCOMPARE(baked->fragmentCount(), 1u);
+        QCOMPARE(messagesOf(baked->diagnostics), (std::vector<std::string>{"Seed 2 equals seed 0 and was left out.",
+                                                                           "Seed 3 has no cell inside the mesh."}));
+        QCOMPARE(baked->diagnostics[0].code, DiagnosticCode::DuplicateSeed);
+        QCOMPARE(baked->diagnostics[0].place.layer, asset.pattern.layers[0].id);
+        QCOMPARE(baked->diagnostics[0].place.index, 2u);
+        QCOMPARE(baked->diagnostics[1].code, DiagnosticCode::SeedWithoutCell);
+        QCOMPARE(baked->diagnostics[1].place.index, 3u);
+        QCOMPARE(baked->diagnostics[1].place.asset, asset.id);
+    }
     void theHashIsOfTheMesh() {
         const Asset asset = meshAsset(bumpySphere(12), 5);
         QCOMPARE(bakeInputHash(asset), bakeInputHash(meshAsset(bumpySphere(12), 5)));
