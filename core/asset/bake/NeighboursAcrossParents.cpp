@@ -1,5 +1,6 @@
 #include "core/asset/bake/NeighboursAcrossParents.h"
 
+#include "core/asset/bake/SolidNeighbours.h"
 #include "core/geometry/predicates/SegmentDistance.h"
 #include "core/geometry/search/BoxTree.h"
 
@@ -178,14 +179,17 @@ private:
 }  // namespace
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> neighboursAcrossParents(const Bake& bake, std::uint32_t level) {
-    if (bake.fractures.empty() || !bake.fractures[0].fragments.extruded()) return {};
-    CutIntervals intervals(bake);
+    std::vector<std::uint32_t> fragments;
     for (const BakedFracture& fracture : bake.fractures) {
         if (fracture.level > level) continue;
         for (std::uint32_t k = fracture.first; k < fracture.first + fracture.fragments.count(); ++k) {
-            if (fracture.level == level || !bake.fractureOf(k)) intervals.add(k);
+            if (fracture.level == level || !bake.fractureOf(k)) fragments.push_back(k);
         }
     }
+    if (fragments.empty()) return {};
+    if (bake.fractures[0].fragments.solid()) return solidNeighbours(bake, fragments);
+    CutIntervals intervals(bake);
+    for (const std::uint32_t fragment : fragments) intervals.add(fragment);
     return intervals.neighbours();
 }
 

@@ -5,6 +5,7 @@
 #include "core/base/MessageText.h"
 #include "core/base/Parallel.h"
 #include "core/base/QuantityText.h"
+#include "core/fracture/fragments/FragmentName.h"
 #include "core/fracture/pattern/PatternPartition.h"
 #include "core/geometry/hull/AspectRatio.h"
 #include "core/geometry/polygon/PolygonFaults.h"
