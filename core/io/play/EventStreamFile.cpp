@@ -151,7 +151,11 @@ void writeDamage(JsonWriter& json, const InstanceDamage& now, const InstanceDama
     const bool isSame = before != nullptr && before->cut == now.cut && before->broken.size() == now.broken.size();
     if (now.cut && !isSame) {
         json.openObject("cut");
-        json.numbers("point", {now.cut->point.x, now.cut->point.y});
+        if (now.cut->isInPlane()) {
+            json.numbers("point", {now.cut->point.x, now.cut->point.y});
+        } else {
+            json.numbers("point", {now.cut->point.x, now.cut->point.y, now.cut->height});
+        }
         json.text("number", std::to_string(now.cut->number));
         json.close();
     }

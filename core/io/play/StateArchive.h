@@ -38,9 +38,12 @@ static_assert(std::endian::native == std::endian::little);  // numbers are littl
 /// Appends fields to bytes.
 class StateWriter {
 public:
+    /// `absent`: the names of fields that are not written, since the version that is written does not have them.
+    explicit StateWriter(std::span<const std::string_view> absent = {}) : m_absent(absent) {}
+
     template <class T>
-    void operator()(const char*, const T& field) {
-        write(field);
+    void operator()(const char* name, const T& field) {
+        if (std::ranges::find(m_absent, name) == m_absent.end()) write(field);
     }
     std::string take() { return std::move(m_bytes); }
 
@@ -108,6 +111,7 @@ private:
     void write(const T& fields) { visitAllFields<T>(fields, *this); }
 
     std::string m_bytes;
+    std::span<const std::string_view> m_absent;
 };
 
 /// Reads the fields that a StateWriter wrote, from bytes that may be anything. After the first fault nothing more is

@@ -43,19 +43,28 @@ constexpr std::string_view kMagic = "RBLSTATE";
 
 // Fields that files of older versions do not have, the latest first.
 constexpr std::string_view kAddedNames[] = {
+    "cutHeight",                                                     // version 5: cuts of meshes
     "isBullet",     "predictions", "obstacleSizes",    "gapNormal",  // version 4: gaps along their axis
     "dividedUntil",  // version 3: what is at rest, and the time after a break
     "heldLevel",    "heldUntil",   "restDisplacement", "restRotation", "stayReach",    "stayPath",
     "structures",  // version 2: bonds
     "structure",    "bondedNodes", "isHeld",           "collapseStep", "partialDamage"};
-constexpr std::size_t kAddedInVersion4 = 4, kAddedInVersion3 = 7;
+constexpr std::size_t kAddedInVersion5 = 1, kAddedInVersion4 = 4, kAddedInVersion3 = 7;
 
 /// The fields that files of a version do not have.
 std::span<const std::string_view> absentIn(std::uint32_t version) {
     const std::span<const std::string_view> added = kAddedNames;
-    if (version >= 4) return {};
-    if (version == 3) return added.first(kAddedInVersion4);
-    return version == 2 ? added.first(kAddedInVersion4 + kAddedInVersion3) : added;
+    if (version >= 5) return {};
+    if (version == 4) return added.first(kAddedInVersion5);
+    if (version == 3) return added.first(kAddedInVersion5 + kAddedInVersion4);
+    return version == 2 ? added.first(kAddedInVersion5 + kAddedInVersion4 + kAddedInVersion3) : added;
+}
+
+/// The oldest version from 4 on that has all fields of a state that are not zero, so that older programs read it.
+std::uint32_t versionOf(const SavedSession& saved) {
+    const bool hasHeight = std::ranges::any_of(
+        saved.state.damage, [](const auto& one) { return one.second.cut && !one.second.cut->isInPlane(); });
+    return hasHeight ? 5 : 4;
 }
 
 /// What a file starts with.
@@ -139,9 +148,12 @@ std::uint64_t sizeOfFields(std::string_view bytes) {
 }  // namespace
 
 std::string stateBytes(const SavedSession& saved, ContentHash scene) {
-    const std::string fields = bytesOf(saved);
+    const std::uint32_t version = versionOf(saved);
+    StateWriter writer(absentIn(version));
+    visitFields(saved, writer);
+    const std::string fields = writer.take();
     std::string bytes(kMagic);
-    bytes += bytesOf(StateHeader{.kind = saved.kind(), .scene = scene, .size = fields.size()});
+    bytes += bytesOf(StateHeader{.version = version, .kind = saved.kind(), .scene = scene, .size = fields.size()});
     bytes += compressed(fields);
     return bytes + bytesOf(contentHash(bytes));
 }

@@ -8,7 +8,7 @@
 
 namespace rubble {
 
-inline constexpr std::uint32_t kStateVersion = 4;
+inline constexpr std::uint32_t kStateVersion = 5;  // written with what is new in it only, else 4
 /// A session of 8,000 bodies takes about 30 MB.
 inline constexpr std::size_t kMaxStateBytes = std::size_t{1} << 30;
 

@@ -15,65 +15,98 @@ namespace {
 // plates, spin faster than a step resolves, and all touch each other within the simulation's contact distance.
 constexpr double kMaxSlenderness = 20.0;  // the asset's depth in distances
 constexpr double kMinDistance = 2e-3;     // m: rounding decides how thinner fragments move
+constexpr double kMinOfMean = 0.2;        // of the mean distance of all seeds, in a mesh, which has no depth
 constexpr double kMeanDistance = 0.5;     // of the mean distance of all seeds at most: so many always have room
 constexpr int kAttemptsPerRadius = 10;    // until the radius is widened
 constexpr double kWidening = 1.1;
 constexpr int kMaxWidenings = 200;  // from the smallest falloff radius to the largest outline
 
+/// The mean distance of seeds of which each has a part of an area or a volume, m.
+double meanDistance(const Asset& asset) {
+    const double count = asset.cutAtImpact->fragments;
+    if (const ClosedMesh* mesh = asset.mesh()) return std::cbrt(mesh->mass.volume / count);
+    return std::sqrt(area(asset.prism().outline) / count);
+}
+
 /// The least distance of the seeds near the impact, m.
 double leastDistance(const Asset& asset) {
-    const double areaOfFragment = area(asset.prism().outline) / asset.cutAtImpact->fragments;
-    return std::min(std::max(asset.prism().depth / kMaxSlenderness, kMinDistance),
-                    kMeanDistance * std::sqrt(areaOfFragment));
+    const double mean = meanDistance(asset);
+    const double slenderest = asset.isPrism() ? asset.prism().depth / kMaxSlenderness : kMinOfMean * mean;
+    return std::min(std::max(slenderest, kMinDistance), kMeanDistance * mean);
 }
 
 /// Places seeds whose density falls with the distance from a point, see pointNear(), and which keep a distance from
-/// each other.
+/// each other. `Area`: Polygon or SolidDomain; `Point`: Vec2 or Vec3.
+template <class Area, class Point>
 class DistantSeeds {
 public:
-    DistantSeeds(const Asset& asset, Vec2 point, Random& random)
-        : m_outline(asset.prism().outline),
+    DistantSeeds(const Area& area, Point point, const Asset& asset, Random& random)
+        : m_area(area),
           m_point(point),
           m_radius(asset.cutAtImpact->falloffRadius),
           m_distance(leastDistance(asset)),
           m_random(random) {}
 
-    /// Adds a seed, within the falloff radius while there is room, else as near as there is. Not if the outline is
+    /// Adds a seed, within the falloff radius while there is room, else as near as there is. Not if the area is
     /// elsewhere.
     void add() {
         for (int widening = 0; widening < kMaxWidenings; ++widening) {
             for (int attempt = 0; attempt < kAttemptsPerRadius; ++attempt) {
-                const std::optional<Vec2> position = pointNear(m_outline, m_point, m_radius, m_random);
+                const std::optional<Point> position = pointNear(m_area, m_point, m_radius, m_random);
                 if (!position) return;
                 if (!isFree(*position)) continue;
-                m_seeds.push_back({static_cast<std::uint32_t>(m_seeds.size()), *position});
+                m_seeds.push_back(*position);
                 return;
             }
             m_radius *= kWidening;
         }
     }
-    std::vector<PlacedSeeds::Seed> take() { return std::move(m_seeds); }
+    const std::vector<Point>& seeds() const { return m_seeds; }
 
 private:
-    bool isFree(Vec2 position) const {
-        const auto isApart = [&](const PlacedSeeds::Seed& seed) {
-            const Vec2 offset = seed.position - position;
+    bool isFree(Point position) const {
+        const auto isApart = [&](const Point& seed) {
+            const Point offset = seed - position;
             return glm::dot(offset, offset) >= m_distance * m_distance;
         };
         return std::ranges::all_of(m_seeds, isApart);
     }
 
-    const Polygon& m_outline;
-    Vec2 m_point;
+    const Area& m_area;
+    Point m_point;
     double m_radius;    // m
     double m_distance;  // m
     Random& m_random;
-    std::vector<PlacedSeeds::Seed> m_seeds;
+    std::vector<Point> m_seeds;
 };
+
+/// Half of the seeds near a point.
+template <class Area, class Point>
+std::vector<Point> distantSeeds(const Area& area, Point point, const Asset& asset, Random& random) {
+    DistantSeeds<Area, Point> near(area, point, asset, random);
+    for (std::uint32_t k = 0; k < asset.cutAtImpact->fragments / 2; ++k) near.add();
+    return near.seeds();
+}
+
+/// The same, as placed seeds.
+Result<PlacedSeeds> seedsNear(const Asset& asset, Vec3 point, Random& random) {
+    PlacedSeeds placed;
+    const auto place = [&](Vec2 position, double height) {
+        placed.seeds.push_back({static_cast<std::uint32_t>(placed.seeds.size()), position, height});
+    };
+    if (asset.isPrism()) {
+        for (const Vec2 seed : distantSeeds(asset.prism().outline, Vec2(point), asset, random)) place(seed, 0.0);
+        return placed;
+    }
+    const Result<SolidDomain> domain = SolidDomain::of(asset.mesh()->mesh);
+    if (!domain) return domain.error();
+    for (const Vec3 seed : distantSeeds(*domain, point, asset, random)) place(Vec2(seed), seed.z);
+    return placed;
+}
 
 }  // namespace
 
-Result<std::shared_ptr<const PlayAsset>> cutAtImpact(const Asset& asset, Vec2 point, std::uint64_t number) {
+Result<std::shared_ptr<const PlayAsset>> cutAtImpact(const Asset& asset, Vec3 point, std::uint64_t number) {
     RUBBLE_ASSERT(asset.cutAtImpact.has_value());
     const std::uint64_t randomSeed = mixSeeds(asset.id, number);
     Random random(randomSeed);
@@ -82,11 +115,10 @@ Result<std::shared_ptr<const PlayAsset>> cutAtImpact(const Asset& asset, Vec2 po
     cut.fragmentLevels.clear();  // this and the next two: they refer to the pattern's fragments
     cut.fragmentThresholds.clear();
     cut.edits.clear();
-    DistantSeeds seeds(asset, point, random);
-    for (std::uint32_t k = 0; k < fragments / 2; ++k) seeds.add();
-    PlacedSeeds near{seeds.take()};
-    const auto others = static_cast<std::uint32_t>(fragments - near.seeds.size());
-    cut.pattern.layers = {{.id = 1, .randomSeed = randomSeed, .parameters = std::move(near)},
+    Result<PlacedSeeds> near = seedsNear(asset, point, random);
+    if (!near) return near.error();
+    const auto others = static_cast<std::uint32_t>(fragments - near->seeds.size());
+    cut.pattern.layers = {{.id = 1, .randomSeed = randomSeed, .parameters = std::move(*near)},
                           {.id = 2, .randomSeed = randomSeed, .parameters = UniformScatter{.count = others}}};
     Result<Bake> baked = bake(cut);
     if (!baked) return baked.error();

@@ -46,8 +46,8 @@ std::shared_ptr<const PlayAsset> assetToSwap(SessionParts& parts, PendingBreak& 
     const Asset& asset = *findAsset(parts.scene().project, body.asset->bake->asset);
     if (!asset.cutAtImpact || body.fragment != kNone) return body.asset;
     const Vec3 local = glm::conjugate(broken.pose.orientation) * (broken.event.point - broken.pose.position);
-    const ImpactCut at{.point = Vec2(local), .number = body.number};
-    Result<std::shared_ptr<const PlayAsset>> cut = cutAtImpact(asset, at.point, at.number);
+    const ImpactCut at{.point = Vec2(local), .number = body.number, .height = asset.isPrism() ? 0.0 : local.z};
+    Result<std::shared_ptr<const PlayAsset>> cut = cutAtImpact(asset, at.place(), at.number);
     if (cut && (*cut)->fractureOf(kNone) != nullptr) {
         broken.cut = at;
         return std::move(*cut);

@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::string_view kMagic = "RDMG";
 constexpr std::size_t kHeader = 4 + 1 + 1 + 1 + 16 + 4;  // magic, version, kind, whether there is a cut, bake, count
-constexpr std::size_t kCut = 24;
-constexpr std::size_t kPartialCount = 4, kPartial = 4;  // the number of damaged bonds, and each: 3 of its index, 1
+constexpr std::size_t kCut = 24, kHeight = 8;            // a cut in the plane, and what one of a mesh has more
+constexpr std::size_t kPartialCount = 4, kPartial = 4;   // the number of damaged bonds, and each: 3 of its index, 1
 constexpr std::size_t kMaxBonds = std::size_t{1} << 24;
 constexpr std::size_t kChecksum = 8;
 
@@ -29,9 +29,33 @@ std::uint64_t numberAt(std::string_view bytes, std::size_t at, std::size_t size)
 
 Error malformed(const std::string& what) { return {ErrorCode::BadInput, "The damage cannot be read: " + what + "."}; }
 
-ImpactCut cutAt(std::string_view bytes, std::size_t at) {
-    return {.point = {std::bit_cast<double>(numberAt(bytes, at, 8)), std::bit_cast<double>(numberAt(bytes, at + 8, 8))},
-            .number = numberAt(bytes, at + 16, 8)};
+/// What a damage has of a cut. Written to files: values never change.
+enum class CutKind : std::uint8_t { None = 0, InPlane = 1, WithHeight = 2 };
+
+CutKind kindOf(const std::optional<ImpactCut>& cut) {
+    if (!cut) return CutKind::None;
+    return cut->isInPlane() ? CutKind::InPlane : CutKind::WithHeight;
+}
+
+std::size_t sizeOf(CutKind kind) {
+    if (kind == CutKind::None) return 0;
+    return kind == CutKind::InPlane ? kCut : kCut + kHeight;
+}
+
+std::optional<ImpactCut> cutAt(std::string_view bytes, std::size_t at, CutKind kind) {
+    if (kind == CutKind::None) return std::nullopt;
+    const auto coordinate = [&](std::size_t place) { return std::bit_cast<double>(numberAt(bytes, at + place, 8)); };
+    return ImpactCut{.point = {coordinate(0), coordinate(8)},
+                     .number = numberAt(bytes, at + 16, 8),
+                     .height = kind == CutKind::WithHeight ? coordinate(kCut) : 0.0};
+}
+
+/// Why a cut cannot be one.
+std::optional<std::string> cutFault(const ImpactCut& cut, CutKind kind) {
+    if (!std::isfinite(cut.point.x) || !std::isfinite(cut.point.y) || !std::isfinite(cut.height))
+        return "the point of its cut is not finite";
+    if (kind == CutKind::WithHeight && cut.isInPlane()) return "the height of its cut is zero";
+    return std::nullopt;
 }
 
 /// Checks size, magic, version and checksum.
@@ -82,7 +106,7 @@ std::string damageBytes(const InstanceDamage& damage) {
     std::string bytes(kMagic);
     add(bytes, kDamageVersion, 1);
     add(bytes, static_cast<std::uint64_t>(damage.kind), 1);
-    add(bytes, damage.cut ? 1 : 0, 1);
+    add(bytes, static_cast<std::uint64_t>(kindOf(damage.cut)), 1);
     add(bytes, damage.bake.high, 8);
     add(bytes, damage.bake.low, 8);
     add(bytes, damage.broken.size(), 4);
@@ -90,6 +114,7 @@ std::string damageBytes(const InstanceDamage& damage) {
         add(bytes, std::bit_cast<std::uint64_t>(damage.cut->point.x), 8);
         add(bytes, std::bit_cast<std::uint64_t>(damage.cut->point.y), 8);
         add(bytes, damage.cut->number, 8);
+        if (kindOf(damage.cut) == CutKind::WithHeight) add(bytes, std::bit_cast<std::uint64_t>(damage.cut->height), 8);
     }
     for (std::size_t first = 0; first < damage.broken.size(); first += 8) {
         unsigned octet = 0;
@@ -109,14 +134,15 @@ std::string damageBytes(const InstanceDamage& damage) {
 
 Result<InstanceDamage> damageOfBytes(std::string_view bytes) {
     if (const Status checked = checkBytes(bytes); !checked) return checked.error();
-    const std::uint64_t hasCut = numberAt(bytes, 6, 1), count = numberAt(bytes, 23, 4);
-    if (hasCut > 1) return malformed("its cut is neither there nor absent");
+    const auto cutKind = static_cast<CutKind>(numberAt(bytes, 6, 1));
+    const std::uint64_t count = numberAt(bytes, 23, 4);
+    if (cutKind > CutKind::WithHeight) return malformed("its cut is neither there nor absent");
     const auto kind = static_cast<DamageKind>(numberAt(bytes, 5, 1));
     if (kind == DamageKind::Bonds && count > kMaxBonds) {
         return malformed("it has " + std::to_string(count) + " bonds, but " + std::to_string(kMaxBonds) +
                          " are the most");
     }
-    const std::size_t bits = kHeader + (hasCut == 1 ? kCut : 0);
+    const std::size_t bits = kHeader + sizeOf(cutKind);
     const std::size_t partial = bits + (count + 7) / 8;
     const Result<std::size_t> size = sizeOf(bytes, kind, partial);
     if (!size) return size.error();
@@ -127,10 +153,8 @@ Result<InstanceDamage> damageOfBytes(std::string_view bytes) {
     }
     InstanceDamage damage{
         .kind = kind, .bake = {numberAt(bytes, 7, 8), numberAt(bytes, 15, 8)}, .broken = std::vector<bool>(count)};
-    if (hasCut == 1) damage.cut = cutAt(bytes, kHeader);
-    if (damage.cut && !(std::isfinite(damage.cut->point.x) && std::isfinite(damage.cut->point.y))) {
-        return malformed("the point of its cut is not finite");
-    }
+    damage.cut = cutAt(bytes, kHeader, cutKind);
+    if (const auto fault = damage.cut ? cutFault(*damage.cut, cutKind) : std::nullopt) return malformed(*fault);
     for (std::size_t k = 0; k < count; ++k) damage.broken[k] = (numberAt(bytes, bits + k / 8, 1) >> (k % 8) & 1) != 0;
     if (count % 8 != 0 && numberAt(bytes, bits + count / 8, 1) >> (count % 8) != 0) {
         return malformed("it has bits beyond its last fracture");

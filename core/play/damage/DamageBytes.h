@@ -8,7 +8,7 @@ namespace rubble {
 
 inline constexpr std::uint8_t kDamageVersion = 1;
 
-/// A damage as bytes for networks and files: at most 64, one for eight fractures or bonds, and four for each damaged
+/// A damage as bytes for networks and files: at most 72, one for eight fractures or bonds, and four for each damaged
 /// bond that holds. All fields are described in
 /// docs/formats/state.md.
 std::string damageBytes(const InstanceDamage& damage);

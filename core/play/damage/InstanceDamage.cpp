@@ -29,8 +29,9 @@ Status checkSame(const InstanceDamage& one, const InstanceDamage& other) {
 
 }  // namespace
 
-std::array<std::uint64_t, 3> ImpactCut::key() const {
-    return {number, std::bit_cast<std::uint64_t>(point.x), std::bit_cast<std::uint64_t>(point.y)};
+std::array<std::uint64_t, 4> ImpactCut::key() const {
+    return {number, std::bit_cast<std::uint64_t>(point.x), std::bit_cast<std::uint64_t>(point.y),
+            std::bit_cast<std::uint64_t>(height)};
 }
 
 bool InstanceDamage::isIntact() const {

@@ -19,14 +19,19 @@ enum class DamageKind : std::uint8_t {
 
 /// The point at which a whole was fractured, and the number that makes the cut reproducible: see cutAtImpact().
 struct ImpactCut {
-    Vec2 point{0.0, 0.0};  // m, in the prism's plane
+    Vec2 point{0.0, 0.0};  // m, in the xy plane of the asset
     std::uint64_t number = 0;
+    double height = 0.0;  // m, along z: of a mesh; 0 for a prism
+
+    Vec3 place() const { return {point, height}; }
+    /// Whether the height is 0, which files leave out.
+    bool isInPlane() const { return key().back() == 0; }
     /// Compares the bits, so that equal cuts have equal fragments.
     bool operator==(const ImpactCut& other) const { return key() == other.key(); }
     bool operator<(const ImpactCut& other) const { return key() < other.key(); }
 
 private:
-    std::array<std::uint64_t, 3> key() const;
+    std::array<std::uint64_t, 4> key() const;
 };
 
 /// Which fractures or bonds of an instance have broken: a value, without bodies and poses.

@@ -146,6 +146,7 @@ template <FieldsOf<ImpactCut> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
     visit("point", self.point);
     visit("number", self.number);
+    visit("cutHeight", self.height);
 }
 
 template <FieldsOf<InstanceDamage> Self, class Visit>
