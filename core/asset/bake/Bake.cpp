@@ -79,8 +79,8 @@ LevelWork levelWork(const Asset& asset, std::uint32_t level, std::uint32_t first
 }
 
 /// Refuses a level that makes the bake too large.
-Status checkSize(const LevelWork& work, const Bake& bake) {
-    BakeEstimate estimate{static_cast<double>(bake.fragmentCount()), static_cast<double>(bake.fractures.size())};
+Status checkSize(const Asset& asset, const LevelWork& work, const Bake& bake) {
+    BakeEstimate estimate = estimateOf(bake);
     for (std::size_t k = 0; k < work.parents.size(); ++k) {
         const Fragment solid = bake.fragment(work.parents[k]).solid;
         const std::optional<ExtrudedFragment> extruded = solid.extruded();
@@ -89,29 +89,35 @@ Status checkSize(const LevelWork& work, const Bake& bake) {
         estimate.fragments += pieces;
         estimate.largest = std::max(estimate.largest, pieces);
         estimate.fractures += 1.0;
+        if (extruded) continue;
+        estimate.ofMeshes += pieces;
+        if (asset.shaping.gap > 0.0) estimate.shrunk += pieces;
+        estimate.triangles += static_cast<double>(solid.all().solid()->triangleCount(solid.index()));
     }
     if (const std::optional<std::string> fault = sizeFault(estimate)) return Error{ErrorCode::Limit, *fault};
     return success();
 }
 
-void fracture(const Asset& asset, const Bake& bake, const TaskContext& task, LevelWork& work) {
+void fracture(const Asset& asset, const Bake& bake, const BakeSettings& settings, const TaskContext& task,
+              LevelWork& work) {
     work.fractures.resize(work.parents.size());
     TaskContext quiet;  // the calling thread reports progress, level by level
     quiet.cancel = task.cancel;
     forEachIndex(work.parents.size(), task.threads, [&](std::size_t k) {
         const std::uint32_t parent = work.parents[k];
         const Fragment solid = bake.fragment(parent).solid;
-        const Recipe recipe = recipeOf(asset, bake.fragmentId(parent), *work.levels[k], solid.offset());
+        Recipe recipe = recipeOf(asset, bake.fragmentId(parent), *work.levels[k], solid.offset());
+        recipe.hulls = settings.hulls;
         work.fractures[k] = fractureResult(recipe, solid, quiet);
     });
 }
 
 /// Fractures the fragments of a level, from `first` on. One that would give a single piece stays as it is.
-Status appendLevel(const Asset& asset, std::uint32_t level, std::uint32_t first, const TaskContext& task, Bake& bake,
-                   CappedDiagnostics& diagnostics) {
+Status appendLevel(const Asset& asset, std::uint32_t level, std::uint32_t first, const BakeSettings& settings,
+                   const TaskContext& task, Bake& bake, CappedDiagnostics& diagnostics) {
     LevelWork work = levelWork(asset, level, first, bake);
-    if (const Status checked = checkSize(work, bake); !checked) return checked;
-    fracture(asset, bake, task, work);
+    if (const Status checked = checkSize(asset, work, bake); !checked) return checked;
+    fracture(asset, bake, settings, task, work);
     bake.fractures.reserve(bake.fractures.size() + work.parents.size());
     for (std::size_t k = 0; k < work.parents.size(); ++k) {
         Result<FractureResult>& fracture = *work.fractures[k];
@@ -158,7 +164,13 @@ void reportLost(const Asset& asset, Bake& bake) {
 }
 
 /// Adds the mass and the hulls of the whole.
-Status addWhole(const Asset& asset, const Prism& prism, const TaskContext& task, Bake& bake) {
+Status addWhole(const Asset& asset, const Prism& prism, const BakeSettings& settings, const TaskContext& task,
+                Bake& bake) {
+    if (settings.whole) {
+        bake.whole = settings.whole->whole;
+        bake.wholeHulls = settings.whole->wholeHulls;
+        return success();
+    }
     const ClosedMesh* mesh = asset.mesh();
     bake.whole = mesh ? mesh->mass : massOfPrism(prism.outline, prism.depth);
     Result<std::vector<Polytope>> hulls =
@@ -205,7 +217,7 @@ const BakedFracture* Bake::fractureOf(std::uint32_t parent) const {
     return found != below.end() && found->parent == parent ? &*found : nullptr;
 }
 
-Result<Bake> bake(const Asset& asset, const TaskContext& task) {
+Result<Bake> bake(const Asset& asset, const TaskContext& task, const BakeSettings& settings) {
     if (const std::optional<std::string> fault = shapeRangeFault("Asset " + quotedName(asset.name), asset)) {
         return Error{ErrorCode::BadInput, *fault};
     }
@@ -213,13 +225,16 @@ Result<Bake> bake(const Asset& asset, const TaskContext& task) {
         return ofAsset(asset, {ErrorCode::Limit, *fault});
     }
     const std::size_t levels = maxLevels(asset);
+    Recipe recipe = recipeOf(asset);
+    recipe.hulls = settings.hulls;
     Result<FractureResult> first =
-        fractureResult(recipeOf(asset), asset, task.stage(0.0, 1.0 / static_cast<double>(levels + 1)));
+        fractureResult(recipe, asset, task.stage(0.0, 1.0 / static_cast<double>(levels + 1)));
     if (!first) return ofAsset(asset, first.error());
     Bake result;
     result.asset = asset.id;
     result.input = bakeInputHash(asset);
-    if (const Status made = addWhole(asset, first->prism, task, result); !made) return ofAsset(asset, made.error());
+    if (const Status made = addWhole(asset, first->prism, settings, task, result); !made)
+        return ofAsset(asset, made.error());
     CappedDiagnostics diagnostics;
     append(std::move(*first), kNone, result, diagnostics);
 
@@ -227,7 +242,7 @@ Result<Bake> bake(const Asset& asset, const TaskContext& task) {
     for (std::uint32_t level = 0; level < levels; ++level) {
         task.report(static_cast<double>(level + 1) / static_cast<double>(levels + 1));
         const std::uint32_t end = result.fragmentCount();
-        const Status appended = appendLevel(asset, level, begin, task, result, diagnostics);
+        const Status appended = appendLevel(asset, level, begin, settings, task, result, diagnostics);
         if (!appended) return ofAsset(asset, appended.error());
         begin = end;
     }

@@ -5,6 +5,7 @@
 #include "core/base/Hash.h"
 #include "core/base/TaskContext.h"
 #include "core/fracture/fragments/Fragment.h"
+#include "core/fracture/solid/SolidHulls.h"
 
 #include <string>
 #include <vector>
@@ -54,11 +55,17 @@ struct Bake {
     std::uint32_t fractureContaining(std::uint32_t number) const;
 };
 
+/// What a bake may make coarser, or take from another, where it is needed at once.
+struct BakeSettings {
+    HullLimits hulls;             // of the fragments of meshes
+    const Bake* whole = nullptr;  // of an asset of the same shape: mass and hulls of the whole are taken from it
+};
+
 /// Carries out an asset's recipe: seeds, partition and fragments, level by level.
 ///
 /// Errors, each with the asset's name: BadInput for a shape out of range (shapeRangeFault()); those of
 /// validated(Prism), seedsOf() and triangulate(); Limit if the bake would be too large (sizeFault()), before it starts
 /// or before a level; Cancelled.
-Result<Bake> bake(const Asset& asset, const TaskContext& task = {});
+Result<Bake> bake(const Asset& asset, const TaskContext& task = {}, const BakeSettings& settings = {});
 
 }  // namespace rubble

@@ -1,5 +1,6 @@
 #include "core/asset/bake/BakeEstimate.h"
 
+#include "core/asset/bake/Bake.h"
 #include "core/asset/project/AssetShape.h"
 #include "core/base/MessageText.h"
 #include "core/fracture/pattern/PieceEstimate.h"
@@ -19,6 +20,16 @@ constexpr double kBakeBytesPerFragment = 500.0;     // of the largest fracture; 
 constexpr double kExportBytesPerFragment = 8000.0;  // of its pack
 constexpr double kPlayBytesPerFragment = 4400.0;
 
+// Measured for meshes of 10,000 and 100,000 triangles in 1,000 to 4,000 fragments, without and with a gap.
+constexpr double kMeshBytesPerFragment = 8000.0;
+constexpr double kMeshBytesPerTriangle = 180.0;
+constexpr double kShrunkBytesPerFragment = 20500.0;  // of one less a gap, beyond
+constexpr double kShrunkBytesPerTriangle = 150.0;
+constexpr double kMeshBakeBytesPerFragment = 1500.0;  // of the largest fracture; at the peak, beyond what is kept
+constexpr double kMeshBakeBytesPerTriangle = 300.0;
+constexpr double kMeshPlayBytesPerFragment = 10000.0;
+constexpr double kMeshPlayBytesPerTriangle = 40.0;
+
 std::string estimateText(double number) {
     return number < 1e15 ? messageText(std::round(number)) : "more than " + messageText(1e15);
 }
@@ -31,14 +42,33 @@ std::string gigabytes(double bytes) {
 }  // namespace
 
 double BakeEstimate::bytes(MemoryStage stage) const {
-    const double kept = kBytesPerFragment * fragments + kBytesPerFracture * fractures;
+    const double kept = kBytesPerFragment * (fragments - ofMeshes) + kBytesPerFracture * fractures +
+                        kMeshBytesPerFragment * ofMeshes + kMeshBytesPerTriangle * triangles +
+                        kShrunkBytesPerFragment * shrunk + (shrunk > 0.0 ? kShrunkBytesPerTriangle * triangles : 0.0);
     switch (stage) {
         case MemoryStage::Kept: break;
-        case MemoryStage::Bake: return kept + kBakeBytesPerFragment * largest;
+        case MemoryStage::Bake:
+            return kept + (ofMeshes > 0.0 ? kMeshBakeBytesPerFragment : kBakeBytesPerFragment) * largest +
+                   kMeshBakeBytesPerTriangle * triangles;
         case MemoryStage::Export: return kept + (kExportBytesPerFragment + meshBytes) * fragments;
-        case MemoryStage::Play: return kept + kPlayBytesPerFragment * fragments;
+        case MemoryStage::Play:
+            return kept + kPlayBytesPerFragment * (fragments - ofMeshes) + kMeshPlayBytesPerFragment * ofMeshes +
+                   kMeshPlayBytesPerTriangle * triangles;
     }
     return kept;
+}
+
+BakeEstimate estimateOf(const Bake& bake) {
+    BakeEstimate estimate{static_cast<double>(bake.fragmentCount()), static_cast<double>(bake.fractures.size())};
+    for (const BakedFracture& fracture : bake.fractures) {
+        const SolidFragments* solid = fracture.fragments.solid();
+        if (!solid) continue;
+        estimate.ofMeshes += fracture.fragments.count();
+        if (solid->shrunk) estimate.shrunk += fracture.fragments.count();
+        for (const SolidPartition::Face& face : solid->partition.faces)
+            estimate.triangles += face.behind == kNone ? 1.0 : 0.0;
+    }
+    return estimate;
 }
 
 BakeEstimate estimateOf(const Asset& asset) {
@@ -47,6 +77,8 @@ BakeEstimate estimateOf(const Asset& asset) {
     const double whole = asset.isPrism() ? std::abs(area(asset.prism().outline)) : volume;
     double count = estimatedPieces(asset.pattern, whole);
     BakeEstimate estimate{count, 1.0, count};
+    if (const ClosedMesh* mesh = asset.mesh()) estimate.triangles = static_cast<double>(mesh->mesh.triangles.size());
+    const double triangles = estimate.triangles;
     for (const Level& level : asset.levels) {
         // No more fragments than this have the minimum volume.
         const double most = level.minimumVolume > 0.0 ? volume / level.minimumVolume : count;
@@ -57,8 +89,12 @@ BakeEstimate estimateOf(const Asset& asset) {
         count = parents * each;
         estimate.fragments += count;
         estimate.fractures += parents;
+        estimate.triangles += triangles;
         estimate.largest = std::max(estimate.largest, each);
     }
+    if (asset.isPrism()) return estimate;
+    estimate.ofMeshes = estimate.fragments;
+    if (asset.shaping.gap > 0.0) estimate.shrunk = estimate.fragments;
     return estimate;
 }
 

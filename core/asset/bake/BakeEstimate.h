@@ -8,6 +8,8 @@
 
 namespace rubble {
 
+struct Bake;
+
 /// The memory that the bake of one asset may take, by estimate, bytes.
 inline constexpr double kMaxBakeBytes = 2.0 * 1024.0 * 1024.0 * 1024.0;
 
@@ -22,9 +24,15 @@ struct BakeEstimate {
     double fragments = 0.0;  // of all levels
     double fractures = 0.0;  // of the whole and of fragments
     double largest = 0.0;    // fragments of the largest fracture
+    double ofMeshes = 0.0;   // of the fragments, those of meshes
+    double shrunk = 0.0;     // of these, those less a gap
+    double triangles = 0.0;  // of the meshes that are cut, on all levels
     double meshBytes = 0.0;  // of a fragment: of its meshes in an export
     double bytes(MemoryStage stage = MemoryStage::Kept) const;
 };
+
+/// How large a bake is.
+BakeEstimate estimateOf(const Bake& bake);
 
 /// The estimate for an asset with valid numbers, from its recipe alone: the fragments that its patterns make, level by
 /// level. Settings of single fragments are not considered.

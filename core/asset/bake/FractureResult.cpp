@@ -153,7 +153,7 @@ Result<FractureResult> fractureResult(const Recipe& recipe, const TriangleMesh& 
     std::vector<Diagnostic> diagnostics;
     Result<SolidPartition> cut = shapedPartition(recipe, mesh, *seeds, diagnostics, task.stage(0.2, 0.6));
     if (!cut) return cut.error();
-    Result<Fragments> fragments = solidFragments(std::move(*cut), gapOf(recipe), {}, task.stage(0.6, 1.0));
+    Result<Fragments> fragments = solidFragments(std::move(*cut), gapOf(recipe), recipe.hulls, task.stage(0.6, 1.0));
     if (!fragments) return fragments.error();
     fragments->diagnostics.insert(fragments->diagnostics.begin(), diagnostics.begin(), diagnostics.end());
     return FractureResult{{}, std::move(*seeds), {}, std::move(*fragments)};

@@ -3,6 +3,7 @@
 #include "core/asset/project/Project.h"
 #include "core/fracture/delaunay/Delaunay.h"
 #include "core/fracture/fragments/Fragment.h"
+#include "core/fracture/solid/SolidHulls.h"
 
 #include <string>
 
@@ -15,6 +16,7 @@ struct Recipe {
     std::vector<FragmentEdit> edits;  // those with another parent are ignored
     FragmentPath place;               // of the solid; empty: the whole
     Vec3 offset{0.0};                 // m, of its frame in the asset's
+    HullLimits hulls;                 // of the fragments of a mesh
 };
 /// The recipe of an asset's whole.
 Recipe recipeOf(const Asset& asset);

@@ -34,7 +34,7 @@ struct TwoSides {
     std::vector<FaceTriangle> triangles[2];  // of the face's fragment, and of the one behind
 };
 
-/// The planes of the faces between fragments of a fracture. All fragments on one side of a plane are told from those on
+/// The planes of the faces between fragments of a fracture. All fragments on one side of a plane are separated from those on
 /// the other, since a gap leaves one neighbour to each plane of a fragment, though there may be several.
 class FracturePlanes {
 public:

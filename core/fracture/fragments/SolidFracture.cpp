@@ -127,6 +127,13 @@ private:
 
 }  // namespace
 
+std::size_t SolidFragments::triangleCount(std::uint32_t fragment) const {
+    std::size_t count = 0;
+    for (const SolidPartition::FaceSide& side : partition.facesOf(numberInPartition(fragment)))
+        count += partition.trianglesOf(side.face).size();
+    return count;
+}
+
 TriangleMesh SolidFragments::meshOf(std::uint32_t fragment) const {
     const std::uint32_t number = numberInPartition(fragment);
     return shrunk ? shrunk->fragments[number].mesh : rubble::meshOf(partition, number);

@@ -29,6 +29,8 @@ struct SolidFragments {
     std::uint32_t numberInPartition(std::uint32_t fragment) const {
         return remaining.empty() ? fragment : remaining[fragment];
     }
+    /// The triangles of a fragment before the gap.
+    std::size_t triangleCount(std::uint32_t fragment) const;
     /// A fragment less the gap as a mesh of its own, relative to the partition's origin.
     TriangleMesh meshOf(std::uint32_t fragment) const;
 };

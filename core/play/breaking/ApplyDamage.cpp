@@ -161,7 +161,8 @@ Result<std::shared_ptr<const PlayAsset>> damagedAsset(const PlayScene& scene, As
     const ContentHash bake = damageHash(asset, *ready->bake);
     if (damage.cut && damage.bake == bake) {
         if (!asset.cutAtImpact) return Error{ErrorCode::BadInput, "The asset is not cut at the point of impact."};
-        Result<std::shared_ptr<const PlayAsset>> cut = cutAtImpact(asset, damage.cut->place(), damage.cut->number);
+        Result<std::shared_ptr<const PlayAsset>> cut =
+            cutAtImpact(asset, damage.cut->place(), damage.cut->number, ready.get());
         if (!cut) return cut.error();
         ready = std::move(*cut);
     }

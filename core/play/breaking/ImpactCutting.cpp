@@ -17,7 +17,9 @@ constexpr double kMaxSlenderness = 20.0;  // the asset's depth in distances
 constexpr double kMinDistance = 2e-3;     // m: rounding decides how thinner fragments move
 constexpr double kMinOfMean = 0.2;        // of the mean distance of all seeds, in a mesh, which has no depth
 constexpr double kMeanDistance = 0.5;     // of the mean distance of all seeds at most: so many always have room
-constexpr int kAttemptsPerRadius = 10;    // until the radius is widened
+// Hulls of fragments of meshes take most of the time of a cut, which is made within a step: half as many do.
+constexpr HullLimits kCutHulls{.maxRatio = 1.2, .maxHulls = 4};
+constexpr int kAttemptsPerRadius = 10;  // until the radius is widened
 constexpr double kWidening = 1.1;
 constexpr int kMaxWidenings = 200;  // from the smallest falloff radius to the largest outline
 
@@ -106,7 +108,8 @@ Result<PlacedSeeds> seedsNear(const Asset& asset, Vec3 point, Random& random) {
 
 }  // namespace
 
-Result<std::shared_ptr<const PlayAsset>> cutAtImpact(const Asset& asset, Vec3 point, std::uint64_t number) {
+Result<std::shared_ptr<const PlayAsset>> cutAtImpact(const Asset& asset, Vec3 point, std::uint64_t number,
+                                                     const PlayAsset* uncut) {
     RUBBLE_ASSERT(asset.cutAtImpact.has_value());
     const std::uint64_t randomSeed = mixSeeds(asset.id, number);
     Random random(randomSeed);
@@ -120,9 +123,10 @@ Result<std::shared_ptr<const PlayAsset>> cutAtImpact(const Asset& asset, Vec3 po
     const auto others = static_cast<std::uint32_t>(fragments - near->seeds.size());
     cut.pattern.layers = {{.id = 1, .randomSeed = randomSeed, .parameters = std::move(*near)},
                           {.id = 2, .randomSeed = randomSeed, .parameters = UniformScatter{.count = others}}};
-    Result<Bake> baked = bake(cut);
+    Result<Bake> baked = bake(cut, {}, {.hulls = kCutHulls, .whole = uncut ? uncut->bake.get() : nullptr});
     if (!baked) return baked.error();
-    return playAsset(cut, std::make_shared<const Bake>(std::move(*baked)), {}, FindContacts::OnBreak);
+    return playAsset(cut, std::make_shared<const Bake>(std::move(*baked)), {}, FindContacts::OnBreak,
+                     uncut ? uncut->whole.shape : nullptr);
 }
 
 }  // namespace rubble

@@ -13,11 +13,13 @@ namespace rubble {
 /// without room within the falloff radius lie as near as there is.
 ///
 /// `point`, m, is in the asset's frame, for a prism in its plane whatever z is; outside it attracts seeds to that side.
-/// `number` makes the cut reproducible and different for each body of an asset.
+/// `uncut`: the asset as its pattern fractures it, from which the whole is taken, so that it is not made again; else
+/// the result is the same. `number` makes the cut reproducible and different for each body of an asset.
 ///
 /// Errors: those of bake() and playAsset().
 /// Source: "Creating Realistic Real-Time Destruction Using the Vienna Physics Engine" (bachelor thesis), 3.3 and
 /// outlook.
-Result<std::shared_ptr<const PlayAsset>> cutAtImpact(const Asset& asset, Vec3 point, std::uint64_t number);
+Result<std::shared_ptr<const PlayAsset>> cutAtImpact(const Asset& asset, Vec3 point, std::uint64_t number,
+                                                     const PlayAsset* uncut = nullptr);
 
 }  // namespace rubble

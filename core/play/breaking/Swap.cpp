@@ -47,7 +47,7 @@ std::shared_ptr<const PlayAsset> assetToSwap(SessionParts& parts, PendingBreak& 
     if (!asset.cutAtImpact || body.fragment != kNone) return body.asset;
     const Vec3 local = glm::conjugate(broken.pose.orientation) * (broken.event.point - broken.pose.position);
     const ImpactCut at{.point = Vec2(local), .number = body.number, .height = asset.isPrism() ? 0.0 : local.z};
-    Result<std::shared_ptr<const PlayAsset>> cut = cutAtImpact(asset, at.place(), at.number);
+    Result<std::shared_ptr<const PlayAsset>> cut = cutAtImpact(asset, at.place(), at.number, body.asset.get());
     if (cut && (*cut)->fractureOf(kNone) != nullptr) {
         broken.cut = at;
         return std::move(*cut);

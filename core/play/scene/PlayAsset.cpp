@@ -135,8 +135,10 @@ Result<PlayAsset> wholePlayAsset(const Asset& asset, std::shared_ptr<const Bake>
 }
 
 Result<std::shared_ptr<const PlayAsset>> playAsset(const Asset& asset, std::shared_ptr<const Bake> bake,
-                                                   const TaskContext& task, FindContacts when) {
-    Result<PlayAsset> whole = wholePlayAsset(asset, std::move(bake));
+                                                   const TaskContext& task, FindContacts when,
+                                                   std::shared_ptr<const Shape> wholeShape) {
+    Result<PlayAsset> whole = wholeShape ? PlayAsset{.bake = std::move(bake), .whole = {.shape = std::move(wholeShape)}}
+                                         : wholePlayAsset(asset, std::move(bake));
     if (!whole) return whole.error();
     const auto ready = std::make_shared<PlayAsset>(std::move(*whole));
     ready->isBonded = asset.breakAs == BreakAs::Bonded;

@@ -76,11 +76,13 @@ enum class FindContacts : std::uint8_t { InAdvance, OnBreak };
 Result<PlayAsset> wholePlayAsset(const Asset& asset, std::shared_ptr<const Bake> bake);
 
 /// Prepares a baked asset. A solid with too many corners gets the hull of its extreme ones as its shape, one that is
-/// too thin its bounding box, each with the mass of the exact solid and a diagnostic.
+/// too thin its bounding box, each with the mass of the exact solid and a diagnostic. `wholeShape`: the shape of the
+/// whole if it is known, else it is made.
 ///
 /// Errors: BadInput if the whole cannot be a body, with the asset's name; Cancelled.
 Result<std::shared_ptr<const PlayAsset>> playAsset(const Asset& asset, std::shared_ptr<const Bake> bake,
                                                    const TaskContext& task = {},
-                                                   FindContacts when = FindContacts::InAdvance);
+                                                   FindContacts when = FindContacts::InAdvance,
+                                                   std::shared_ptr<const Shape> wholeShape = nullptr);
 
 }  // namespace rubble

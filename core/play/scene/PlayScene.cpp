@@ -24,8 +24,12 @@ std::optional<std::string> playSizeFault(const Project& project, const AssetBake
     for (const AssetVariant& variant : usedVariants(project)) {
         const auto baked = bakes.find(variant);
         if (baked == bakes.end()) continue;
-        all.fragments += baked->second->fragmentCount();
-        all.fractures += static_cast<double>(baked->second->fractures.size());
+        const BakeEstimate one = estimateOf(*baked->second);
+        all.fragments += one.fragments;
+        all.fractures += one.fractures;
+        all.ofMeshes += one.ofMeshes;
+        all.shrunk += one.shrunk;
+        all.triangles += one.triangles;
     }
     std::optional<std::string> fault = stageFault(all, MemoryStage::Play);
     if (fault) fault->front() = 'S';

@@ -30,7 +30,8 @@ std::optional<std::string> lossOf(const PlayScene& to, const Instance& before, c
 Result<std::shared_ptr<const PlayAsset>> targetOf(const PlayScene& to, const Instance& instance,
                                                   const InstanceDamage& damage) {
     if (!damage.cut) return to.assets.at(variantOf(instance));
-    return cutAtImpact(*findAsset(to.project, instance.asset), damage.cut->place(), damage.cut->number);
+    return cutAtImpact(*findAsset(to.project, instance.asset), damage.cut->place(), damage.cut->number,
+                       to.assets.at(variantOf(instance)).get());
 }
 
 PlayOrigin originOf(const Instance& instance) { return {instance.name, instance.id, instance.asset, instance.variant}; }

@@ -2,6 +2,7 @@
 
 #include "core/asset/bake/AssetBakes.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/MeshAsset.h"
 #include "tests/support/asset/Projects.h"
 
 #include <QTest>
@@ -74,6 +75,45 @@ private slots:
         QVERIFY(made);
         const double ratio = estimateOf(asset).fragments / made->fragmentCount();
         QVERIFY2(ratio > 0.5 && ratio < 2.0, QByteArray::number(ratio));
+    }
+    /// As measured: 1,000 and 4,000 fragments of meshes of 10,000 and 100,000 triangles, 11.2, 48.3 and with a gap 62.4
+    /// MB; in play 41 MB of 1,000 of 100,000.
+    void meshesTakeWhatWasMeasured() {
+        const BakeEstimate small{
+            .fragments = 1001, .fractures = 1, .largest = 1001, .ofMeshes = 1001, .triangles = 9940};
+        QVERIFY(isBetween(small.bytes(), 0.8 * 11.2e6, 1.2 * 11.2e6));
+        QVERIFY(isBetween(small.bytes(MemoryStage::Bake), 0.8 * 14.3e6, 1.2 * 14.3e6));
+        BakeEstimate fine = small;
+        fine.triangles = 100800;
+        QVERIFY(isBetween(fine.bytes(MemoryStage::Bake), 0.8 * 60.6e6, 1.2 * 60.6e6));
+        QVERIFY(isBetween(fine.bytes(MemoryStage::Play), 0.8 * 41.0e6, 1.2 * 41.0e6));
+        fine.shrunk = 1001;
+        QVERIFY(isBetween(fine.bytes(), 0.8 * 62.4e6, 1.2 * 62.4e6));
+        const BakeEstimate many{
+            .fragments = 4002, .fractures = 1, .largest = 4002, .ofMeshes = 4002, .triangles = 100800};
+        QVERIFY(isBetween(many.bytes(), 0.8 * 48.3e6, 1.2 * 48.3e6));
+    }
+    void estimatesOfMeshesCountTrianglesAndGaps() {
+        Asset asset = test::meshAsset(test::bumpySphere(12), 30);
+        asset.shaping.gap = 0.01;
+        asset.levels = {{.pattern = {{{.id = 9, .parameters = UniformScatter{.count = 4}}}}}};
+        const BakeEstimate estimate = estimateOf(asset), made = estimateOf(*bake(asset));
+        QCOMPARE(estimate.ofMeshes, 150.0);
+        QCOMPARE(estimate.shrunk, 150.0);
+        QCOMPARE(estimate.triangles, 2.0 * 264.0);
+        QCOMPARE(made.ofMeshes, made.fragments);
+        QCOMPARE(made.shrunk, made.fragments);
+        QVERIFY(made.triangles > 2.0 * 264.0);
+    }
+    void meshesThatAreTooLargeAreRefused() {
+        const Asset asset = test::meshAsset(test::bumpySphere(12), 300000);  // a prism may have as many
+        const Result<Bake> made = bake(asset, cancelledTask());
+        QCOMPARE(made.error().code, ErrorCode::Limit);
+        const std::string& message = made.error().message;
+        QVERIFY2(message.starts_with("Asset \"sculpture\": about 300000 fragments would take 2.7") ||
+                     message.starts_with("Asset \"sculpture\": about 300000 fragments would take 2.6"),
+                 message.c_str());
+        QCOMPARE(bake(layered(300000, 1), cancelledTask()).error().code, ErrorCode::Cancelled);
     }
     void thirtyLevelsOfTwoSeedsAreRefusedAtOnce() {
         const Result<Bake> made = bake(layered(2, 30), cancelledTask());

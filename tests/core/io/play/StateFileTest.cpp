@@ -6,6 +6,7 @@
 #include "core/io/project/ProjectFile.h"
 #include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/SolidShapes.h"
 #include "tests/support/play/BondedWalls.h"
 #include "tests/support/play/Damages.h"
 #include "tests/support/play/RandomShots.h"
@@ -82,6 +83,28 @@ private slots:
         session->step();  // its ground, which ended at 200 m, reaches farther now
         const Box3 ground = session->world().box(session->bodies().front().body);
         QVERIFY(ground.max.x > kMaxCoordinate && ground.min.z < -kMaxCoordinate);
+    }
+    /// Version 5 has the height of cuts of meshes; without one, states stay those of version 4.
+    void heightsOfCutsAreInVersion5Only() {
+        Project project = test::floatingBlock();
+        project.assets[0].cutAtImpact = CutAtImpact{};
+        const auto versionOf = [](const std::string& bytes) { return static_cast<int>(bytes[8]); };
+        for (const bool isMesh : {false, true}) {
+            if (isMesh) project.assets[0].shape = closedMesh(test::bumpySphere(12)).value();
+            const auto scene = test::playSceneOf(project);
+            Session session = *Session::start(scene);
+            QCOMPARE(versionOf(bytesOfSession(session)), 4);
+            test::addInput(session, BreakInput{session.bodies()[1].number});
+            for (int k = 0; k < 10; ++k) session.step();
+            const SessionDamage damage = session.damage();
+            QVERIFY(damage.begin()->second.cut);
+            const std::string bytes = bytesOfSession(session);
+            QCOMPARE(versionOf(bytes), damage.begin()->second.cut->isInPlane() ? 4 : 5);
+            const Result<Session> loaded = sessionOfBytes(scene, bytes);
+            QVERIFY2(loaded.hasValue(), stateFault(loaded).c_str());
+            QVERIFY(loaded->hash() == session.hash());
+            QVERIFY(loaded->damage() == damage);
+        }
     }
     void goesOnAsIfItHadNeverBeenSaved() {
         constexpr int kSeed = 23;
