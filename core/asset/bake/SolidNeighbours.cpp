@@ -31,11 +31,11 @@ struct FaceTriangle {
 
 /// What lies on both sides of a common face.
 struct TwoSides {
-    std::vector<FaceTriangle> triangles[2];  // of the face's fragment, and of the one behind
+    std::vector<FaceTriangle> triangles[2];  // by CommonPlane::side
 };
 
-/// The planes of the faces between fragments of a fracture. All fragments on one side of a plane are separated from those on
-/// the other, since a gap leaves one neighbour to each plane of a fragment, though there may be several.
+/// The planes of the faces between fragments of a fracture. All fragments on one side of a plane are separated from
+/// those on the other, since a gap leaves one neighbour to each plane of a fragment, though there may be several.
 class FracturePlanes {
 public:
     explicit FracturePlanes(const Fragments& fragments)
