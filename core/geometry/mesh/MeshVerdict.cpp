@@ -64,7 +64,8 @@ std::optional<MeshFinding> numberFault(const TriangleMesh& mesh) {
 
 class MeshJudge {
 public:
-    MeshJudge(const TriangleMesh& given, const TaskContext& task) : m_given(given), m_task(task) {}
+    MeshJudge(const TriangleMesh& given, const TaskContext& task, Vec3 origin)
+        : m_given(given), m_task(task), m_origin(origin) {}
 
     Result<MeshVerdict> judge() {
         if (const std::optional<MeshFinding> fault = numberFault(m_given)) {
@@ -89,21 +90,18 @@ private:
         m_prepared = std::move(*prepared);
         m_task.report(0.2);
         if (const auto& dropped = m_prepared.dropped; !dropped.empty()) {
-            const Vec3 place = m_given.points[m_given.triangles[dropped[0]][0]];
+            const Vec3 place = placeOf(m_given.triangles[dropped[0]][0]);
             note(Kind::DroppedTriangles, dropped.size(), place, dropped,
                  sentence(dropped.size(), "triangle has a corner twice and is left out",
                           "triangles have a corner twice and are left out", place));
         }
         if (m_prepared.mesh.triangles.empty())
-            return fault({Kind::NoVolume,
-                          1,
-                          m_given.points[m_given.triangles[0][0]],
-                          {},
-                          {},
-                          "No triangle of the mesh has an area."});
+            return fault(
+                {Kind::NoVolume, 1, placeOf(m_given.triangles[0][0]), {}, {}, "No triangle of the mesh has an area."});
         if (const auto& welded = m_prepared.welded; !welded.empty()) {
-            const Vec3 place = m_given.points[welded[0]];
-            const std::string distance = ", moved by up to " + roundedText(m_prepared.maxWeldDistance, 3) + " m";
+            const Vec3 place = placeOf(welded[0]);
+            const double moved = m_prepared.maxWeldDistance;
+            const std::string distance = moved > 0.0 ? ", moved by up to " + roundedText(moved, 3) + " m" : "";
             note(Kind::WeldedPoints, welded.size(), place, {},
                  sentence(welded.size(), "point is joined with another one so that the mesh closes",
                           "points are joined with others so that the mesh closes", place, distance));
@@ -149,7 +147,7 @@ private:
             m_prepared.mesh.points.push_back(Vec3(m_prepared.mesh.points[source]));
         }
         if (const auto& copied = separated->copied; !copied.empty()) {
-            const Vec3 place = m_prepared.mesh.points[copied[0]];
+            const Vec3 place = m_origin + m_prepared.mesh.points[copied[0]];
             note(Kind::SeparatedPoints, copied.size(), place, {},
                  sentence(copied.size(), "point at which parts of the mesh only touch is separated",
                           "points at which parts of the mesh only touch are separated", place));
@@ -325,13 +323,15 @@ private:
 
     Vec3 placeOf(const TrianglePair& pair) const {
         const SolidLattice lattice(boundsOf(m_prepared.mesh));
-        return lattice.origin() + lattice.metres(commonPoint(m_surface, pair[0], pair[1]));
+        return m_origin + lattice.origin() + lattice.metres(commonPoint(m_surface, pair[0], pair[1]));
     }
+    /// The place of a point of the mesh as given.
+    Vec3 placeOf(std::uint32_t point) const { return m_origin + m_given.points[point]; }
     std::string numberOf(std::uint32_t triangle) const { return std::to_string(m_prepared.sources[triangle]); }
 
     Vec3 middleOf(std::uint32_t triangle) const {
         const auto [a, b, c] = m_given.triangles[m_prepared.sources[triangle]];
-        return (m_given.points[a] + m_given.points[b] + m_given.points[c]) / 3.0;
+        return m_origin + (m_given.points[a] + m_given.points[b] + m_given.points[c]) / 3.0;
     }
     std::vector<std::uint32_t> given(std::vector<std::uint32_t> triangles) const {
         for (std::uint32_t& triangle : triangles) triangle = m_prepared.sources[triangle];
@@ -371,7 +371,7 @@ private:
             triangles.insert(source);
         }
         found.triangles.assign(triangles.begin(), triangles.end());
-        found.place = (m_given.points[found.edges[0][0]] + m_given.points[found.edges[0][1]]) / 2.0;
+        found.place = m_origin + (m_given.points[found.edges[0][0]] + m_given.points[found.edges[0][1]]) / 2.0;
         found.message = sentence(found.count, one, many, found.place, end);
         return fault(std::move(found));
     }
@@ -387,6 +387,7 @@ private:
 
     const TriangleMesh& m_given;
     const TaskContext& m_task;
+    Vec3 m_origin;
     PreparedMesh m_prepared;
     Windings m_windings;
     LatticeSurface m_surface;
@@ -421,8 +422,8 @@ const char* nameOf(MeshFindingKind kind) {
 
 bool isFault(MeshFindingKind kind) { return kind <= MeshFindingKind::NoThickness; }
 
-Result<MeshVerdict> judgeMesh(const TriangleMesh& mesh, const TaskContext& task) {
-    return MeshJudge(mesh, task).judge();
+Result<MeshVerdict> judgeMesh(const TriangleMesh& mesh, const TaskContext& task, Vec3 origin) {
+    return MeshJudge(mesh, task, origin).judge();
 }
 
 }  // namespace rubble

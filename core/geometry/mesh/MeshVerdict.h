@@ -72,9 +72,10 @@ struct MeshVerdict {
 /// Points are used by index where the mesh is closed that way; else equal ones are one, else near ones, as welded()
 /// has it. Crossings are decided for the points on the SolidLattice of the mesh, so as it is cut. The mesh stays as it
 /// is; what was done to the copy is found in the notes. The result does not depend on the number of threads.
-/// O(n log n) for n triangles plus the number of those that meet.
+/// O(n log n) for n triangles plus the number of those that meet. `origin`, m: of the mesh's frame in the world, in
+/// which the places of findings are.
 ///
 /// Errors: Cancelled.
-Result<MeshVerdict> judgeMesh(const TriangleMesh& mesh, const TaskContext& task = {});
+Result<MeshVerdict> judgeMesh(const TriangleMesh& mesh, const TaskContext& task = {}, Vec3 origin = Vec3(0.0));
 
 }  // namespace rubble

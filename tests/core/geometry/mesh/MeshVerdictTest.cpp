@@ -199,6 +199,20 @@ private slots:
         QCOMPARE(sentence(insideOut(unitBox())),
                  std::string("1 shell of the mesh is inside out and is turned, at (0.333333, 0.666667, 0)."));
     }
+    /// A mesh is judged in its own frame; places are in the world.
+    void placesAreRelativeToTheOrigin() {
+        const Vec3 origin{10.0, 20.0, 30.0};
+        for (const TriangleMesh& mesh : {sheet(1, 1), together(unitBox(), boxAt(0.5, 0.5, 0.5)), insideOut(unitBox()),
+                                         unshared(unitBox()), together(unitBox(), boxAt(1.0, 1.0, 1.0))}) {
+            const std::vector<MeshFinding> local = judgeMesh(mesh)->findings;
+            const std::vector<MeshFinding> findings = judgeMesh(mesh, {}, origin)->findings;
+            QCOMPARE(findings.size(), local.size());
+            for (std::size_t k = 0; k < findings.size(); ++k) {
+                QVERIFY(glm::distance(findings[k].place, origin + local[k].place) < 1e-9);
+                QVERIFY(findings[k].message != local[k].message);
+            }
+        }
+    }
     void edgesAreMarked() {
         const MeshFinding fault = judgeMesh(without(unitBox(), {0}))->findings[0];
         QCOMPARE(fault.triangles, (std::vector<std::uint32_t>{0, 6, 8}));
