@@ -171,6 +171,13 @@
             <numerusform>%Ln holes</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s)</source>
+        <translation>
+            <numerusform>%Ln triangle</numerusform>
+            <numerusform>%Ln triangles</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>rubble::BondSection</name>
@@ -305,6 +312,20 @@
         <translation>
             <numerusform>Import %Ln refused object in this way</numerusform>
             <numerusform>Import %Ln refused objects in this way</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln separate part(s)</source>
+        <translation>
+            <numerusform>%Ln separate part</numerusform>
+            <numerusform>%Ln separate parts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln cavity(s)</source>
+        <translation>
+            <numerusform>%Ln cavity</numerusform>
+            <numerusform>%Ln cavities</numerusform>
         </translation>
     </message>
 </context>

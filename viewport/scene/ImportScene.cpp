@@ -6,6 +6,8 @@
 #include "viewport/scene/AssetModel.h"
 #include "viewport/scene/SurfaceGeometry.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 
 namespace rubble {
@@ -13,6 +15,17 @@ namespace {
 
 constexpr BodyAppearance kMeshAppearance{.outside = 0xc4c9d1, .inside = 0xb07a6a};
 constexpr BodyAppearance kArrowAppearance{.outside = 0xff8c1a};
+constexpr BodyAppearance kProblemAppearance{.outside = 0xe8372c, .inside = 0xe8372c};
+constexpr glm::vec4 kProblemLine{0.91f, 0.16f, 0.13f, 1.0f};  // sRGB
+constexpr float kProblemRadius = 2.0f;                        // points
+
+constexpr glm::vec4 kBoxColour{0.05f, 0.55f, 0.62f, 1.0f};  // sRGB
+constexpr float kBoxRadius = 1.0f;                          // points
+
+// Relative to the diagonal of all meshes.
+constexpr double kProblemHeight = 4e-4;  // of red triangles above and below theirs
+constexpr double kMaxFramed = 0.25;      // of what is marked and framed as a whole
+constexpr double kSurroundings = 0.06;   // around the place of a problem
 
 // Relative to the prism's largest extent.
 constexpr double kArrowOverhang = 0.3;  // beyond each cap
@@ -64,6 +77,50 @@ void addPrism(RenderScene& scene, const PrismFit& prism) {
     addBatch(scene, {arrowOf(prism), nullptr, {}}, prism.pose, kArrowAppearance);
 }
 
+/// Adds the box around a closed mesh, which itself is drawn already.
+void addClosedMesh(RenderScene& scene, const SolidFit& solid) {
+    const auto inScene = [&](Vec3 point) { return glm::vec3(point + solid.position - scene.origin); };
+    const Box3& box = solid.mesh->bounds;
+    scene.boxes.push_back({glm::vec4(inScene(box.min), kBoxRadius), glm::vec4(inScene(box.max), 0.0f), kBoxColour});
+}
+
+double diagonalOf(const SourceModel& model) {
+    Box3 all;
+    for (const Box3& box : model.geometry->boxes) all.include(box);
+    return all.isEmpty() ? 0.0 : all.diagonal();
+}
+
+/// The triangles of all problems, moved along their normals.
+TriangleMesh markedTriangles(std::span<const MeshProblem> problems, Vec3 origin, double height) {
+    TriangleMesh marked;
+    for (const MeshProblem& problem : problems) {
+        for (const auto& [a, b, c] : problem.triangles) {
+            const Vec3 normal = glm::cross(b - a, c - a);
+            const double length = glm::length(normal);
+            const Vec3 shift = length > 0.0 ? height / length * normal : Vec3(0.0);
+            const auto first = static_cast<std::uint32_t>(marked.points.size());
+            for (const Vec3 corner : {a, b, c}) marked.points.push_back(corner - origin + shift);
+            marked.triangles.push_back({first, first + 1, first + 2});
+        }
+    }
+    return marked;
+}
+
+void addProblems(RenderScene& scene, std::span<const MeshProblem> problems, double diagonal) {
+    const auto geometry = std::make_shared<SceneGeometry>();
+    for (const double height : {kProblemHeight * diagonal, -kProblemHeight * diagonal}) {
+        const TriangleMesh marked = markedTriangles(problems, scene.origin, height);
+        if (!marked.triangles.empty()) addSurface(*geometry, marked);
+    }
+    addBatch(scene, {geometry, nullptr, {}}, {.position = scene.origin}, kProblemAppearance);
+    const auto inScene = [&](Vec3 point) { return glm::vec3(point - scene.origin); };
+    for (const MeshProblem& problem : problems) {
+        for (const auto& [from, to] : problem.edges)
+            scene.lines.push_back(
+                {glm::vec4(inScene(from), kProblemRadius), glm::vec4(inScene(to), 0.0f), kProblemLine});
+    }
+}
+
 }  // namespace
 
 SourceModel sourceModel(const SourceScene& scene, double metresPerUnit, UpAxis up) {
@@ -83,12 +140,27 @@ SourceModel sourceModel(const SourceScene& scene, double metresPerUnit, UpAxis u
     return model;
 }
 
-RenderScene importScene(const SourceModel& model, const PrismFit* prism) {
+RenderScene importScene(const SourceModel& model, const ImportOverlay& overlay) {
     RenderScene scene{.origin = model.origin};
     addBatch(scene, {model.geometry, nullptr, {}}, {.position = model.origin}, kMeshAppearance);
     scene.groundHeight = boundsOf(scene).min.y;
-    if (prism != nullptr) addPrism(scene, *prism);
+    if (overlay.prism != nullptr) addPrism(scene, *overlay.prism);
+    if (overlay.solid != nullptr) addClosedMesh(scene, *overlay.solid);
+    if (!overlay.problems.empty()) addProblems(scene, overlay.problems, diagonalOf(model));
     return scene;
+}
+
+Box3 surroundingsOf(const MeshProblem& problem, const SourceModel& model) {
+    const double diagonal = diagonalOf(model);
+    Box3 box;
+    for (const auto& triangle : problem.triangles)
+        for (const Vec3 corner : triangle) box.include(corner);
+    for (const auto& edge : problem.edges)
+        for (const Vec3 end : edge) box.include(end);
+    if (box.isEmpty() || box.diagonal() > kMaxFramed * diagonal) box = {};
+    box.include(problem.place - Vec3(kSurroundings * diagonal));
+    box.include(problem.place + Vec3(kSurroundings * diagonal));
+    return box;
 }
 
 }  // namespace rubble

@@ -5,6 +5,7 @@
 #include "core/asset/import/AssetImport.h"
 #include "core/asset/placement/InstancePlacement.h"
 #include "core/base/MessageText.h"
+#include "core/base/Parallel.h"
 #include "core/base/QuantityText.h"
 #include "core/io/json/JsonWriter.h"
 #include "core/io/mesh/MeshImport.h"
@@ -21,19 +22,24 @@ namespace {
 constexpr const char* kImportFooter =
     R"(Reads OBJ, glTF, GLB, FBX, STL and PLY files, in a separate process limited to 2 GiB and 30 s. Each object that
 is a prism (two parallel caps with the same outline along any axis, and sides perpendicular to them) becomes an
-asset and an instance at the position of the mesh, or beside the scene where they would overlap. Prints what was
-imported, merged and ignored. An object that is rejected does not keep others from being imported; the reason goes
-to standard error. If all are rejected, nothing is written.
+asset and an instance at the position of the mesh, or beside the scene where they would overlap. What is not a prism
+becomes a solid, an asset of its mesh, if that is closed and does not cross itself; cavities stay. Prints what was
+imported, merged and ignored. An object that is rejected does not keep others from being imported; the reason, with
+the place, goes to standard error. If all are rejected, nothing is written.
+
+With --as prism nothing becomes a solid. With --as solid each object does, unsplit; by default and for prisms the
+unconnected parts of an object become assets of their own.
 
 Without --into, a new project is written beside FILE (wall.rubble for wall.glb), unless it exists. glTF is in
 metres; FBX states its unit; OBJ, STL and PLY do not and are read in metres. An object that is a prism along
 several axes, such as a box, is extruded along the thinnest one. With --asset an existing asset gets the new
-outline, depth and appearance, and keeps its material, pattern, levels, threshold and instances.
+shape and appearance, and keeps its material, pattern, levels, threshold and instances.
 
 Examples:
   rubble-cli import wall.glb
   rubble-cli import parts.stl --into house.rubble --unit mm --up z
   rubble-cli import wall2.glb --into house.rubble --asset Wall
+  rubble-cli import statue.obj --as solid --up z
   rubble-cli import boulder.ply --fallback silhouette --axis y)";
 
 struct ImportVerbOptions {
@@ -41,6 +47,7 @@ struct ImportVerbOptions {
     std::filesystem::path project;
     std::optional<double> metresPerUnit;
     std::string up = "y";
+    std::string as = "auto";
     std::string axis;
     std::string asset;
     std::string fallback;
@@ -86,6 +93,8 @@ ImportOptions importOptions(const ImportVerbOptions& given) {
                           .isUnbreakable = given.isUnbreakable,
                           .findsFallbacks = true};
     if (given.up == "z") options.up = UpAxis::Z;
+    if (given.as == "prism") options.as = ImportShape::Prism;
+    if (given.as == "solid") options.as = ImportShape::Solid;
     if (given.axis == "x") options.axis = PrismAxis::X;
     if (given.axis == "y") options.axis = PrismAxis::Y;
     if (given.axis == "z") options.axis = PrismAxis::Z;
@@ -138,6 +147,13 @@ std::string rejections(const ImportOutcome& outcome, const ImportOptions& option
     return text;
 }
 
+/// Fails if options of prisms are given for solids.
+Status checkOptions(const ImportVerbOptions& options) {
+    if (options.as != "solid" || (options.fallback.empty() && options.axis.empty())) return success();
+    const std::string option = options.fallback.empty() ? "--axis" : "--fallback";
+    return Error{ErrorCode::BadInput, option + " is for prisms; leave it out, or use --as auto or --as prism."};
+}
+
 /// Fails if a project is given instead of a mesh file.
 Status checkIsNoProject(const std::filesystem::path& mesh) {
     if (mesh.extension() != ".rubble") return success();
@@ -147,19 +163,35 @@ Status checkIsNoProject(const std::filesystem::path& mesh) {
                                           name + "; to export its meshes, use rubble-cli export."};
 }
 
+void writePrism(JsonWriter& json, const PrismFit& prism) {
+    json.wholeNumber("corners", std::uint64_t{prism.outline.outer.size()});
+    json.wholeNumber("holes", std::uint64_t{prism.outline.holes.size()});
+    json.number("depth", prism.depth);
+}
+
+void writeSolid(JsonWriter& json, const SolidFit& solid) {
+    json.wholeNumber("triangles", std::uint64_t{solid.mesh->mesh.triangles.size()});
+    json.wholeNumber("parts", std::uint64_t{solid.parts});
+    json.wholeNumber("cavities", std::uint64_t{solid.cavities});
+    json.number("volume", solid.mesh->mass.volume);
+    if (!solid.whyNoPrism.empty()) json.text("whyNoPrism", printableText(solid.whyNoPrism));
+}
+
 void writeAsset(JsonWriter& json, const ImportedAsset& imported, const Project& project) {
-    const PrismFit& prism = imported.prism;
-    const Vec3 position = prism.pose.position;
+    const Vec3 position = imported.solid ? imported.solid->position : imported.prism->pose.position;
     json.openObject();
     json.text("name", printableText(findAsset(project, imported.asset)->name));
     json.wholeNumber("id", std::uint64_t{imported.asset});
     json.boolean("updated", imported.isReplaced);
+    json.text("shape", imported.solid ? "solid" : "prism");
     json.boolean("fallback", imported.usesFallback);
-    json.wholeNumber("corners", std::uint64_t{prism.outline.outer.size()});
-    json.wholeNumber("holes", std::uint64_t{prism.outline.holes.size()});
-    json.number("depth", prism.depth);
+    if (imported.solid) {
+        writeSolid(json, *imported.solid);
+    } else {
+        writePrism(json, *imported.prism);
+    }
     json.numbers("position", {position.x, position.y, position.z});
-    json.number("tolerance", imported.tolerance);
+    if (imported.prism) json.number("tolerance", imported.tolerance);
     json.close();
 }
 
@@ -188,7 +220,8 @@ void reportImport(const ImportOutcome& outcome, const ImportVerbOptions& options
 }
 
 Status import(const ImportVerbOptions& options, VerbReport& report, const CliContext& context) {
-    const TaskContext task{.cancel = context.cancel};
+    const TaskContext task{.cancel = context.cancel, .threads = availableProcessors()};
+    if (const Status isFitting = checkOptions(options); !isFitting) return isFitting;
     if (const Status isMesh = checkIsNoProject(options.mesh); !isMesh) return isMesh;
     if (const Status isFree = checkTarget(options); !isFree) return isFree;
     const Result<SourceScene> scene = importMesh(options.mesh, importerPath(context.programFolder), task);
@@ -220,6 +253,9 @@ Verb addImport(CLI::App& program) {
         .valueName("PROJECT");
     addUnitOption(command, options->metresPerUnit);
     command.option("--up", options->up, "The up axis of the file (default: y)").oneOf({"y", "z"}).valueName("y|z");
+    command.option("--as", options->as, "What objects become (default: auto, a solid where it is not a prism)")
+        .oneOf({"auto", "prism", "solid"})
+        .valueName("auto|prism|solid");
     command.option("--axis", options->axis, "Extrude along the axis closest to this one (y is up)")
         .oneOf({"x", "y", "z"})
         .valueName("x|y|z");

@@ -43,7 +43,7 @@ Result<std::vector<RequestedPart>> requestedParts(const SourceScene& scene, cons
     for (const SourceObject& object : scene.objects) {
         if (!options.asset.empty() && hasSeveral && object.name != options.asset) continue;
         const std::string name = object.name.empty() ? wellFormed(fileName) : object.name;
-        Result<std::vector<ImportPart>> parts = partsToImport(object, metresPerUnit, options.up);
+        Result<std::vector<ImportPart>> parts = partsToImport(object, metresPerUnit, options.up, options.as);
         if (!parts) {
             all.push_back(namedError(name, parts.error()));
             continue;
@@ -106,8 +106,8 @@ void placeInstance(Project& project, const Asset& asset, const Pose& pose, const
 /// Places an asset where the solid of a part and its copies stand.
 void placeInstances(Project& project, const Asset& asset, const ImportPart& part, const ImportedSolid& solid,
                     const ImportSource& source) {
-    placeInstance(project, asset, solid.prism.pose, source);
-    for (const Pose& copy : part.copies) placeInstance(project, asset, moved(solid.prism.pose, copy), source);
+    placeInstance(project, asset, solid.pose(), source);
+    for (const Pose& copy : part.copies) placeInstance(project, asset, moved(solid.pose(), copy), source);
 }
 
 /// The asset of this import that is equal to a solid but for its pose; null if there is none.
@@ -123,24 +123,24 @@ ImportedAsset* equalAsset(const ImportedSolid& solid, const SourceScene& scene, 
     return nullptr;
 }
 
-/// Adds a solid to the project as a new asset, or replaces the prism of an existing one.
+/// Adds a solid to the project as a new asset, or replaces the shape of an existing one.
 ImportedAsset added(const ImportPart& part, const ImportedSolid& solid, const ImportSource& source, Project& project) {
     const ImportOptions& options = source.options;
-    ImportedAsset result{.usesFallback = solid.usesFallback, .prism = solid.prism, .tolerance = solid.tolerance};
+    ImportedAsset result{.usesFallback = solid.usesFallback, .prism = solid.prism, .solid = solid.closed};
+    if (solid.prism) result.tolerance = solid.tolerance;
     result.notes = solid.notes;
-    const Prism prism{solid.prism.outline, solid.prism.depth};
     const auto old =
         options.asset.empty() ? project.assets.end() : std::ranges::find(project.assets, options.asset, &Asset::name);
     if (old != project.assets.end()) {
         result.asset = old->id;
         result.isReplaced = true;
-        old->shape = prism;
+        old->shape = solid.shape();
         old->surface = solid.surface.surface;
         old->texture = solid.texture;
         return result;
     }
     Asset asset{.name = uniqueName(project.assets, part.name, source.names),
-                .shape = prism,
+                .shape = solid.shape(),
                 .surface = solid.surface.surface,
                 .texture = solid.texture};
     if (asset.name != part.name)
@@ -189,12 +189,18 @@ std::vector<WorkingFallback> workingFallbacks(const ImportPart& part, PrismAxis 
     return working;
 }
 
-/// prismFault(), and those of copies and of texture coordinates, which may be anything.
+/// The same for a closed mesh.
+std::optional<std::string> closedFault(const std::string& name, const ImportedSolid& solid) {
+    if (auto fault = shapeRangeFault(quotedName(name), {.shape = solid.shape()})) return fault;
+    return rangeFault(quotedName(name), ProjectNumber::InstancePosition, solid.closed->position);
+}
+
+/// The faults of the shape, and those of copies and of texture coordinates, which may be anything.
 std::optional<std::string> solidFault(const ImportPart& part, const ImportedSolid& solid) {
     const std::string& name = part.name;
-    if (auto fault = prismFault(name, solid.prism)) return fault;
+    if (auto fault = solid.closed ? closedFault(name, solid) : prismFault(name, *solid.prism)) return fault;
     for (const Pose& copy : part.copies) {
-        const Vec3 position = moved(solid.prism.pose, copy).position;
+        const Vec3 position = moved(solid.pose(), copy).position;
         if (auto fault = rangeFault(quotedName(name), ProjectNumber::InstancePosition, position)) return fault;
     }
     const Surface* surface = solid.surface.surface.get();
@@ -203,21 +209,30 @@ std::optional<std::string> solidFault(const ImportPart& part, const ImportedSoli
     return solid.texture ? textureFault(quotedName(name), *solid.texture, surface) : std::nullopt;
 }
 
+/// A part that is not imported, with the fallbacks that would import it if these are wanted.
+RejectedObject rejectedPart(const ImportPart& part, PartOutcome outcome, const ImportOptions& options,
+                            const TaskContext& context) {
+    RejectedObject rejected{namedError(part.name, outcome.solid.error()), {}, {}, std::move(outcome.problem)};
+    const bool hasPrism = options.as != ImportShape::Solid && !part.noPrism;
+    if (!options.findsFallbacks || !hasPrism) return rejected;
+    rejected.fallbacks = workingFallbacks(part, options.axis, context);
+    if (const Result<SolidMesh> closed = orientedSolid(part.mesh, part.tolerance)) rejected.volume = closed->volume;
+    return rejected;
+}
+
 void import(const RequestedPart& part, const ImportSource& source, const TaskContext& context, TextureImages& images,
             ImportOutcome& outcome) {
     const auto& [scene, options, names] = source;
     if (!part) {
-        outcome.rejected.push_back({part.error(), {}, {}});
-    } else if (const Result<ImportedSolid> solid = importedSolid(*part, scene, options, images); !solid) {
-        RejectedObject& rejected =
-            outcome.rejected.emplace_back(RejectedObject{namedError(part->name, solid.error()), {}, {}});
-        if (options.findsFallbacks) {
-            rejected.fallbacks = workingFallbacks(*part, options.axis, context);
-            if (const Result<SolidMesh> closed = orientedSolid(part->mesh, part->tolerance))
-                rejected.volume = closed->volume;
-        }
+        outcome.rejected.push_back({part.error(), {}, {}, {}});
+        return;
+    }
+    PartOutcome made = importedSolid(*part, scene, options, images, context);
+    const Result<ImportedSolid>& solid = made.solid;
+    if (!solid) {
+        outcome.rejected.push_back(rejectedPart(*part, std::move(made), options, context));
     } else if (const auto fault = solidFault(*part, *solid)) {
-        outcome.rejected.push_back({{ErrorCode::BadInput, *fault}, {}, {}});
+        outcome.rejected.push_back({{ErrorCode::BadInput, *fault}, {}, {}, {}});
     } else if (ImportedAsset* equal = options.mergesEqual ? equalAsset(*solid, scene, outcome) : nullptr) {
         ++equal->merged;
         placeInstances(outcome.project, *findAsset(outcome.project, equal->asset), *part, *solid, source);
@@ -254,10 +269,14 @@ Result<ImportOutcome> importedInto(Project project, const SourceScene& scene, co
     for (const RequestedPart& part : *requested)
         if (part) source.names.insert(caseFolded(part->name));
     TextureImages images;
-    for (const RequestedPart& part : *requested) {
+    const auto fractionBefore = [&](std::size_t k) {
+        return static_cast<double>(k) / static_cast<double>(requested->size());
+    };
+    for (std::size_t k = 0; k < requested->size(); ++k) {
         if (context.isCancelled()) return TaskContext::cancelled();
-        import(part, source, context, images, outcome);
-        context.report(static_cast<double>(&part - requested->data() + 1) / static_cast<double>(requested->size()));
+        const TaskContext stage = context.stage(fractionBefore(k), fractionBefore(k + 1));
+        import((*requested)[k], source, stage, images, outcome);
+        stage.report(1.0);
     }
     if (context.isCancelled()) return TaskContext::cancelled();
     for (ImportedAsset& imported : outcome.assets) {

@@ -39,12 +39,18 @@ bool areEqual(const Surface& a, const Surface& b, double tolerance) {
            std::ranges::equal(a.triangles, b.triangles, areTriangles);
 }
 
+/// Whether two meshes have the same triangles in the same order, and points that are near.
+bool areEqual(const TriangleMesh& a, const TriangleMesh& b, double tolerance) {
+    return a.triangles == b.triangles && std::ranges::equal(a.points, b.points, areWithin<Vec3>(tolerance));
+}
+
 }  // namespace
 
 bool isEqual(const Asset& asset, const ImportedSolid& solid, double tolerance) {
-    if (!asset.isPrism()) return false;
-    if (std::abs(asset.prism().depth - solid.prism.depth) > tolerance) return false;
-    if (!areEqual(asset.prism().outline, solid.prism.outline, tolerance)) return false;
+    if (asset.isPrism() == solid.closed.has_value()) return false;
+    if (solid.closed) return areEqual(asset.mesh()->mesh, solid.closed->mesh->mesh, tolerance);
+    if (std::abs(asset.prism().depth - solid.prism->depth) > tolerance) return false;
+    if (!areEqual(asset.prism().outline, solid.prism->outline, tolerance)) return false;
     if (asset.texture != solid.texture) return false;
     const Surface* surface = solid.surface.surface.get();
     if (asset.surface == nullptr || surface == nullptr) return asset.surface.get() == surface;

@@ -93,6 +93,45 @@ bool liesWithin(const Box3& inner, const Box3& outer) {
     return glm::all(glm::greaterThanEqual(inner.min, outer.min)) && glm::all(glm::lessThanEqual(inner.max, outer.max));
 }
 
+/// The parts of an object that has several; `numbers`: each triangle's. Errors: Limit; Degenerate: one is the wall of a
+/// cavity.
+Result<std::vector<ImportPart>> splitParts(ImportPart whole, const std::vector<std::uint32_t>& numbers,
+                                           std::uint32_t count) {
+    constexpr std::uint32_t kMaxParts = 1000;
+    if (count > kMaxParts)
+        return Error{ErrorCode::Limit, "It has " + std::to_string(count) + " unconnected parts, but at most " +
+                                           std::to_string(kMaxParts) + " can be imported."};
+    const std::vector<std::uint32_t> connected = connectedParts(whole.mesh);
+    const bool areTouching = *std::ranges::max_element(connected) + 1 < count;
+    whole.notes.push_back("The object has " + std::to_string(count) +
+                          (areTouching ? " parts, some of which only touch," : " unconnected parts,") +
+                          " imported one by one.");
+    std::vector<ImportPart> parts;
+    for (std::uint32_t number = 0; number < count; ++number) parts.push_back(partOf(whole, numbers, number));
+    std::vector<Box3> inverted, upright;
+    for (const ImportPart& part : parts) {
+        const double volume = signedVolume(part.mesh);
+        if (volume < 0.0) inverted.push_back(boundsOf(part.mesh));
+        if (volume > 0.0) upright.push_back(boundsOf(part.mesh));
+    }
+    for (const Box3& inner : inverted) {
+        if (std::ranges::any_of(upright, [&](const Box3& around) { return liesWithin(inner, around); }))
+            return Error{ErrorCode::Degenerate, "The mesh has a cavity: one of its " + std::to_string(count) +
+                                                    " parts is inverted and lies within another."};
+    }
+    return parts;
+}
+
+/// An object that is imported as it is.
+ImportPart wholeObject(const SourceObject& object, TriangleMesh mesh, double metresPerUnit, UpAxis up) {
+    ImportPart whole{.name = object.name, .hasUvs = object.hasUvs, .tolerance = meshTolerance(mesh)};
+    whole.mesh = mesh;
+    whole.triangles = object.triangles;
+    whole.copies = copiesInWorld(object, metresPerUnit, up);
+    whole.unwelded = std::move(mesh);
+    return whole;
+}
+
 /// The mesh's triangles in the prism's frame.
 std::vector<SurfaceTriangle> surfaceTriangles(const ImportPart& part, const std::vector<std::uint32_t>& flipped,
                                               const Pose& pose) {
@@ -204,6 +243,7 @@ Result<PrismFit> prismOfRounded(const ImportPart& part, const TriangleMesh& soli
 /// The fitted prism, or its fallback.
 Result<PrismFit> prismOf(const ImportPart& part, const Result<SolidMesh>& solid, const ImportOptions& options,
                          ImportedSolid& result) {
+    if (part.noPrism) return *part.noPrism;
     if (isFlat(part)) return Error{ErrorCode::Degenerate, "The mesh is flat; an asset needs a depth."};
     result.tolerance = part.tolerance;
     Result<PrismFit> found = solid ? fitPrism(solid->mesh, options.axis, part.tolerance) : solid.error();
@@ -224,69 +264,8 @@ Result<PrismFit> prismOf(const ImportPart& part, const Result<SolidMesh>& solid,
     return found;
 }
 
-}  // namespace
-
-TriangleMesh meshInWorld(const SourceObject& object, double metresPerUnit, UpAxis up) {
-    TriangleMesh mesh;
-    for (const Vec3 point : object.points) {
-        mesh.points.push_back(metresPerUnit * uprightOf(point, up));
-    }
-    for (const SourceTriangle& triangle : object.triangles) mesh.triangles.push_back(triangle.points);
-    return mesh;
-}
-
-Result<std::vector<ImportPart>> partsToImport(const SourceObject& object, double metresPerUnit, UpAxis up) {
-    const TriangleMesh mesh = meshInWorld(object, metresPerUnit, up);
-    if (std::optional<Error> fault = farFault(mesh)) return *fault;
-    Result<WeldedMesh> one = welded(mesh);
-    if (!one) return one.error();
-    ImportPart whole{.name = object.name, .hasUvs = object.hasUvs, .tolerance = one->tolerance};
-    whole.rounding = object.rounding * metresPerUnit;
-    whole.copies = copiesInWorld(object, metresPerUnit, up);
-    whole.notes = weldingNotes(*one);
-    whole.mesh = std::move(one->mesh);
-    for (const std::uint32_t source : one->sources) whole.triangles.push_back(object.triangles[source]);
-    const std::vector<std::uint32_t> numbers = solidParts(whole.mesh);
-    const std::uint32_t count = 1 + *std::ranges::max_element(numbers);
-    std::vector<ImportPart> parts;
-    if (count == 1) {
-        parts.push_back(std::move(whole));
-        return parts;
-    }
-    constexpr std::uint32_t kMaxParts = 1000;
-    if (count > kMaxParts)
-        return Error{ErrorCode::Limit, "It has " + std::to_string(count) + " unconnected parts, but at most " +
-                                           std::to_string(kMaxParts) + " can be imported."};
-    const std::vector<std::uint32_t> connected = connectedParts(whole.mesh);
-    const bool areTouching = *std::ranges::max_element(connected) + 1 < count;
-    whole.notes.push_back("The object has " + std::to_string(count) +
-                          (areTouching ? " parts, some of which only touch," : " unconnected parts,") +
-                          " imported one by one.");
-    for (std::uint32_t number = 0; number < count; ++number) parts.push_back(partOf(whole, numbers, number));
-    const auto isCavityIn = [](const ImportPart& inner, const ImportPart& outer) {
-        return liesWithin(boundsOf(inner.mesh), boundsOf(outer.mesh)) && signedVolume(inner.mesh) < 0.0 &&
-               signedVolume(outer.mesh) > 0.0;
-    };
-    for (const ImportPart& inner : parts) {
-        const auto isAround = [&](const ImportPart& outer) { return isCavityIn(inner, outer); };
-        if (std::ranges::any_of(parts, isAround))
-            return Error{ErrorCode::Degenerate, "The mesh has a cavity: one of its " + std::to_string(count) +
-                                                    " parts is inverted and lies within another."};
-    }
-    return parts;
-}
-
-bool isFlat(const ImportPart& part) {
-    const TriangleMesh& mesh = part.mesh;
-    std::size_t largest = 0;
-    for (std::size_t i = 1; i < mesh.triangles.size(); ++i)
-        if (glm::length(doubleArea(mesh, i)) > glm::length(doubleArea(mesh, largest))) largest = i;
-    const Vec3 normal = glm::normalize(doubleArea(mesh, largest)), origin = mesh.points[mesh.triangles[largest][0]];
-    return std::ranges::all_of(
-        mesh.points, [&](Vec3 point) { return std::abs(glm::dot(point - origin, normal)) <= part.tolerance; });
-}
-
-Result<ImportedSolid> importedSolid(const ImportPart& part, const SourceScene& scene, const ImportOptions& options,
+/// The part as a prism or as its fallback.
+Result<ImportedSolid> importedPrism(const ImportPart& part, const SourceScene& scene, const ImportOptions& options,
                                     TextureImages& images) {
     ImportedSolid result{.notes = part.notes};
     const Result<SolidMesh> solid = orientedSolid(part.mesh, part.tolerance);
@@ -300,8 +279,8 @@ Result<ImportedSolid> importedSolid(const ImportPart& part, const SourceScene& s
                                " corrected.");
     std::vector<std::string> materials;
     for (const SourceMaterial& material : scene.materials) materials.push_back(material.name);
-    result.surface = fittedSurface(surfaceTriangles(part, flipped, result.prism.pose), part.hasUvs, materials,
-                                   {result.prism.outline, result.prism.depth}, 4.0 * result.tolerance);
+    result.surface = fittedSurface(surfaceTriangles(part, flipped, result.prism->pose), part.hasUvs, materials,
+                                   {result.prism->outline, result.prism->depth}, 4.0 * result.tolerance);
     result.material = largestMaterial(part);
     result.texture = textureOf(part, scene, images, result.notes);
     if (result.surface.surface && part.hasUvs) {
@@ -309,6 +288,111 @@ Result<ImportedSolid> importedSolid(const ImportPart& part, const SourceScene& s
         noteCap(result.surface.back, result.surface.surface->back, "back", result.notes);
     }
     return result;
+}
+
+/// Notes the images that a closed mesh does not keep.
+void noteLostTexture(const ImportPart& part, const SourceScene& scene, std::vector<std::string>& notes) {
+    const std::map<std::uint32_t, double> areas = imageAreas(part, scene);
+    if (areas.empty()) return;
+    const std::string what =
+        areas.size() == 1 ? "The texture " + quotedName(scene.images[areas.begin()->first].name) + " is not imported"
+                          : "Its " + std::to_string(areas.size()) + " textures are not imported";
+    notes.push_back(what + ": only prisms keep textures.");
+}
+
+/// Makes "The mesh is bent." the end of a sentence.
+std::string asClause(std::string sentence) {
+    if (sentence.starts_with("The ")) sentence[0] = 't';
+    return sentence;
+}
+
+/// The part as a closed mesh. `noPrism`: why it is not a prism, if it might have been one.
+PartOutcome closedSolid(const ImportPart& part, const SourceScene& scene, const std::optional<Error>& noPrism,
+                        const TaskContext& context) {
+    const bool isWhole = !part.unwelded.triangles.empty();
+    Result<SolidTrial> trial = fittedSolid(isWhole ? part.unwelded : part.mesh, context);
+    if (!trial) return {trial.error(), std::nullopt};
+    if (trial->problem) {
+        std::string message = "It cannot be cut: " + trial->problem->message;
+        const bool isClosed = noPrism && (part.noPrism || orientedSolid(part.mesh, part.tolerance).hasValue());
+        if (isClosed) {
+            message.pop_back();
+            message += "; it is not a prism either: " + asClause(noPrism->message);
+        }
+        return {Error{ErrorCode::Degenerate, message}, std::move(trial->problem)};
+    }
+    ImportedSolid result;
+    // What was welded concerns the parts of a mesh that had to be split.
+    if (!isWhole) result.notes = part.notes;
+    result.notes.insert(result.notes.end(), trial->notes.begin(), trial->notes.end());
+    result.closed = std::move(trial->solid);
+    if (noPrism) result.closed->whyNoPrism = noPrism->message;
+    result.tolerance = part.tolerance;
+    result.material = largestMaterial(part);
+    noteLostTexture(part, scene, result.notes);
+    return {std::move(result), std::nullopt};
+}
+
+}  // namespace
+
+TriangleMesh meshInWorld(const SourceObject& object, double metresPerUnit, UpAxis up) {
+    TriangleMesh mesh;
+    for (const Vec3 point : object.points) {
+        mesh.points.push_back(metresPerUnit * uprightOf(point, up));
+    }
+    for (const SourceTriangle& triangle : object.triangles) mesh.triangles.push_back(triangle.points);
+    return mesh;
+}
+
+Result<std::vector<ImportPart>> partsToImport(const SourceObject& object, double metresPerUnit, UpAxis up,
+                                              ImportShape as) {
+    TriangleMesh mesh = meshInWorld(object, metresPerUnit, up);
+    if (std::optional<Error> fault = farFault(mesh)) return *fault;
+    if (as == ImportShape::Solid) return std::vector{wholeObject(object, std::move(mesh), metresPerUnit, up)};
+    Result<WeldedMesh> one = welded(mesh);
+    if (!one) return one.error();
+    ImportPart whole{.name = object.name, .hasUvs = object.hasUvs, .tolerance = one->tolerance};
+    whole.rounding = object.rounding * metresPerUnit;
+    whole.copies = copiesInWorld(object, metresPerUnit, up);
+    whole.notes = weldingNotes(*one);
+    whole.mesh = std::move(one->mesh);
+    for (const std::uint32_t source : one->sources) whole.triangles.push_back(object.triangles[source]);
+    const std::vector<std::uint32_t> numbers = solidParts(whole.mesh);
+    const std::uint32_t count = 1 + *std::ranges::max_element(numbers);
+    if (count == 1) {
+        whole.unwelded = std::move(mesh);
+        return std::vector{std::move(whole)};
+    }
+    Result<std::vector<ImportPart>> parts = splitParts(std::move(whole), numbers, count);
+    if (parts || parts.error().code != ErrorCode::Degenerate || as == ImportShape::Prism) return parts;
+    ImportPart hollow = wholeObject(object, std::move(mesh), metresPerUnit, up);
+    hollow.noPrism = parts.error();
+    return std::vector{std::move(hollow)};
+}
+
+bool isFlat(const ImportPart& part) {
+    const TriangleMesh& mesh = part.mesh;
+    std::size_t largest = 0;
+    for (std::size_t i = 1; i < mesh.triangles.size(); ++i)
+        if (glm::length(doubleArea(mesh, i)) > glm::length(doubleArea(mesh, largest))) largest = i;
+    const Vec3 normal = glm::normalize(doubleArea(mesh, largest)), origin = mesh.points[mesh.triangles[largest][0]];
+    return std::ranges::all_of(
+        mesh.points, [&](Vec3 point) { return std::abs(glm::dot(point - origin, normal)) <= part.tolerance; });
+}
+
+std::variant<Prism, std::shared_ptr<const ClosedMesh>> ImportedSolid::shape() const {
+    if (closed) return closed->mesh;
+    return Prism{prism->outline, prism->depth};
+}
+
+PartOutcome importedSolid(const ImportPart& part, const SourceScene& scene, const ImportOptions& options,
+                          TextureImages& images, const TaskContext& context) {
+    if (options.as == ImportShape::Solid) return closedSolid(part, scene, std::nullopt, context);
+    PartOutcome prism{importedPrism(part, scene, options, images), std::nullopt};
+    if (prism.solid || options.as == ImportShape::Prism) return prism;
+    const bool hasFallback = options.fallback && !part.noPrism;
+    if (hasFallback || isFlat(part)) return prism;
+    return closedSolid(part, scene, prism.solid.error(), context);
 }
 
 }  // namespace rubble

@@ -34,13 +34,46 @@ constexpr QSize kImportDialogSize{920, 700};
 constexpr int kRefusedLines = 5;  // shown without scrolling
 constexpr int kShownRows = 8;     // of the table, without scrolling
 
-enum PrismColumn { kName, kSize, kDepth, kAxis, kTolerance, kColumns };
+enum AssetColumn { kName, kShape, kSize, kDepth, kAxis, kTolerance, kColumns };
 
 QString lengthText(double metres, const Units& units) { return localizedQuantity(QuantityKind::Length, metres, units); }
 
 QString sizeText(const PrismFit& prism, const Units& units) {
     const Vec2 size = boundsOf(prism.outline.outer).size();
     return lengthText(size.x, units) + " × " + lengthText(size.y, units);
+}
+
+QString sizeText(const SolidFit& solid, const Units& units) {
+    const Vec3 size = solid.mesh->bounds.max - solid.mesh->bounds.min;
+    return lengthText(size.x, units) + " × " + lengthText(size.y, units) + " × " + lengthText(size.z, units);
+}
+
+/// The cells of an asset after its name.
+QStringList cellsOf(const ImportedAsset& imported, const Units& units) {
+    if (imported.solid) return {ImportDialog::tr("Mesh"), sizeText(*imported.solid, units), {}, {}, {}};
+    const PrismFit& prism = *imported.prism;
+    return {ImportDialog::tr("Prism"), sizeText(prism, units), lengthText(prism.depth, units),
+            QString::fromStdString(axisText(prism.axis)), smallLengthText(imported.tolerance, units)};
+}
+
+/// Why an asset is a prism: how far the mesh is from it.
+QString deviationText(const ImportedAsset& imported, const Units& units) {
+    const double deviation = imported.prism->deviation;
+    if (imported.usesFallback) return {};
+    if (deviation == 0.0) return ImportDialog::tr("The mesh is exactly this prism.");
+    return ImportDialog::tr("The mesh deviates from this prism by up to %1.").arg(smallLengthText(deviation, units));
+}
+
+/// What an asset that is a closed mesh consists of, and why it is not a prism.
+QString solidText(const SolidFit& solid, const Units& units) {
+    const auto count = [](std::size_t number) { return static_cast<int>(number); };
+    QStringList counts = {ImportDialog::tr("%Ln triangle(s)", nullptr, count(solid.mesh->mesh.triangles.size())),
+                          localizedQuantity(QuantityKind::Volume, solid.mesh->mass.volume, units)};
+    if (solid.parts > 1) counts.append(ImportDialog::tr("%Ln separate part(s)", nullptr, count(solid.parts)));
+    if (solid.cavities > 0) counts.append(ImportDialog::tr("%Ln cavity(s)", nullptr, count(solid.cavities)));
+    const QString text = ImportDialog::tr("It becomes a closed mesh: %1.").arg(counts.join(", "));
+    if (solid.whyNoPrism.empty()) return text;
+    return text + ' ' + ImportDialog::tr("It is not a prism: %1").arg(QString::fromStdString(solid.whyNoPrism));
 }
 
 /// A fallback, and the refused objects that it imports.
@@ -85,9 +118,17 @@ QString fallbackToolTip(const OfferedFallback& offered, const Units& units) {
 
 /// What can be imported, before the reasons for which something cannot.
 QLabel* createPossible() {
-    auto* label = new QLabel(ImportDialog::tr("Only straight extrusions can be fractured yet: prisms of any outline."));
+    auto* label = new QLabel(
+        ImportDialog::tr("Prisms of any outline can be fractured, and closed meshes that do not cross themselves."));
     label->setWordWrap(true);
     return label;
+}
+
+/// Keeps the place of a widget free while it is hidden.
+void retainSize(QWidget& widget) {
+    QSizePolicy policy = widget.sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    widget.setSizePolicy(policy);
 }
 
 QLabel* createNotes() {
@@ -124,7 +165,10 @@ ImportDialog::ImportDialog(const QString& path, const Project& project, const Pr
     layout->addLayout(top, 3);
     layout->addWidget(m_table, 1);
     layout->addWidget(m_notes);
-    layout->addWidget(m_refusedArea);
+    auto* refused = new QHBoxLayout;
+    refused->addWidget(m_refusedArea, 1);
+    refused->addWidget(m_showProblem, 0, Qt::AlignTop);
+    layout->addLayout(refused);
     layout->addWidget(m_fallbacks);
     layout->addWidget(m_progress);
     layout->addWidget(buttons);
@@ -135,9 +179,11 @@ ImportDialog::ImportDialog(const QString& path, const Project& project, const Pr
     for (QComboBox* box : {m_unit, m_up}) {
         connect(box, &QComboBox::currentIndexChanged, this, &ImportDialog::updateMesh);
     }
-    for (QComboBox* box : {m_axis, m_fallback}) {
+    connect(m_as, &QComboBox::currentIndexChanged, this, &ImportDialog::updateOptions);
+    for (QComboBox* box : {m_as, m_axis, m_fallback}) {
         connect(box, &QComboBox::currentIndexChanged, this, &ImportDialog::search);
     }
+    connect(m_showProblem, &QPushButton::clicked, this, &ImportDialog::frameNextProblem);
     connect(m_mergeEqual, &QCheckBox::toggled, this, &ImportDialog::search);
     connect(&m_job, &BackgroundJob::progressed, m_progress,
             [this](double fraction) { m_progress->setValue(static_cast<int>(100.0 * fraction)); });
@@ -185,30 +231,34 @@ void ImportDialog::createFields() {
     m_summary->setWordWrap(true);
     m_unit = createUnitBox();
     m_up = comboBox({tr("Y"), tr("Z")}, tr("Select the up axis of the file"));
+    m_as = comboBox({tr("Automatic"), tr("Prism"), tr("Mesh")},
+                    tr("Select what objects become; automatic: a mesh where it is not a prism"));
     m_axis = comboBox({tr("Thinnest side"), tr("X"), tr("Y (up)"), tr("Z")},
                       tr("Select the axis along which the outline is extruded"));
-    m_fallback = comboBox({tr("Refuse"), tr("Use silhouette"), tr("Use top face")},
+    m_fallback = comboBox({tr("Use mesh"), tr("Use silhouette"), tr("Use top face")},
                           tr("Select what to do with objects that are not prisms"));
     m_mergeEqual = new QCheckBox(tr("E&qual meshes are instances of one asset"));
     m_mergeEqual->setToolTip(tr("Make one asset of meshes that differ in their places only"));
     m_mergeEqual->setChecked(true);
     m_table = new QTableWidget(0, kColumns);
-    m_table->setHorizontalHeaderLabels({tr("Asset"), tr("Outline"), tr("Depth"), tr("Axis"), tr("Tolerance")});
+    m_table->setHorizontalHeaderLabels(
+        {tr("Asset"), tr("Shape"), tr("Size"), tr("Depth"), tr("Axis"), tr("Tolerance")});
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setAccessibleName(tr("Assets to import"));
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(kName, QHeaderView::Stretch);
+    m_previewTitle = new QLabel(tr("Outline, seen along the axis:"));
     m_preview = new OutlinePreview;
+    retainSize(*m_previewTitle);
+    retainSize(*m_preview);
     m_notes = createNotes();
     createRefused();
     m_progress = new QProgressBar;
     m_progress->setTextVisible(false);
-    m_progress->setAccessibleName(tr("Detecting prisms"));
-    QSizePolicy policy = m_progress->sizePolicy();
-    policy.setRetainSizeWhenHidden(true);  // most searches take an instant; the rest of the dialog stays in place
-    m_progress->setSizePolicy(policy);
+    m_progress->setAccessibleName(tr("Examining meshes"));
+    retainSize(*m_progress);  // most searches take an instant; the rest of the dialog stays in place
     m_progress->hide();
 }
 
@@ -221,6 +271,9 @@ void ImportDialog::createRefused() {
     m_refusedArea->setFrameShape(QFrame::NoFrame);
     m_refusedArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_refusedArea->hide();
+    m_showProblem = new QPushButton;
+    m_showProblem->setAutoDefault(false);
+    m_showProblem->hide();
     m_fallbacks = new QWidget;
     m_fallbackRow = new QHBoxLayout(m_fallbacks);
     m_fallbackRow->setContentsMargins(0, 0, 0, 0);
@@ -234,13 +287,14 @@ QWidget* ImportDialog::createOptions() {
     auto* form = new QFormLayout;
     form->addRow(tr("&Unit:"), m_unit);
     form->addRow(tr("U&p axis:"), m_up);
+    form->addRow(tr("Import &as:"), m_as);
     form->addRow(tr("&Extrude along:"), m_axis);
     form->addRow(tr("If &not a prism:"), m_fallback);
     form->addRow(m_mergeEqual);
     auto* rows = new QVBoxLayout(options);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->addLayout(form);
-    rows->addWidget(new QLabel(tr("Outline, seen along the axis:")));
+    rows->addWidget(m_previewTitle);
     rows->addWidget(m_preview, 1);
     return options;
 }
@@ -249,10 +303,19 @@ ImportOptions ImportDialog::options() const {
     ImportOptions options{.metresPerUnit = metresPerUnit(*m_unit), .findsFallbacks = true};
     options.up = m_up->currentIndex() == 1 ? UpAxis::Z : UpAxis::Y;
     options.mergesEqual = m_mergeEqual->isChecked();
+    options.as = static_cast<ImportShape>(m_as->currentIndex());
     options.axis = static_cast<PrismAxis>(m_axis->currentIndex());
     if (m_fallback->currentIndex() == 1) options.fallback = PrismFallback::Silhouette;
     if (m_fallback->currentIndex() == 2) options.fallback = PrismFallback::TopCap;
     return options;
+}
+
+/// Enables what applies to prisms only where there may be any.
+void ImportDialog::updateOptions() {
+    const ImportShape as = options().as;
+    m_axis->setEnabled(as != ImportShape::Solid);
+    m_fallback->setEnabled(as != ImportShape::Solid);
+    m_fallback->setItemText(0, as == ImportShape::Prism ? tr("Refuse") : tr("Use mesh"));
 }
 
 /// Returns the length of one unit of the file, m.
@@ -309,6 +372,7 @@ void ImportDialog::apply(Found found) {
         for (const RejectedObject& object : m_outcome->rejected)
             refused.append(QString::fromStdString(object.error.message));
     }
+    showProblems();
     showRefused(refused);
     offerFallbacks();
     fillTable();
@@ -320,11 +384,32 @@ void ImportDialog::showRefused(const QStringList& sentences) {
     fitRefused();
 }
 
+/// Marks where refused objects cannot be cut.
+void ImportDialog::showProblems() {
+    std::vector<MeshProblem> problems;
+    if (m_outcome) {
+        for (const RejectedObject& object : m_outcome->rejected)
+            if (object.problem) problems.push_back(*object.problem);
+    }
+    m_problemCount = problems.size();
+    m_nextProblem = 0;
+    m_showProblem->setText(m_problemCount > 1 ? tr("Show Next Problem") : tr("Show Problem"));
+    m_showProblem->setToolTip(tr("Show in the view where a mesh cannot be cut"));
+    m_showProblem->setVisible(m_problemCount > 0);
+    m_view->setProblems(std::move(problems));
+}
+
+void ImportDialog::frameNextProblem() {
+    m_view->frameProblem(m_nextProblem);
+    m_nextProblem = (m_nextProblem + 1) % m_problemCount;
+}
+
 /// Makes the area as high as its text, up to some lines.
 void ImportDialog::fitRefused() {
     if (m_refused->text().isEmpty()) return;
     const QMargins margins = layout()->contentsMargins();
-    const int textHeight = m_refused->heightForWidth(width() - margins.left() - margins.right());
+    const int button = m_problemCount > 0 ? m_showProblem->sizeHint().width() + layout()->spacing() : 0;
+    const int textHeight = m_refused->heightForWidth(width() - margins.left() - margins.right() - button);
     m_refusedArea->setFixedHeight(std::min(textHeight, kRefusedLines * m_refused->fontMetrics().lineSpacing()));
 }
 
@@ -359,18 +444,16 @@ void ImportDialog::use(const WorkingFallback& fallback) {
 
 void ImportDialog::fillTable() {
     m_table->setRowCount(0);
-    m_preview->setOutline({});
-    m_view->setPrism(nullptr);
+    showOutline(nullptr);
+    m_view->setAsset(nullptr);
     m_notes->clear();
     m_notes->hide();
     if (!m_outcome) return;
     m_table->setRowCount(static_cast<int>(m_outcome->assets.size()));
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const ImportedAsset& imported = m_outcome->assets[static_cast<std::size_t>(row)];
-        const QStringList cells = {nameText(findAsset(m_outcome->project, imported.asset)->name),
-                                   sizeText(imported.prism, m_units), lengthText(imported.prism.depth, m_units),
-                                   QString::fromStdString(axisText(imported.prism.axis)),
-                                   smallLengthText(imported.tolerance, m_units)};
+        const QStringList cells =
+            QStringList(nameText(findAsset(m_outcome->project, imported.asset)->name)) + cellsOf(imported, m_units);
         for (int column = 0; column < kColumns; ++column) {
             m_table->setItem(row, column, new QTableWidgetItem(cells[column]));
         }
@@ -386,18 +469,24 @@ void ImportDialog::fitTable() {
     m_table->setMinimumHeight(m_table->horizontalHeader()->sizeHint().height() + height + 2 * m_table->frameWidth());
 }
 
+/// Shows the outline of an asset, none for null; a mesh leaves the place empty.
+void ImportDialog::showOutline(const ImportedAsset* imported) {
+    const bool hasOutline = imported != nullptr && imported->prism;
+    m_preview->setOutline(hasOutline ? imported->prism->outline : Polygon());
+    m_preview->setVisible(imported == nullptr || hasOutline);
+    m_previewTitle->setVisible(imported == nullptr || hasOutline);
+}
+
 void ImportDialog::showRow(int row) {
     if (!m_outcome || row < 0) return;
     const ImportedAsset& imported = m_outcome->assets[static_cast<std::size_t>(row)];
-    m_preview->setOutline(imported.prism.outline);
-    m_view->setPrism(&imported.prism);
+    showOutline(&imported);
+    m_view->setAsset(&imported);
     QStringList notes;
+    if (imported.solid) notes.append(solidText(*imported.solid, m_units));
     for (const std::string& note : imported.notes) notes.append(QString::fromStdString(note));
-    const double deviation = imported.prism.deviation;
-    if (!imported.usesFallback && deviation == 0.0) notes.append(tr("The mesh is exactly this prism."));
-    if (!imported.usesFallback && deviation > 0.0) {
-        notes.append(tr("The mesh deviates from this prism by up to %1.").arg(smallLengthText(deviation, m_units)));
-    }
+    const QString deviation = imported.prism ? deviationText(imported, m_units) : QString();
+    if (!deviation.isEmpty()) notes.append(deviation);
     m_notes->setText(notes.join('\n'));
     m_notes->setVisible(!notes.isEmpty());
 }

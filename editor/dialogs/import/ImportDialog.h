@@ -27,9 +27,9 @@ namespace rubble {
 class ImportView;
 class OutlinePreview;
 
-/// Asks how to import a mesh file, and shows the meshes, the prisms fitted to them, why objects are refused, and a
-/// button for each fallback that imports some of these. Prisms and fallbacks are searched for in the background, again
-/// after each change of the options.
+/// Asks how to import a mesh file, and shows the meshes, the prisms or closed meshes that they become, why objects
+/// are refused and where they cannot be cut, and a button for each fallback that imports some of these. All this is
+/// searched for in the background, again after each change of the options.
 class ImportDialog : public QDialog {
     Q_OBJECT
 public:
@@ -56,16 +56,20 @@ private:
     QWidget* createOptions();
     ImportOptions options() const;
     double fileUnit() const;
+    void updateOptions();
     void showSummary();
     void updateMesh();
     void search();
     void apply(Found found);
     void showRefused(const QStringList& sentences);
+    void showProblems();
+    void frameNextProblem();
     void fitRefused();
     void offerFallbacks();
     void use(const WorkingFallback& fallback);
     void fillTable();
     void fitTable();
+    void showOutline(const ImportedAsset* imported);
     void showRow(int row);
 
     QString m_path;
@@ -77,16 +81,21 @@ private:
     QLabel* m_summary;
     QComboBox* m_unit;
     QComboBox* m_up;
+    QComboBox* m_as;
     QComboBox* m_axis;
     QComboBox* m_fallback;
     QCheckBox* m_mergeEqual;
     QTableWidget* m_table;
     ImportView* m_view;
+    QLabel* m_previewTitle;
     OutlinePreview* m_preview;
     QLabel* m_notes;    // about the asset of the current row
     QLabel* m_refused;  // the objects that cannot be imported, and why
     QScrollArea* m_refusedArea;
-    QWidget* m_fallbacks;  // a button for each that imports some of them
+    QPushButton* m_showProblem;      // where one of them cannot be cut
+    std::size_t m_problemCount = 0;  // of these
+    std::size_t m_nextProblem = 0;   // to be framed
+    QWidget* m_fallbacks;            // a button for each that imports some of them
     QHBoxLayout* m_fallbackRow;
     QProgressBar* m_progress;  // visible during a search
     QPushButton* m_import = nullptr;

@@ -30,16 +30,27 @@ void ImportView::setModel(SourceModel model) {
     RenderSettings settings = m_viewport->settings();
     settings.hasShadows = m_model.geometry->indices.size() / 3 <= kMaxShadowedTriangles;
     m_viewport->setSettings(settings);
-    setPrism(nullptr);
+    m_problems.clear();
+    setAsset(nullptr);
     m_viewport->frameAll();
 }
 
-void ImportView::setPrism(const PrismFit* prism) {
-    m_viewport->setScene(std::make_shared<const RenderScene>(importScene(m_model, prism)));
-    m_legend->setText(prism != nullptr
-                          ? tr("Grey: mesh. Blue-green: prism of the selected row. Orange: axis of the prism.")
-                          : tr("Grey: mesh. No prism fits it."));
+void ImportView::setProblems(std::vector<MeshProblem> problems) { m_problems = std::move(problems); }
+
+void ImportView::setAsset(const ImportedAsset* imported) {
+    ImportOverlay overlay{.problems = m_problems};
+    if (imported != nullptr && imported->prism) overlay.prism = &*imported->prism;
+    if (imported != nullptr && imported->solid) overlay.solid = &*imported->solid;
+    m_viewport->setScene(std::make_shared<const RenderScene>(importScene(m_model, overlay)));
+    QString legend = tr("Grey: mesh.");
+    if (overlay.prism != nullptr) legend += ' ' + tr("Blue-green: prism of the selected row. Orange: its axis.");
+    if (overlay.solid != nullptr) legend += ' ' + tr("Blue-green: box around the selected mesh.");
+    if (imported == nullptr && m_problems.empty()) legend += ' ' + tr("No prism fits it.");
+    if (!m_problems.empty()) legend += ' ' + tr("Red: where it cannot be cut.");
+    m_legend->setText(legend);
 }
+
+void ImportView::frameProblem(std::size_t index) { m_viewport->frame(surroundingsOf(m_problems[index], m_model)); }
 
 }  // namespace rubble
 

@@ -11,22 +11,28 @@ namespace rubble {
 
 class ViewportWidget;
 
-/// The meshes of a file in 3D, with the prism fitted to one of them.
+/// The meshes of a file in 3D, with the prism or closed mesh that one of them becomes, and in red why others cannot be
+/// cut.
 class ImportView : public QWidget {
     Q_OBJECT
 public:
     explicit ImportView(const Preferences& preferences, QWidget* parent = nullptr);
 
     ViewportWidget& viewport() { return *m_viewport; }
-    /// Shows and frames meshes, without a prism.
+    /// Shows and frames meshes, without anything over them.
     void setModel(SourceModel model);
-    /// Shows a prism and its axis; null shows none.
-    void setPrism(const PrismFit* prism);
+    /// Marks where meshes cannot be cut.
+    void setProblems(std::vector<MeshProblem> problems);
+    /// Shows a prism and its axis, or a closed mesh; null shows none.
+    void setAsset(const ImportedAsset* imported);
+    /// Frames the place of a problem.
+    void frameProblem(std::size_t index);
 
 private:
     ViewportWidget* m_viewport;
     QLabel* m_legend;
     SourceModel m_model;
+    std::vector<MeshProblem> m_problems;
 };
 
 }  // namespace rubble

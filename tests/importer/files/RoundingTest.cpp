@@ -249,12 +249,12 @@ QString faultOf(const TriangleMesh& mesh, double thickness, const RoundedFile& f
     const double volume = std::abs(signedVolume(file.mesh)) * unit * unit * unit;
     const double rounding = scene->objects[0].rounding * unit;
     if (displacementIn(file, mesh, unit) > 1.001 * rounding) return fault("the rounding is not seen");
-    const ImportOptions options{.metresPerUnit = unit, .findsFallbacks = true};
+    const ImportOptions options{.metresPerUnit = unit, .as = ImportShape::Prism, .findsFallbacks = true};
     const Result<ImportOutcome> outcome = importedInto({}, *scene, "part", options, {});
     if (!outcome) return fault(outcome.error().message);
     if (outcome->rejected.empty()) {
         if (outcome->assets.size() != 1) return fault("it is in parts");
-        const double found = volumeOf(outcome->assets[0].prism);
+        const double found = volumeOf(*outcome->assets[0].prism);
         if (std::abs(found - volume) > 1e-3 * volume)
             return fault(std::to_string(found) + " m³ in place of " + std::to_string(volume));
         ++counts.read;

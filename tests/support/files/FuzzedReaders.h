@@ -198,7 +198,8 @@ inline Sentence importFault(const SourceScene& scene) {
     for (const RejectedObject& rejected : imported->rejected) {
         if (Sentence fault = errorFault(rejected.error)) return fault;
     }
-    return projectFault(projectText(imported->project));
+    const bool hasMesh = std::ranges::any_of(imported->assets, [](const ImportedAsset& a) { return !a.prism; });
+    return hasMesh ? std::nullopt : projectFault(projectText(imported->project));
 }
 
 /// What the importer returns must give the same bytes again, and be imported or rejected.

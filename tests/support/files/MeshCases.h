@@ -106,7 +106,8 @@ inline void compareMeshCase(const std::string& file) {
     if (!scene) return;
     QCOMPARE(sentences(scene->notes), sentences(expected.notes));
 
-    const Result<ImportOutcome> outcome = importedInto({}, *scene, path.stem().string(), {}, {});
+    const Result<ImportOutcome> outcome =
+        importedInto({}, *scene, path.stem().string(), {.as = ImportShape::Prism}, {});
     QVERIFY2(outcome.hasValue(), outcome ? "" : outcome.error().message.c_str());
     std::vector<std::string> rejected, names, expectedNames;
     for (const RejectedObject& object : outcome->rejected) rejected.push_back(object.error.message);

@@ -34,20 +34,20 @@ class ImportSceneTest : public QObject {
 private slots:
     void meshIsScaledToMetresAndYUp() {
         const SourceModel model = sourceModel(sceneOf(wallMesh()), 0.1, UpAxis::Z);
-        const Box3 bounds = boundsOf(importScene(model, nullptr));
+        const Box3 bounds = boundsOf(importScene(model, {}));
         QVERIFY(isWithinDistance(bounds.max - bounds.min, {0.2, 0.05, 0.1}, 1e-6));
         QVERIFY(isWithinDistance(bounds.min, {0.0, -0.025, -0.1}, 1e-6));
     }
     void keepsPrecisionFarFromTheOrigin() {
         const SourceModel model = sourceModel(sceneOf(placed(wallMesh(), {{1e7, 0, 0}})), 1.0, UpAxis::Y);
-        const Box3 bounds = boundsOf(importScene(model, nullptr));
+        const Box3 bounds = boundsOf(importScene(model, {}));
         QVERIFY(isWithinDistance(bounds.max - bounds.min, {2.0, 1.0, 0.5}, 1e-6));
     }
     void prismOverlaysItsMeshAndArrowFollowsItsAxis() {
         const TriangleMesh mesh = placed(wallMesh(), {{3, 4, 5}, Quat(std::sqrt(0.5), 0.0, std::sqrt(0.5), 0.0)});
         const Result<PrismFit> found = fitPrism(mesh, PrismAxis::Thinnest, 1e-5);
         QVERIFY(found.hasValue());
-        const RenderScene scene = importScene(sourceModel(sceneOf(mesh), 1.0, UpAxis::Y), &*found);
+        const RenderScene scene = importScene(sourceModel(sceneOf(mesh), 1.0, UpAxis::Y), {.prism = &*found});
         QCOMPARE(scene.batches.size(), std::size_t{3});
         QVERIFY(!scene.batches[1].hulls->indices.empty());
         QVERIFY(scene.batches[1].geometry->indices.empty());
@@ -58,6 +58,37 @@ private slots:
         const Box3 bounds = boundsOf(scene);
         QVERIFY(std::abs(bounds.max.x - bounds.min.x - 1.7) < 1e-6);  // 0.5, and 0.3 of 2 beyond each cap
         QCOMPARE(scene.groundHeight, boundsOf(mesh).min.y);
+    }
+    void closedMeshHasABox() {
+        const TriangleMesh mesh = placed(wallMesh(), {{30, 4, 5}});
+        const SolidFit solid = *fittedSolid(mesh, {})->solid;
+        const RenderScene scene = importScene(sourceModel(sceneOf(mesh), 1.0, UpAxis::Y), {.solid = &solid});
+        QCOMPARE(scene.batches.size(), std::size_t{1});
+        QCOMPARE(scene.boxes.size(), std::size_t{1});
+        QVERIFY(isWithinDistance(scene.origin + Vec3(glm::vec3(scene.boxes[0].from)), boundsOf(mesh).min, 1e-5));
+        QVERIFY(isWithinDistance(scene.origin + Vec3(glm::vec3(scene.boxes[0].to)), boundsOf(mesh).max, 1e-5));
+    }
+    void problemsAreMarkedInRed() {
+        TriangleMesh mesh = placed(wallMesh(), {{30, 4, 5}});
+        mesh.triangles.pop_back();
+        const std::vector problems{*fittedSolid(mesh, {})->problem};
+        const SourceModel model = sourceModel(sceneOf(mesh), 1.0, UpAxis::Y);
+        const RenderScene scene = importScene(model, {.problems = problems});
+        QCOMPARE(scene.appearances.size(), std::size_t{3});  // above and below the surface
+        QCOMPARE(scene.appearances[1].outside, 0xe8372cu);
+        QCOMPARE(scene.lines.size(), std::size_t{3});
+        const Vec3 from = scene.origin + Vec3(glm::vec3(scene.lines[0].from));
+        QVERIFY(isWithinDistance(from, problems[0].edges[0][0], 1e-5));
+        QVERIFY(isWithinDistance(boundsOf(scene).max, boundsOf(mesh).max, 0.01));
+    }
+    void problemIsFramedWithItsSurroundings() {
+        TriangleMesh mesh = wallMesh();
+        const SourceModel model = sourceModel(sceneOf(mesh), 1.0, UpAxis::Y);
+        const MeshProblem small{"", {2, 1, 0}, {}, {{Vec3(2, 1, 0), Vec3(2, 0.7, 0)}}};
+        const Box3 box = surroundingsOf(small, model);
+        QVERIFY(box.min.y < 0.71 && box.max.y > 1.1 && box.diagonal() < 1.0);
+        const MeshProblem wide{"", {2, 1, 0}, {}, {{Vec3(2, 1, 0), Vec3(2, 1, 0)}, {Vec3(0, 0, 0), Vec3(0, 1, 0)}}};
+        QVERIFY(surroundingsOf(wide, model).min.x > 1.5);
     }
     void drawsBothSidesAndHidesFlatEdges() {
         SceneGeometry geometry;

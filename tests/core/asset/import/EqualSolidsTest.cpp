@@ -30,7 +30,7 @@ Asset ring() {
 
 /// Whether the ring is equal to its solid after a change.
 bool isEqualAfter(const std::function<void(ImportedSolid&, Surface&)>& change) {
-    ImportedSolid solid{.prism = {.outline = squareRing(), .depth = 1.0}};
+    ImportedSolid solid{.prism = PrismFit{.outline = squareRing(), .depth = 1.0}};
     Surface surface = surfaceOf();
     change(solid, surface);
     solid.surface.surface = std::make_shared<const Surface>(surface);
@@ -44,18 +44,18 @@ class EqualSolidsTest : public QObject {
 private slots:
     void smallDifferencesAreAllowed() {
         QVERIFY(isEqualAfter([](ImportedSolid&, Surface&) {}));
-        QVERIFY(isEqualAfter([](ImportedSolid& solid, Surface&) { solid.prism.depth += 0.5 * kSolidTolerance; }));
+        QVERIFY(isEqualAfter([](ImportedSolid& solid, Surface&) { solid.prism->depth += 0.5 * kSolidTolerance; }));
         QVERIFY(isEqualAfter(
-            [](ImportedSolid& solid, Surface&) { solid.prism.outline.outer[1].x += 0.5 * kSolidTolerance; }));
+            [](ImportedSolid& solid, Surface&) { solid.prism->outline.outer[1].x += 0.5 * kSolidTolerance; }));
         QVERIFY(isEqualAfter([](ImportedSolid&, Surface& surface) { surface.triangles[0].corners[2].z = 0.5e-3; }));
         QVERIFY(isEqualAfter([](ImportedSolid&, Surface& surface) { surface.triangles[0].uvs[2].x = 1e-6; }));
     }
     void otherPrismIsAnotherSolid() {
-        QVERIFY(!isEqualAfter([](ImportedSolid& solid, Surface&) { solid.prism.depth += 2.0 * kSolidTolerance; }));
+        QVERIFY(!isEqualAfter([](ImportedSolid& solid, Surface&) { solid.prism->depth += 2.0 * kSolidTolerance; }));
         QVERIFY(!isEqualAfter(
-            [](ImportedSolid& solid, Surface&) { solid.prism.outline.outer[1].x += 2.0 * kSolidTolerance; }));
-        QVERIFY(!isEqualAfter([](ImportedSolid& solid, Surface&) { solid.prism.outline.holes[0][0].y += 0.1; }));
-        QVERIFY(!isEqualAfter([](ImportedSolid& solid, Surface&) { solid.prism.outline.holes.clear(); }));
+            [](ImportedSolid& solid, Surface&) { solid.prism->outline.outer[1].x += 2.0 * kSolidTolerance; }));
+        QVERIFY(!isEqualAfter([](ImportedSolid& solid, Surface&) { solid.prism->outline.holes[0][0].y += 0.1; }));
+        QVERIFY(!isEqualAfter([](ImportedSolid& solid, Surface&) { solid.prism->outline.holes.clear(); }));
     }
     void otherSurfaceIsAnotherSolid() {
         QVERIFY(!isEqualAfter([](ImportedSolid&, Surface& surface) { surface.materials[0] = "wood"; }));
@@ -66,7 +66,7 @@ private slots:
         QVERIFY(!isEqualAfter([](ImportedSolid&, Surface& surface) { surface.triangles.clear(); }));
     }
     void solidWithoutASurfaceEqualsOnlyItsLike() {
-        const ImportedSolid bare{.prism = {.outline = squareRing(), .depth = 1.0}};
+        const ImportedSolid bare{.prism = PrismFit{.outline = squareRing(), .depth = 1.0}};
         QVERIFY(!isEqual(ring(), bare, kSolidTolerance));
         Asset plain = ring();
         plain.surface = nullptr;

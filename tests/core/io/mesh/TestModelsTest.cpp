@@ -48,7 +48,8 @@ Trial tried(const std::filesystem::path& model) {
         trial.refusal = scene.error().message;
         return trial;
     }
-    const Result<ImportOutcome> outcome = importedInto({}, *scene, model.stem().string(), {}, {});
+    const Result<ImportOutcome> outcome =
+        importedInto({}, *scene, model.stem().string(), {.as = ImportShape::Prism}, {});
     trial.objects = scene->objects.size();
     trial.prisms = outcome->assets.size();
     trial.refusal = verifyProject(outcome->project).value_or("");

@@ -4,6 +4,7 @@
 
 #include "core/asset/library/StarterProject.h"
 #include "editor/dialogs/import/ImportView.h"
+#include "editor/dialogs/import/OutlinePreview.h"
 #include "editor/document/Document.h"
 #include "editor/document/Translations.h"
 #include "tests/support/Patience.h"
@@ -35,12 +36,14 @@ const QString kMeshes = QString(RUBBLE_SOURCE_DIR) + "/tests/data/meshes/";
 
 /// A visible import dialog for an empty project, after its first search.
 struct ImportBench {
-    explicit ImportBench(const QString& path) : dialog(path, project, {.isSmooth = false}, nullptr) {
+    explicit ImportBench(const QString& path, const QString& as = "Automatic")
+        : dialog(path, project, {.isSmooth = false}, nullptr) {
         isRead = dialog.read(RUBBLE_IMPORTER);
         if (!isRead) return;
         dialog.show();
         QVERIFY(QTest::qWaitForWindowExposed(&dialog, kPatience));
         QApplication::setActiveWindow(&dialog);  // there is no window manager
+        setItem(as);
         waitForSearch();
     }
 
@@ -68,13 +71,15 @@ struct ImportBench {
         QTest::mouseClick(button, Qt::LeftButton);
         waitForSearch();
     }
+    /// Name, size, depth and axis of an asset.
     QStringList row(int row) {
         QStringList cells;
-        for (int column = 0; column < 4 && row < table().rowCount(); ++column) {
-            cells.append(table().item(row, column)->text().replace(QChar::Nbsp, ' '));
+        for (const int column : {0, 2, 3, 4}) {
+            if (row < table().rowCount()) cells.append(table().item(row, column)->text().replace(QChar::Nbsp, ' '));
         }
         return cells;
     }
+    QString shape(int row) { return table().item(row, 1)->text(); }
     bool isSearching() { return dialog.findChild<QProgressBar*>()->isVisible(); }
     void waitForSearch() { QTRY_VERIFY_WITH_TIMEOUT(!isSearching(), kPatience); }
     bool shows(const QString& sentence) {
@@ -129,6 +134,7 @@ TriangleMesh hollowBox() {
 }
 
 bool isOrange(QColor colour) { return colour.red() > colour.blue() + 80 && colour.red() > colour.green() + 30; }
+bool isRed(QColor colour) { return colour.red() > colour.blue() + 70 && colour.red() > colour.green() + 70; }
 bool isBlueGreen(QColor colour) { return colour.blue() > colour.red() + 60 && colour.green() > colour.red() + 40; }
 
 Vec3 sizeOf(const RenderScene& scene, std::size_t body) {
@@ -184,7 +190,7 @@ private slots:
     }
     void dialogSaysWhatIsPossible() {
         ImportBench bench(kMeshes + "sphere.glb");
-        QVERIFY(bench.shows("Only straight extrusions can be fractured yet"));
+        QVERIFY(bench.shows("Prisms of any outline can be fractured, and closed meshes"));
     }
     void eightRowsAreShownWithoutScrolling() {
         TriangleMesh many = prismSolid(lShape(), 0.5);
@@ -200,7 +206,7 @@ private slots:
         for (std::size_t k = 6; k < 12; ++k) mesh.points[k].x += 1e-5;  // the top cap
         ImportBench bench(meshFile(mesh));
         QVERIFY(bench.shows("The mesh deviates from this prism by up to 0.01 mm."));
-        QVERIFY(!bench.table().item(0, 4)->text().contains(QString::fromUtf8("µm")));
+        QVERIFY(!bench.table().item(0, 5)->text().contains(QString::fromUtf8("µm")));
     }
     void viewShowsMeshPrismAndAxis() {
         ImportBench bench(kMeshes + "window.glb");
@@ -216,7 +222,7 @@ private slots:
         QVERIFY(bench.view().camera().azimuth != before.azimuth);
     }
     void silhouetteReplacesARefusedMesh() {
-        ImportBench bench(kMeshes + "sphere.glb");
+        ImportBench bench(kMeshes + "sphere.glb", "Prism");
         QCOMPARE(bench.table().rowCount(), 0);
         QVERIFY(!bench.importButton().isEnabled());
         QVERIFY(bench.shows("\"Ball\": The mesh is curved or bent"));
@@ -231,7 +237,7 @@ private slots:
         QVERIFY(bench.dialog.messages().at(0).text.startsWith("The silhouette along z is used instead"));
     }
     void workingFallbackIsTakenWithOneClick() {
-        ImportBench bench(kMeshes + "sphere.glb");
+        ImportBench bench(kMeshes + "sphere.glb", "Prism");
         QCOMPARE(bench.offered(), QStringList{"Use Silhouette"});
         QCOMPARE(bench.buttonNamed("Use Silhouette")->toolTip().replace(QChar::Nbsp, ' '),
                  QString("Import 1 refused object in this way; the volume changes from 0.5088 m³ to 0.7765 m³"));
@@ -242,7 +248,7 @@ private slots:
         QCOMPARE(bench.dialog.result(), int(QDialog::Accepted));
     }
     void fallbacksAreOfferedAlongTheAxesThatWork() {
-        ImportBench bench(meshFile(touchingInProjection()));
+        ImportBench bench(meshFile(touchingInProjection()), "Prism");
         QVERIFY(bench.shows("\"Mesh\": The mesh is not closed: 10 edges have one face only."));
         QCOMPARE(bench.offered(), (QStringList{"Use Silhouette Along X", "Use Top Face"}));
         bench.selectItem(Qt::Key_E, "Y (up)");
@@ -257,12 +263,13 @@ private slots:
         QVERIFY(bench.shows("The outline touches itself: points 1 and 4 meet"));
         bench.take("Use Silhouette Along X");
         QVERIFY(bench.shows("The silhouette along x is used instead. The mesh is not closed"));
+        QCOMPARE(bench.shape(0), QString("Prism"));
         QCOMPARE(bench.row(0), (QStringList{"Mesh", "1 m × 1 m", "4 m", "x"}));
         QVERIFY(!bench.shows("Refused"));
         QVERIFY(bench.importButton().isEnabled());
     }
     void fallbackOfSeveralObjectsIsOfferedOnce() {
-        ImportBench bench(meshFile(joined(leaning(), placed(leaning(), {{10, 0, 0}}))));
+        ImportBench bench(meshFile(joined(leaning(), placed(leaning(), {{10, 0, 0}}))), "Prism");
         QCOMPARE(bench.offered(), (QStringList{"Use Silhouette", "Use Top Face"}));
         QCOMPARE(bench.buttonNamed("Use Top Face")->toolTip(), QString("Import 2 refused objects in this way"));
         bench.take("Use Top Face");
@@ -272,7 +279,7 @@ private slots:
         ImportBench flat(meshFile({{{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 1}}, {{0, 1, 2}, {0, 2, 3}}}));
         QVERIFY(flat.shows("\"Mesh\": The mesh is flat; an asset needs a depth."));
         QCOMPARE(flat.offered(), QStringList());
-        ImportBench hollow(meshFile(hollowBox()));
+        ImportBench hollow(meshFile(hollowBox()), "Prism");
         QVERIFY(hollow.shows("\"Mesh\": The mesh has a cavity: one of its 2 parts is inverted"));
         QCOMPARE(hollow.offered(), QStringList());
         TriangleMesh huge = leaning();
@@ -282,7 +289,7 @@ private slots:
         QCOMPARE(tooLarge.offered(), QStringList());
     }
     void fallbacksCannotBeTakenDuringASearch() {
-        ImportBench bench(kMeshes + "sphere.glb");
+        ImportBench bench(kMeshes + "sphere.glb", "Prism");
         bench.setItem("Feet");
         QVERIFY(bench.isSearching() && !bench.buttonNamed("Use Silhouette")->isEnabled());
         bench.waitForSearch();
@@ -297,12 +304,86 @@ private slots:
     }
     void openMeshIsShownAndRefused() {
         ImportBench bench(kMeshes + "open.obj");
+        QVERIFY(bench.shows("\"Open\": It cannot be cut: 4 edges have one face only, the first at"));
+        bench.setItem("Prism");
+        bench.waitForSearch();
         QVERIFY(bench.shows("\"Open\": The mesh is not closed: 4 edges have one face only."));
         QVERIFY(!boundsOf(bench.view().scene()).isEmpty());
         QTest::keyClick(&bench.dialog, Qt::Key_Return);
         QVERIFY(bench.dialog.isVisible());
         QTest::keyClick(&bench.dialog, Qt::Key_Escape);
         QCOMPARE(bench.dialog.result(), int(QDialog::Rejected));
+    }
+    void whatIsNoPrismBecomesAMesh() {
+        ImportBench bench(kMeshes + "sphere.glb");
+        QCOMPARE(bench.shape(0), QString("Mesh"));
+        QCOMPARE(bench.row(0), (QStringList{"Ball", "1 m × 1 m × 1 m", "", ""}));
+        QVERIFY(bench.shows("It becomes a closed mesh: "));
+        QVERIFY(bench.shows("It is not a prism: The mesh is curved or bent"));
+        QVERIFY(bench.shows("Grey: mesh. Blue-green: box around the selected mesh."));
+        QVERIFY(!bench.dialog.findChild<OutlinePreview*>()->isVisible());
+        QVERIFY(!bench.buttonNamed("Show Problem")->isVisible());
+        QTest::keyClick(&bench.dialog, Qt::Key_Return);
+        QCOMPARE(bench.dialog.result(), int(QDialog::Accepted));
+        Document document(bench.project);
+        document.push(bench.dialog.edit());
+        QVERIFY(document.project().assets.at(0).mesh());
+    }
+    void objectIsImportedAsTheSelectedShape() {
+        const TriangleMesh wall = prismSolid(unitSquare(), 0.5);
+        ImportBench bench(meshFile(joined(wall, placed(prismSolid(unitSquare(), 2.0), {{3, 0, 0}}))));
+        QCOMPARE(bench.table().rowCount(), 2);
+        QVERIFY(bench.shape(0) == "Prism" && bench.shape(1) == "Prism");
+        bench.selectItem(Qt::Key_A, "Mesh");
+        QCOMPARE(bench.table().rowCount(), 1);
+        QCOMPARE(bench.shape(0), QString("Mesh"));
+        QVERIFY(bench.shows("It becomes a closed mesh: 24 triangles, 2.5 m³, 2 separate parts."));
+        QVERIFY(!bench.shows("It is not a prism"));
+        bench.selectItem(Qt::Key_A, "Mesh");
+        for (auto* box : bench.dialog.findChildren<QComboBox*>()) {
+            const bool isOfPrisms = box->findText("Thinnest side") >= 0 || box->findText("Use silhouette") >= 0;
+            QCOMPARE(box->isEnabled(), !isOfPrisms);
+        }
+    }
+    void cavitiesAreCounted() {
+        ImportBench bench(meshFile(hollowBox()));
+        QVERIFY(bench.shows("It becomes a closed mesh: 24 triangles, 7 m³, 1 cavity."));
+        QVERIFY(bench.shows("It is not a prism: The mesh has a cavity"));
+    }
+    void problemsAreMarkedAndFramed() {
+        ImportBench bench(kMeshes + "open.obj");
+        QVERIFY(bench.shows("Red: where it cannot be cut."));
+        QCOMPARE(bench.view().scene().lines.size(), std::size_t{4});
+        QVERIFY(bench.buttonNamed("Show Problem")->isVisible());
+        const Camera before = bench.view().camera();
+        QTest::mouseClick(bench.buttonNamed("Show Problem"), Qt::LeftButton);
+        QVERIFY(!(bench.view().camera() == before));
+        bench.setItem("Prism");
+        bench.waitForSearch();
+        QVERIFY(bench.view().scene().lines.empty());
+        QVERIFY(!bench.buttonNamed("Show Problem")->isVisible());
+        QVERIFY(!bench.shows("Red: where it cannot be cut."));
+    }
+    void problemsAreFramedInTurn() {
+        TriangleMesh open = prismSolid(unitSquare(), 0.5);
+        open.triangles.pop_back();
+        ImportBench bench(meshFile(joined(open, placed(open, {{20, 0, 0}}))));
+        QPushButton* next = bench.buttonNamed("Show Next Problem");
+        QVERIFY(next && next->isVisible());
+        QTest::mouseClick(next, Qt::LeftButton);
+        const Camera first = bench.view().camera();
+        QTest::mouseClick(next, Qt::LeftButton);
+        const Camera second = bench.view().camera();
+        QVERIFY(second.target.x > first.target.x + 10.0);
+        QTest::mouseClick(next, Qt::LeftButton);
+        QVERIFY(std::abs(bench.view().camera().target.x - first.target.x) < 1.0);
+    }
+    void redIsSeenOnACrossingMesh() {
+        const TriangleMesh wall = prismSolid(unitSquare(), 0.5);
+        ImportBench bench(meshFile(joined(wall, placed(wall, {{0.5, 0.25, 0.1}}))), "Mesh");
+        if (!bench.view().errorText().isEmpty()) QSKIP("OpenGL is not available.");
+        QVERIFY(bench.shows("It cannot be cut: Shells 0 and 1 overlap"));
+        QVERIFY(bench.pixels(isRed) > 200);
     }
     void unitAndUpAxisApplyAtOnce() {
         ImportBench bench(kMeshes + "gable.obj");
