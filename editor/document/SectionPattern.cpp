@@ -136,11 +136,14 @@ std::shared_ptr<const BakedPattern> sectionPattern(const Asset& asset, const Bak
     } else {
         pattern->asset = std::make_shared<const Asset>(fragmentAsAsset(asset, pattern->parent, std::move(prism)));
     }
+    std::vector<double> volumes(solid.partition.fragmentCount(), 0.0);  // of those that a gap leaves
+    for (std::uint32_t k = 0; k < solid.count(); ++k)
+        volumes[solid.numberInPartition(k)] = solid.masses[k].volume;
     std::vector<std::uint32_t> seedOf;
     pattern->seeds = seedsIn(section, fracture, seedOf);
     pattern->partition = SectionPartition(section, solid.partition, seedOf).result(pattern->seeds.positions.size());
     for (const SolidSection::Part& part : section.parts)
-        pattern->volumes.insert(pattern->volumes.end(), part.polygons.size(), solid.masses[part.fragment].volume);
+        pattern->volumes.insert(pattern->volumes.end(), part.polygons.size(), volumes[part.fragment]);
     pattern->otherOutlines.assign(std::make_move_iterator(outlines.begin() + 1),
                                   std::make_move_iterator(outlines.end()));
     pattern->section = section.plane;
