@@ -162,7 +162,11 @@ InsetHull insetHull(const Polytope& hull, double distance) {
 
 std::optional<Polytope> solidOf(const InsetHull& hull) {
     if (hull.inset == 0.0) return hull.polytope;
-    if (!isPrism(hull.polytope)) return std::nullopt;
+    if (!isPrism(hull.polytope)) {
+        std::vector<Plane> planes = hull.polytope.planes;
+        for (Plane& plane : planes) plane.offset += hull.inset;
+        return halfSpaceIntersection(planes, massOf(hull.polytope).centre);
+    }
     Polytope solid = hull.polytope;
     const std::size_t count = solid.vertices.size() / 2;
     for (Plane& plane : solid.planes) plane.offset += hull.inset;

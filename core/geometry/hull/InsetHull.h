@@ -32,8 +32,8 @@ double thinnestWidth(const Polytope& hull);
 /// which no room is left vanish. The hull itself where rounding leaves nothing.
 InsetHull insetHull(const Polytope& hull, double distance);
 
-/// The prism whose insetHull() this is: exactly, up to rounding, but for faces that vanished, beside which it extends
-/// up to some insets further. Nothing if the hull is not a prism.
+/// The hull whose insetHull() this is: exactly, up to rounding, but for faces that vanished, beside which it extends up
+/// to some insets further. Nothing if its faces bound no hull.
 std::optional<Polytope> solidOf(const InsetHull& hull);
 
 }  // namespace rubble

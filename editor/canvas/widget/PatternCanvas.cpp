@@ -33,6 +33,7 @@ namespace {
 constexpr double kZoomPerNotch = 1.2;
 constexpr double kAnglePerNotch = 120.0;  // of QWheelEvent::angleDelta()
 constexpr int kBreadcrumbGap = 8;         // pixels between rulers and breadcrumb
+constexpr int kMaxBarWidth = 420;         // pixels, of the bar of sections
 
 }  // namespace
 
@@ -100,13 +101,15 @@ void PatternCanvas::setSections(Sections& sections) {
     refreshSectionBar();
 }
 
-/// The bar is above the lower edge, beside the ruler.
+/// The bar is below the ruler, and below the breadcrumb.
 void PatternCanvas::refreshSectionBar() {
     if (!m_sectionBar) return;
     const bool isShown = m_state.isMesh();
     m_sectionBar->setAsset(isShown ? m_state.asset()->id : 0, isShown ? boundsOf(*m_state.asset()) : Box3());
-    m_sectionBar->move(static_cast<int>(kRulerWidth) + kBreadcrumbGap,
-                       height() - m_sectionBar->sizeHint().height() - kBreadcrumbGap);
+    const int left = static_cast<int>(kRulerWidth) + kBreadcrumbGap;
+    const int top = m_breadcrumb->isVisible() ? m_breadcrumb->geometry().bottom() + kBreadcrumbGap : left;
+    const int room = std::max(width() - left - kBreadcrumbGap, m_sectionBar->minimumSizeHint().width());
+    m_sectionBar->setGeometry(left, top, std::min(room, kMaxBarWidth), m_sectionBar->sizeHint().height());
 }
 
 QAccessibleInterface* PatternCanvas::makeAccessible(const QString& /*className*/, QObject* object) {
@@ -157,9 +160,21 @@ void PatternCanvas::fit() {
     const Asset* shown = m_state.displayedAsset();
     if (!shown) return;
     m_state.view.size = size();
-    m_state.view = fittedBeside(m_state.view, boundsOf(shown->prism().outline.outer), legendArea());
+    m_state.view = fittedBelowBar(boundsOf(shown->prism().outline.outer));
     updatePointer();
     update();
+}
+
+/// The view that fits a box into what the bar of sections leaves.
+CanvasView PatternCanvas::fittedBelowBar(const Box2& box) const {
+    if (!m_sectionBar || !m_sectionBar->isVisibleTo(this)) return fittedBeside(m_state.view, box, legendArea());
+    const double above = m_sectionBar->geometry().bottom() - kRulerWidth;
+    CanvasView view = m_state.view;
+    view.size.setHeight(view.size.height() - above);
+    view = fittedBeside(view, box, legendArea().translated(0.0, -above));
+    view.size.setHeight(view.size.height() + above);
+    view.centre.y += 0.5 * above / view.scale;
+    return view;
 }
 
 /// Fits the asset again if it now lies below the legend.

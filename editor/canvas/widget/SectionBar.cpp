@@ -17,10 +17,10 @@ namespace rubble {
 
 namespace {
 
-constexpr int kSteps = 1000;        // of the slider
-constexpr int kSliderWidth = 220;   // pixels
-constexpr int kBarPadding = 4;      // pixels
-constexpr double kBarRadius = 4.0;  // pixels
+constexpr int kSteps = 1000;         // of the slider
+constexpr int kMinSliderWidth = 60;  // pixels
+constexpr int kBarPadding = 4;       // pixels
+constexpr double kBarRadius = 4.0;   // pixels
 
 }  // namespace
 
@@ -32,7 +32,6 @@ SectionBar::SectionBar(Sections& sections, QWidget* parent)
       m_position(new QLabel(this)) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(2 * kBarPadding, kBarPadding, 2 * kBarPadding, kBarPadding);
-    layout->setSizeConstraint(QLayout::SetFixedSize);
     layout->addWidget(new QLabel(tr("Section"), this));
     const std::array names{tr("X"), tr("Y"), tr("Z")};
     const std::array tips{tr("Show the section across the x axis, seen from the right"),
@@ -49,12 +48,12 @@ SectionBar::SectionBar(Sections& sections, QWidget* parent)
         layout->addWidget(button);
     }
     m_slider->setRange(0, kSteps);
-    m_slider->setFixedWidth(kSliderWidth);
+    m_slider->setMinimumWidth(kMinSliderWidth);
     m_slider->setPageStep(kSteps / 20);
     m_slider->setFocusPolicy(Qt::ClickFocus);
     m_slider->setAccessibleName(tr("Position of the section"));
     m_slider->setToolTip(tr("Move the section through the mesh"));
-    layout->addWidget(m_slider);
+    layout->addWidget(m_slider, 1);
     m_position->setMinimumWidth(m_position->fontMetrics().horizontalAdvance(QStringLiteral("-000.000 mm")));
     layout->addWidget(m_position);
     setCursor(Qt::ArrowCursor);
@@ -97,7 +96,6 @@ void SectionBar::refresh() {
     if (m_bounds.isEmpty()) return;
     const double low = m_bounds.min[view.axis], high = m_bounds.max[view.axis];
     m_position->setText(localizedQuantity(QuantityKind::Length, low + view.position * (high - low), m_units, locale()));
-    adjustSize();
 }
 
 void SectionBar::paintEvent(QPaintEvent*) {

@@ -47,7 +47,11 @@ signals:
 private:
     bool push(const QString& text, const std::function<void(Ring&)>& change);
     bool pushOutline(const QString& text, Polygon outline);
-    const Asset* asset() const { return findAsset(m_document.project(), m_asset); }
+    /// Null if there is none, or it is a mesh.
+    const Asset* asset() const {
+        const Asset* found = findAsset(m_document.project(), m_asset);
+        return found && found->isPrism() ? found : nullptr;
+    }
 
     Document& m_document;
     Units m_units;

@@ -67,6 +67,8 @@ private slots:
                     front = std::max(front, glm::dot(plane.normal, vertex) - plane.offset);
                 QVERIFY(front <= -1e-3 + 1e-12);
             }
+            const std::optional<Polytope> solid = solidOf(inset);
+            QVERIFY(solid && std::abs(massOf(*solid).volume - massOf(hull).volume) < 1e-9);
             QVERIFY(massOf(inset.polytope).volume > 0.9 * massOf(hull).volume);
             QVERIFY(std::abs(thinnestWidth(hull) - thinnestWidth(inset.polytope)) < 0.02);
         }
