@@ -1,6 +1,7 @@
 #include "core/geometry/hull/InsetHull.h"
 
 #include "core/base/Assert.h"
+#include "core/geometry/hull/ConvexHull.h"
 #include "core/geometry/hull/HalfSpaceIntersection.h"
 #include "core/geometry/hull/MassProperties.h"
 
@@ -98,10 +99,24 @@ double thinnestAcrossFaces(const Polytope& polytope) {
     return thinnest;
 }
 
+/// The hull of the vertices of a polytope as single-precision numbers, as files and engines have them, without those
+/// that are nearer than `least` m to another: in fewer digits no face of it vanishes or turns over.
+std::optional<Polytope> inSinglePrecision(const Polytope& polytope, double least) {
+    std::vector<Vec3> kept;
+    for (const Vec3& vertex : polytope.vertices) {
+        const auto isNear = [&](const Vec3& other) { return glm::distance(vertex, other) < least; };
+        if (std::ranges::none_of(kept, isNear)) kept.emplace_back(glm::vec3(vertex));
+    }
+    Result<Polytope> hull = convexHull(kept);
+    return hull ? std::optional(std::move(*hull)) : std::nullopt;
+}
+
 InsetHull insetPolytope(const Polytope& polytope, double inset) {
+    constexpr double kLeastEdge = 0.125;  // of the inset
     std::vector<Plane> planes = polytope.planes;
     for (Plane& plane : planes) plane.offset -= inset;
     std::optional<Polytope> shrunk = halfSpaceIntersection(planes, massOf(polytope).centre);
+    if (shrunk) shrunk = inSinglePrecision(*shrunk, kLeastEdge * inset);
     return shrunk ? InsetHull{std::move(*shrunk), inset} : InsetHull{polytope, 0.0};
 }
 

@@ -19,7 +19,7 @@ constexpr double kHullTolerance = 1e-6;     // relative: of values recomputed fr
 constexpr double kMinThickness = 1e-9;      // of the outline's diameter: thinner pieces have no hull
 constexpr double kMinSine = 1e-12;          // of the angle between the first two edges of a loop
 constexpr double kInsetCorners = 128.0;     // insets², by which narrow faces that vanished may enlarge a cross-section
-constexpr double kMaxHullExcess = 1.0;      // of the volume of a body of a mesh, by which its hulls may be larger
+constexpr double kMeshReach = 0.02;         // of the size: of a mesh, whose acute corners the inset cuts off
 constexpr double kInsetReach = 16.0;        // insets, by which they may enlarge the bounds
 constexpr double kQuaternionTolerance = 1e-9;  // of the length of a quaternion
 
@@ -103,7 +103,9 @@ ErrorText verifyBounds(const PackBody& body, const std::vector<Polytope>& solids
             found.radius = std::max(found.radius, glm::length(vertex));
         }
     }
-    const double slack = kProductTolerance * scale.size + kInsetReach * scale.inset;
+    // Acute corners of a mesh's hull are far from where its faces, moved back, would meet.
+    const double reach = std::ranges::all_of(solids, isPrism) ? kInsetReach * scale.inset : kMeshReach * scale.size;
+    const double slack = kProductTolerance * scale.size + reach;
     const Vec3 low = glm::abs(found.min - body.bounds->min), high = glm::abs(found.max - body.bounds->max);
     if (std::max({low.x, low.y, low.z, high.x, high.y, high.z}) <= slack &&
         std::abs(found.radius - body.bounds->radius) <= slack &&
@@ -116,7 +118,9 @@ ErrorText verifyInset(const PackHull& hull, const PackScale& scale) {
     if (hull.inset == 0.0) return std::nullopt;
     const std::optional<Polytope> solid = solidOf({hull.polytope, hull.inset});
     if (!solid) return std::string("its faces, moved outwards by its inset, bound no hull.");
-    const double most = std::min(scale.inset, kMaxInset * thinnestWidth(*solid)) * (1.0 + kHullTolerance);
+    constexpr double kRounded = 0.1;  // of the inset, where corners of a mesh's hull were rounded
+    const double slack = isPrism(*solid) ? kHullTolerance : kRounded;
+    const double most = std::min(scale.inset, kMaxInset * thinnestWidth(*solid)) * (1.0 + slack);
     if (hull.inset <= most) return std::nullopt;
     return "its inset is " + messageText(hull.inset) + " m instead of at most " + messageText(most) + " m.";
 }
@@ -132,8 +136,7 @@ ErrorText verifyMass(const PackBody& body, const std::vector<Polytope>& solids, 
     const MassProperties hulls = combined(parts);
     double slack = scale.slackVolume + kHullTolerance * body.volume + hidden;
     if (!std::ranges::all_of(solids, isPrism)) {  // the hulls of a mesh are around it
-        const double excess = hulls.volume - body.volume;
-        if (excess < kMaxHullExcess * body.volume) slack += std::max(excess, 0.0);
+        slack += std::max(hulls.volume - body.volume, 0.0);
     }
     if (!(std::abs(hulls.volume - body.volume) <= slack)) {
         return "its hulls have a volume of " + messageText(hulls.volume) + " m³ instead of " +

@@ -1,6 +1,7 @@
 #include "core/io/pack/VerifyPackContacts.h"
 
 #include "core/base/MessageText.h"
+#include "core/geometry/hull/InsetHull.h"
 #include "core/io/pack/ConvexOverlap.h"
 #include "core/io/pack/VerifyPackBody.h"
 
@@ -219,6 +220,11 @@ private:
 }  // namespace
 
 std::optional<std::string> verifyPackContacts(const Pack& pack) {
+    // The hulls of meshes are around them: where they touch says little of their faces.
+    const auto isOfPrism = [](const PackBody& body) {
+        return std::ranges::all_of(body.hulls, [](const PackHull& hull) { return isPrism(hull.polytope); });
+    };
+    if (!isOfPrism(pack.whole) || !std::ranges::all_of(pack.fragments, isOfPrism)) return std::nullopt;
     std::map<std::uint32_t, std::vector<std::uint32_t>> children;
     for (std::uint32_t k = 0; k < pack.fragments.size(); ++k) children[pack.fragments[k].parent].push_back(k);
     for (auto& [parent, list] : children) {
