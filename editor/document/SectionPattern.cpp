@@ -137,8 +137,7 @@ std::shared_ptr<const BakedPattern> sectionPattern(const Asset& asset, const Bak
         pattern->asset = std::make_shared<const Asset>(fragmentAsAsset(asset, pattern->parent, std::move(prism)));
     }
     std::vector<double> volumes(solid.partition.fragmentCount(), 0.0);  // of those that a gap leaves
-    for (std::uint32_t k = 0; k < solid.count(); ++k)
-        volumes[solid.numberInPartition(k)] = solid.masses[k].volume;
+    for (std::uint32_t k = 0; k < solid.count(); ++k) volumes[solid.numberInPartition(k)] = solid.masses[k].volume;
     std::vector<std::uint32_t> seedOf;
     pattern->seeds = seedsIn(section, fracture, seedOf);
     pattern->partition = SectionPartition(section, solid.partition, seedOf).result(pattern->seeds.positions.size());

@@ -1,6 +1,5 @@
-// Tests core/fracture/fragments/Fragment.cpp and core/fracture/fragments/Extrusion.cpp.
-// Tests core/fracture/pieces/Fragment.cpp, core/fracture/pieces/Extrusion.cpp, core/fracture/pieces/HullParts.cpp and
-// core/fracture/pieces/MassTransfer.cpp.
+// Tests core/fracture/fragments/Fragment.cpp, core/fracture/fragments/Extrusion.cpp, core/fracture/pieces/HullParts.cpp
+// and core/fracture/pieces/MassTransfer.cpp.
 #include "core/fracture/fragments/Extrusion.h"
 #include "core/fracture/fragments/Fragment.h"
 
