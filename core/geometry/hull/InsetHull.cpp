@@ -112,11 +112,11 @@ std::optional<Polytope> inSinglePrecision(const Polytope& polytope, double least
 }
 
 InsetHull insetPolytope(const Polytope& polytope, double inset) {
-    constexpr double kLeastEdge = 0.125;  // of the inset
+    constexpr double kMinEdge = 0.125;  // of the inset
     std::vector<Plane> planes = polytope.planes;
     for (Plane& plane : planes) plane.offset -= inset;
     std::optional<Polytope> shrunk = halfSpaceIntersection(planes, massOf(polytope).centre);
-    if (shrunk) shrunk = inSinglePrecision(*shrunk, kLeastEdge * inset);
+    if (shrunk) shrunk = inSinglePrecision(*shrunk, kMinEdge * inset);
     return shrunk ? InsetHull{std::move(*shrunk), inset} : InsetHull{polytope, 0.0};
 }
 

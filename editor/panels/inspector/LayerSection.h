@@ -17,8 +17,8 @@ public:
 
     const PatternKind& kind() const { return m_kind; }
     void setUnits(const Units& units);
-    /// Shows a layer of this kind, the one that `selected` returns. `size`: what it fills, m² of an outline or m³ of a
-    /// mesh.
+    /// Shows a layer of this kind, the one that `selected` returns. `size`: what it fills, m² of an outline or m³ of
+    /// a mesh.
     void refresh(const PatternLayer& layer, double size, SeedSpace space);
 
 signals:
