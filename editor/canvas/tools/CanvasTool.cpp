@@ -30,6 +30,21 @@ std::optional<Vec2> directionOf(int key) {
 
 Pattern& CanvasState::patternIn(Asset& copy) const { return ownPattern(copy, selection.enteredFragment()); }
 
+void CanvasState::refreshFragment() {
+    const Asset* asset = this->asset();
+    const FragmentPath& entered = selection.enteredFragment();
+    fragment = nullptr;
+    fragmentOffset = Vec2(0.0);
+    if (isMesh()) {
+        if (const auto section = bakes.findPattern(asset->id, entered)) fragment = section->asset;
+    } else if (asset && !entered.empty()) {
+        if (std::optional<FragmentSolid> solid = fragmentSolid(bakes, asset->id, entered)) {
+            fragmentOffset = solid->offset;
+            fragment = std::make_shared<const Asset>(fragmentAsAsset(*asset, entered, std::move(solid->prism)));
+        }
+    }
+}
+
 const Asset* CanvasState::assetInItsPlane() const {
     if (!isMesh()) return displayedAsset();
     const bool isAlongZ = pattern && pattern->baked().section && pattern->baked().section->normal().z > 0.5;

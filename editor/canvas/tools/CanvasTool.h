@@ -39,6 +39,8 @@ struct CanvasState {
     /// The asset whose prism and pattern are shown: the active one, or the entered fragment or the section of a mesh as
     /// an asset. Null if there is none.
     const Asset* displayedAsset() const { return isInFragment() || isMesh() ? fragment.get() : asset(); }
+    /// Updates the entered fragment from the document and the bakes.
+    void refreshFragment();
     /// Whether the active asset is a mesh, of which a section is shown.
     bool isMesh() const { return asset() && !asset()->isPrism(); }
     /// The asset that is displayed in the plane in which its outline, layers and strokes are; null for a mesh that is

@@ -29,6 +29,14 @@ CanvasView fittedBeside(const CanvasView& view, const Box2& asset, const QRectF&
     return beside.scale >= kMinFitBesideLegend * whole.scale ? beside : whole;
 }
 
+CanvasView fittedBelow(CanvasView view, const Box2& asset, const QRectF& legend, double above) {
+    view.size.setHeight(view.size.height() - above);
+    view = fittedBeside(view, asset, legend.isEmpty() ? legend : legend.translated(0.0, -above));
+    view.size.setHeight(view.size.height() + above);
+    view.centre.y += 0.5 * above / view.scale;
+    return view;
+}
+
 bool isCovered(const CanvasView& view, const Box2& asset, const QRectF& legend) {
     return QRectF(view.pixels(asset.min), view.pixels(asset.max)).normalized().intersects(legend);
 }

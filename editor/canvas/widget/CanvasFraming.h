@@ -9,6 +9,9 @@ namespace rubble {
 /// Fits an asset's box between the rulers, which cover two edges, and beside the legend where that leaves enough room.
 CanvasView fittedBeside(const CanvasView& view, const Box2& asset, const QRectF& legend);
 
+/// The same, below what covers `above` pixels under the upper ruler.
+CanvasView fittedBelow(CanvasView view, const Box2& asset, const QRectF& legend, double above);
+
 /// Whether the legend covers a part of an asset's box.
 bool isCovered(const CanvasView& view, const Box2& asset, const QRectF& legend);
 

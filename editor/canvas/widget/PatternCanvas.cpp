@@ -1,6 +1,5 @@
 #include "editor/canvas/widget/PatternCanvas.h"
 
-#include "core/asset/project/AssetShape.h"
 #include "editor/canvas/painting/BondMarkPainting.h"
 #include "editor/canvas/painting/HighlightPainting.h"
 #include "editor/canvas/painting/LegendPainting.h"
@@ -33,7 +32,6 @@ namespace {
 constexpr double kZoomPerNotch = 1.2;
 constexpr double kAnglePerNotch = 120.0;  // of QWheelEvent::angleDelta()
 constexpr int kBreadcrumbGap = 8;         // pixels between rulers and breadcrumb
-constexpr int kMaxBarWidth = 420;         // pixels, of the bar of sections
 
 }  // namespace
 
@@ -101,15 +99,10 @@ void PatternCanvas::setSections(Sections& sections) {
     refreshSectionBar();
 }
 
-/// The bar is below the ruler, and below the breadcrumb.
 void PatternCanvas::refreshSectionBar() {
     if (!m_sectionBar) return;
-    const bool isShown = m_state.isMesh();
-    m_sectionBar->setAsset(isShown ? m_state.asset()->id : 0, isShown ? boundsOf(*m_state.asset()) : Box3());
-    const int left = static_cast<int>(kRulerWidth) + kBreadcrumbGap;
-    const int top = m_breadcrumb->isVisible() ? m_breadcrumb->geometry().bottom() + kBreadcrumbGap : left;
-    const int room = std::max(width() - left - kBreadcrumbGap, m_sectionBar->minimumSizeHint().width());
-    m_sectionBar->setGeometry(left, top, std::min(room, kMaxBarWidth), m_sectionBar->sizeHint().height());
+    m_sectionBar->setAsset(m_state.isMesh() ? m_state.asset() : nullptr);
+    m_sectionBar->placeBelow(m_breadcrumb->isVisible() ? m_breadcrumb->geometry().bottom() : kRulerWidth);
 }
 
 QAccessibleInterface* PatternCanvas::makeAccessible(const QString& /*className*/, QObject* object) {
@@ -160,21 +153,11 @@ void PatternCanvas::fit() {
     const Asset* shown = m_state.displayedAsset();
     if (!shown) return;
     m_state.view.size = size();
-    m_state.view = fittedBelowBar(boundsOf(shown->prism().outline.outer));
+    const bool hasBar = m_sectionBar && m_sectionBar->isVisibleTo(this);
+    m_state.view = fittedBelow(m_state.view, boundsOf(shown->prism().outline.outer), legendArea(),
+                               hasBar ? m_sectionBar->geometry().bottom() - kRulerWidth : 0.0);
     updatePointer();
     update();
-}
-
-/// The view that fits a box into what the bar of sections leaves.
-CanvasView PatternCanvas::fittedBelowBar(const Box2& box) const {
-    if (!m_sectionBar || !m_sectionBar->isVisibleTo(this)) return fittedBeside(m_state.view, box, legendArea());
-    const double above = m_sectionBar->geometry().bottom() - kRulerWidth;
-    CanvasView view = m_state.view;
-    view.size.setHeight(view.size.height() - above);
-    view = fittedBeside(view, box, legendArea().translated(0.0, -above));
-    view.size.setHeight(view.size.height() + above);
-    view.centre.y += 0.5 * above / view.scale;
-    return view;
 }
 
 /// Fits the asset again if it now lies below the legend.
@@ -227,7 +210,6 @@ void PatternCanvas::applyChanges(const Changes& changes) {
 void PatternCanvas::refreshAsset() {
     m_tool->cancel();
     refreshFragment();
-    refreshSectionBar();
     m_updater.refreshAll();
     m_state.pattern = contents().pattern;
     updateHovered();
@@ -259,21 +241,11 @@ void PatternCanvas::saveView() {
     if (previous != m_displayedFragment) m_savedViews.push_back({previous, m_state.view, m_isFitted});
 }
 
-/// Updates the entered fragment from the document.
 void PatternCanvas::refreshFragment() {
     const Asset* asset = m_state.asset();
-    const FragmentPath& entered = m_state.selection.enteredFragment();
-    m_state.fragment = nullptr;
-    m_state.fragmentOffset = Vec2(0.0);
-    if (m_state.isMesh()) {
-        if (const auto section = m_state.bakes.findPattern(asset->id, entered)) m_state.fragment = section->asset;
-    } else if (asset && !entered.empty()) {
-        if (std::optional<FragmentSolid> solid = fragmentSolid(m_state.bakes, asset->id, entered)) {
-            m_state.fragmentOffset = solid->offset;
-            m_state.fragment = std::make_shared<const Asset>(fragmentAsAsset(*asset, entered, std::move(solid->prism)));
-        }
-    }
-    m_breadcrumb->setPath(asset ? nameText(asset->name) : QString(), entered);
+    m_state.refreshFragment();
+    m_breadcrumb->setPath(asset ? nameText(asset->name) : QString(), m_state.selection.enteredFragment());
+    refreshSectionBar();
 }
 
 /// Reports when the first edit inside a fragment gives it a pattern of its own.

@@ -109,7 +109,6 @@ private:
     void saveView();
     void refreshFragment();
     void refreshSectionBar();
-    CanvasView fittedBelowBar(const Box2& box) const;
     void reportOwnPattern(const Changes& changes);
     static QAccessibleInterface* makeAccessible(const QString& className, QObject* object);
     void reportAccessible(int event);

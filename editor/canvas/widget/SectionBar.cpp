@@ -1,6 +1,8 @@
 #include "editor/canvas/widget/SectionBar.h"
 
+#include "core/asset/project/AssetShape.h"
 #include "editor/canvas/painting/CanvasColours.h"
+#include "editor/canvas/painting/RulerPainting.h"
 #include "editor/widgets/numbers/LocalizedQuantity.h"
 
 #include <QButtonGroup>
@@ -10,6 +12,7 @@
 #include <QSlider>
 #include <QToolButton>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -18,6 +21,8 @@ namespace rubble {
 namespace {
 
 constexpr int kSteps = 1000;         // of the slider
+constexpr int kBarGap = 8;           // pixels, from rulers and edges
+constexpr int kMaxBarWidth = 420;    // pixels
 constexpr int kMinSliderWidth = 60;  // pixels
 constexpr int kBarPadding = 4;       // pixels
 constexpr double kBarRadius = 4.0;   // pixels
@@ -75,16 +80,22 @@ SectionBar::SectionBar(Sections& sections, QWidget* parent)
     hide();
 }
 
-void SectionBar::setAsset(Id asset, const Box3& bounds) {
-    m_asset = asset;
-    m_bounds = bounds;
-    setVisible(asset != 0);
-    if (asset != 0) refresh();
+void SectionBar::setAsset(const Asset* mesh) {
+    m_asset = mesh ? mesh->id : 0;
+    m_bounds = mesh ? boundsOf(*mesh) : Box3();
+    setVisible(mesh != nullptr);
+    if (mesh) refresh();
 }
 
 void SectionBar::setUnits(const Units& units) {
     m_units = units;
     refresh();
+}
+
+void SectionBar::placeBelow(double height) {
+    const int left = static_cast<int>(kRulerWidth) + kBarGap, top = static_cast<int>(height) + kBarGap;
+    const int room = std::max(parentWidget()->width() - left - kBarGap, minimumSizeHint().width());
+    setGeometry(left, top, std::min(room, kMaxBarWidth), sizeHint().height());
 }
 
 void SectionBar::moveBy(int steps) { m_slider->setValue(m_slider->value() + steps); }

@@ -18,9 +18,11 @@ class SectionBar : public QWidget {
 public:
     SectionBar(Sections& sections, QWidget* parent);
 
-    /// Shows the section of an asset with these bounds, m; hidden for 0.
-    void setAsset(Id asset, const Box3& bounds);
+    /// Shows the section of a mesh; hidden for null.
+    void setAsset(const Asset* mesh);
     void setUnits(const Units& units);
+    /// Places the bar below a height of its parent, in pixels, as wide as there is room.
+    void placeBelow(double height);
     /// Moves the section by steps of the slider.
     void moveBy(int steps);
 

@@ -192,5 +192,5 @@ private slots:
     }
 };
 
-RUBBLE_TEST(CanvasSectionTest)
+RUBBLE_TEST_WITH(CanvasSectionTest, QApplication)
 #include "CanvasSectionTest.moc"
