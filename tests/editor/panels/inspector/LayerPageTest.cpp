@@ -29,7 +29,7 @@ private slots:
                 if (parameter.type != ParameterType::Real || !parameter.isUsed(added.parameters)) continue;
                 auto& field = desk.control<NumberField>(parameter.caption);
                 QVERIFY2(field.isVisible() == !parameter.isSpatial, parameter.caption);
-                if (parameter.isSpatial) continue;  // of meshes only
+                if (parameter.isSpatial) continue;           // of meshes only
                 if (parameter.name == "minDepth") continue;  // below the other depth
                 const bool isWithin = parameter.range.contains(0.75);
                 desk.type(parameter.caption, isWithin ? "0.75" : "1.5");
