@@ -1,7 +1,7 @@
 #include "editor/background/SectionUpdater.h"
 
 #include "core/asset/bake/FragmentLookup.h"
-#include "editor/document/SectionPattern.h"
+#include "editor/document/sections/SectionPattern.h"
 
 namespace rubble {
 

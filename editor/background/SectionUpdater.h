@@ -2,8 +2,8 @@
 
 #include "core/fracture/planes/SolidSection.h"
 #include "editor/document/Bakes.h"
-#include "editor/document/Sections.h"
 #include "editor/document/Selection.h"
+#include "editor/document/sections/Sections.h"
 
 #include <QObject>
 

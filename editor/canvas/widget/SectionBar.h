@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/search/Box3.h"
-#include "editor/document/Sections.h"
+#include "editor/document/sections/Sections.h"
 #include "editor/widgets/numbers/Units.h"
 
 #include <QWidget>

@@ -1,5 +1,5 @@
 // Tests editor/canvas/widget/PatternCanvas.cpp, editor/canvas/widget/SectionBar.cpp and the tools for sections of
-// meshes, with editor/background/SectionUpdater.cpp and editor/document/Sections.cpp.
+// meshes, with editor/background/SectionUpdater.cpp and editor/document/sections/Sections.cpp.
 #include "core/asset/bake/FragmentLookup.h"
 #include "core/asset/project/AssetShape.h"
 #include "editor/background/Baker.h"

@@ -1,4 +1,4 @@
-#include "editor/document/SectionPattern.h"
+#include "editor/document/sections/SectionPattern.h"
 
 #include "core/asset/project/AssetShape.h"
 #include "editor/document/EnteredFragment.h"

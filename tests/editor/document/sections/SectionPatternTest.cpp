@@ -1,7 +1,7 @@
-#include "editor/document/SectionPattern.h"
+#include "editor/document/sections/SectionPattern.h"
 
 #include "core/fracture/verify/VerifyPartition.h"
-#include "editor/document/Sections.h"
+#include "editor/document/sections/Sections.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/MeshAsset.h"
 

@@ -1,4 +1,4 @@
-#include "editor/document/Sections.h"
+#include "editor/document/sections/Sections.h"
 
 #include <algorithm>
 
