@@ -73,7 +73,7 @@ PatternCanvas::PatternCanvas(Document& document, Selection& selection, const Bak
         if (m_state.isMesh()) refreshFragment();
         m_updater.refreshPattern();
         m_state.pattern = contents().pattern;
-        if (std::exchange(m_isPatternAwaited, false)) refit();  // edits do not move the view
+        if (std::exchange(m_isPatternAwaited, false)) m_state.isMesh() ? fit() : refit();  // edits do not move the view
         updateHovered();
         update();
         reportAccessible(QAccessible::ObjectReorder);

@@ -105,6 +105,12 @@ private slots:
         // What is under the pointer has neighbours, by their common edges.
         QVERIFY(!bench.shown()->neighbours(bench.shown()->pieceAt({0.5, 0.5})).empty());
     }
+    /// Also where the bake comes after the asset was selected: the section is not known before.
+    void aMeshFillsTheView() {
+        SectionBench bench(meshAsset(transformed(bumpySphere(24), Mat3(0.05)), 20));
+        QVERIFY(0.1 * bench.canvas.view().scale > 0.5 * 0.5 * bench.canvas.height());
+        QVERIFY(0.1 * bench.canvas.view().scale < bench.canvas.height());
+    }
     void theBarMovesTheSection() {
         SectionBench bench(meshAsset(bumpySphere(24), 60));
         const double middle = bench.shownArea();
