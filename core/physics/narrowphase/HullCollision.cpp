@@ -24,6 +24,24 @@ bool isSameFace(const SeparatingAxis& a, const SeparatingAxis& b) {
     return a.kind == b.kind && a.first == b.first && a.second == b.second;
 }
 
+/// Gives hulls that overlap a point as deep as they do, where their axis leads to none: along a face that is preferred
+/// to crossing edges, these need not lie over it.
+void addMissingPoint(HullCollision& collision, const Hull& first, const Hull& second, const RelativePose& pose,
+                     float margin) {
+    constexpr float kNoticeable = 0.0005f;  // m
+    if (collision.axis.separation > -kNoticeable || isReached(collision.manifold, collision.axis.separation)) return;
+    if (collision.axis.isFace()) {
+        const SeparatingAxis edges = bestEdgeAxis(collision.axis, first, second, pose, margin, 0.0f);
+        if (edges.kind == AxisKind::Edges) {
+            collision.axis = edges;
+            collision.manifold = manifoldAlong(edges, first, second, pose, margin);
+        }
+    }
+    if (collision.manifold.count > 0) return;
+    collision.manifold = touchingManifold(collision.axis, first, second, pose, margin);
+    collision.manifold.points[0].separation = collision.axis.separation;
+}
+
 }  // namespace
 
 HullCollision collideHulls(const Hull& first, const Hull& second, const RelativePose& pose, float margin,
@@ -43,6 +61,7 @@ HullCollision collideHulls(const Hull& first, const Hull& second, const Relative
         const bool isNear = collision.axis.separation <= margin;
         collision.manifold = isNear ? manifoldAlong(collision.axis, first, second, pose, margin) : Manifold{};
     }
+    addMissingPoint(collision, first, second, pose, margin);
     return collision;
 }
 

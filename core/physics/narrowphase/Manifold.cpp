@@ -184,12 +184,38 @@ Manifold fromSecond(Manifold manifold, const RelativePose& pose) {
     return manifold;
 }
 
-/// The manifold for a reference face of `owner`, in its frame.
+/// The face at a corner that is most along a direction.
+int faceAt(const Hull& hull, int corner, Vec3f direction) {
+    int best = -1;
+    float most = -2.0f;
+    for (int face = 0; face < static_cast<int>(hull.planes.size()); ++face) {
+        const float along = dot(direction, hull.planes[face].normal);
+        if (along <= most || std::ranges::find(hull.face(face), corner) == hull.face(face).end()) continue;
+        most = along;
+        best = face;
+    }
+    return best;
+}
+
+bool liesOver(const Hull& owner, int face, Vec3f point) {
+    return std::ranges::all_of(owner.sidesOf(face),
+                               [&](const HullPlane& side) { return dot(side.normal, point) <= side.offset; });
+}
+
+/// The manifold for a reference face of `owner`, in its frame: with the other's face that is most opposed to it, or,
+/// where that is elsewhere than the other's deepest corner and this lies over the reference face, with the most opposed
+/// one at that corner.
 Manifold faceManifold(const Hull& owner, int face, const Hull& other, const RelativePose& pose, float margin) {
-    const Vec3f normal = owner.planes[face].normal;
-    const int incident = other.faceAlong(pose.rotation.transposedTimes(normal) * -1.0f);
-    return clippedManifold(owner, other, pose, {.reference = face, .incident = incident, .normal = normal}, nullptr,
-                           margin);
+    const HullPlane& plane = owner.planes[face];
+    const Vec3f opposed = pose.rotation.transposedTimes(plane.normal) * -1.0f;
+    FacePair faces{.reference = face, .incident = other.faceAlong(opposed), .normal = plane.normal};
+    const Manifold manifold = clippedManifold(owner, other, pose, faces, nullptr, margin);
+    const int deepest = other.farthest(opposed);
+    const Vec3f corner = pose.rotation * other.corner(deepest) + pose.offset;
+    const float depth = dot(plane.normal, corner) - plane.offset;
+    if (depth > margin || isReached(manifold, depth) || !liesOver(owner, face, corner)) return manifold;
+    faces.incident = faceAt(other, deepest, opposed);
+    return clippedManifold(owner, other, pose, faces, nullptr, margin);
 }
 
 /// The point halfway between the closest points of two edges; nothing if these lie beyond the ends, or too far apart.
@@ -258,6 +284,11 @@ Manifold::Point supportingCorner(const SeparatingAxis& axis, const Hull& first, 
 }
 
 }  // namespace
+
+bool isReached(const Manifold& manifold, float separation) {
+    return std::any_of(manifold.points.begin(), manifold.points.begin() + manifold.count,
+                       [&](const Manifold::Point& point) { return point.separation <= separation + kMissedDepth; });
+}
 
 Manifold manifoldAlong(const SeparatingAxis& axis, const Hull& first, const Hull& second, const RelativePose& pose,
                        float margin) {

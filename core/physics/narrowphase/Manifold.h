@@ -28,7 +28,11 @@ struct Manifold {
 Manifold manifoldAlong(const SeparatingAxis& axis, const Hull& first, const Hull& second, const RelativePose& pose,
                        float margin);
 
-/// The same for hulls known to touch along the axis: if clipping leaves no point, the supporting corner.
+/// Whether a point is as deep as hulls of a separation, to half a millimetre.
+bool isReached(const Manifold& manifold, float separation);
+
+/// The same as manifoldAlong() for hulls known to touch along the axis: if clipping leaves no point, the supporting
+/// corner, with no separation.
 Manifold touchingManifold(const SeparatingAxis& axis, const Hull& first, const Hull& second, const RelativePose& pose,
                           float margin);
 

@@ -228,10 +228,10 @@ SeparatingAxis bestFaceAxis(const Hull& first, const Hull& second, const Relativ
 }
 
 SeparatingAxis bestEdgeAxis(const SeparatingAxis& face, const Hull& first, const Hull& second, const RelativePose& pose,
-                            float margin) {
+                            float margin, float preference) {
     RUBBLE_ASSERT(face.isFace());
     // Edges cannot separate more than the bound given by a corner above the face.
-    const float enough = face.separation + kAxisPreference;
+    const float enough = face.separation + preference;
     const float distance = face.kind == AxisKind::FirstFace
                                ? separationBound(first, {face.first, face.separation}, second, pose)
                                : separationBound(second, {face.second, face.separation}, first, inverse(pose));

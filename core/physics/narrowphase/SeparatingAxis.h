@@ -46,10 +46,10 @@ SeparatingAxis separatingAxis(const Hull& first, const Hull& second, const Relat
 /// The first half of separatingAxis(): the best face of either hull.
 SeparatingAxis bestFaceAxis(const Hull& first, const Hull& second, const RelativePose& pose, float margin,
                             const SeparatingAxis& guess);
-/// The second half of separatingAxis(): the best edge pair if it is better than `face` by kAxisPreference, otherwise
+/// The second half of separatingAxis(): the best edge pair if it is better than `face` by `preference`, m, otherwise
 /// `face`.
 SeparatingAxis bestEdgeAxis(const SeparatingAxis& face, const Hull& first, const Hull& second, const RelativePose& pose,
-                            float margin);
+                            float margin, float preference = kAxisPreference);
 
 /// The axis of a given face of either hull, its separation computed for `pose`.
 SeparatingAxis faceAxis(const SeparatingAxis& face, const Hull& first, const Hull& second, const RelativePose& pose);

@@ -146,6 +146,8 @@ void addEdges(Hull& hull, const Polytope& polytope) {
         append(hull.edgeCorners, hull.corner(edge.from));
         append(hull.edgeFirstNormals, hull.planes[edge.firstFace].normal);
         append(hull.edgeSecondNormals, hull.planes[edge.secondFace].normal);
+        const Vec3f first = hull.planes[edge.firstFace].normal, second = hull.planes[edge.secondFace].normal;
+        if (dot(first, second) > 0.0f) hull.minTurn = std::min(hull.minTurn, length(cross(first, second)));
     }
     for (VectorRows* rows : {&hull.edgeVectors, &hull.edgeCorners, &hull.edgeFirstNormals, &hull.edgeSecondNormals}) {
         pad(*rows, Vec3f(0.0f));

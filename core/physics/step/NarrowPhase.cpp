@@ -16,6 +16,8 @@ namespace {
 /// their points, which then rotate them and falsify their friction.
 constexpr float kMaxSlack = 0.02f;      // m
 constexpr float kSlackFraction = 0.2f;  // of the smaller bounding radius
+/// They turn at most by the least angle between two faces of a hull, or by this: one of many faces rolls on to others.
+constexpr float kMinTurn = 0.02f;  // rad
 /// Bodies that move less than this in a step are not stopped by a contact ahead of them.
 constexpr float kMinSliding = 0.001f;  // m
 /// Separated bodies are collided again when they may have closed this fraction of the gap.
@@ -137,7 +139,9 @@ float softDepth(const WorldState& state, const Contact& contact) {
 float maxSlack(const WorldState& state, const Contact& contact) {
     const float size = std::min(hullOf(state, state.proxies[contact.proxies[0]]).boundingRadius,
                                 hullOf(state, state.proxies[contact.proxies[1]]).boundingRadius);
-    return std::min(kMaxSlack, kSlackFraction * size);
+    const float turn = std::min(hullOf(state, state.proxies[contact.proxies[0]]).minTurn,
+                                hullOf(state, state.proxies[contact.proxies[1]]).minTurn);
+    return std::min(kMaxSlack, std::clamp(turn, kMinTurn, kSlackFraction) * size);
 }
 
 /// Writes the points; those with a feature of the last manifold keep their impulses (warm starting). `offset` is that

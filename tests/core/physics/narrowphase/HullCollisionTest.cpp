@@ -1,5 +1,6 @@
 #include "core/physics/narrowphase/HullCollision.h"
 
+#include "core/geometry/hull/HullOverlap.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/geometry/Hulls.h"
 
@@ -13,6 +14,27 @@ namespace {
 HullCollision collideCubes(Vec3f offset, const SeparatingAxis& guess = {}, const Mat3f& rotation = {}) {
     const Hull cube = hullOf(boxOf(Vec3(1.0)));
     return collideHulls(cube, cube, {rotation, offset}, kSpeculativeDistance, guess);
+}
+
+/// A random solid, stretched to a splinter or a flake.
+Polytope stretchedSolid(Random& random) {
+    const Vec3 scale(random.between(0.1, 1.0), random.between(0.1, 1.0), random.between(0.1, 1.0));
+    std::vector<Vec3> corners = randomSolid(random).vertices;
+    for (Vec3& corner : corners) corner *= scale;
+    return *convexHull(corners);
+}
+
+/// A random pose of the second solid in which it overlaps the first by a depth, m.
+Pose overlappingPose(Random& random, const Polytope& first, const Polytope& second, double depth) {
+    Pose pose{{}, randomRotation(random)};
+    const Vec3 direction = glm::normalize(randomIn(random, 1.0));
+    double inside = 0.0, outside = 1.5;  // m
+    for (int k = 0; k < 24; ++k) {
+        const double middle = 0.5 * (inside + outside);
+        pose.position = middle * direction;
+        (hullOverlap(first, {}, second, pose).depth > depth ? inside : outside) = middle;
+    }
+    return pose;
 }
 
 }  // namespace
@@ -61,6 +83,21 @@ private slots:
         QCOMPARE(collide(-0.01f).manifold.count, 1);
         QCOMPARE(collide(0.015f).manifold.count, 1);
         QCOMPARE(collide(0.03f).manifold.count, 0);
+    }
+    /// Hulls that overlap have a point as deep as they do, whatever their shapes: the face that is most opposed to
+    /// another need not be at the corner that is deepest in it.
+    void overlappingHullsHaveADeepPoint() {
+        for (std::uint64_t seed = 1; seed <= 4000; ++seed) {
+            Random random(seed);
+            const Polytope first = stretchedSolid(random), second = stretchedSolid(random);
+            const Pose pose = overlappingPose(random, first, second, 0.01);
+            const HullCollision collision = collideHulls(
+                hullOf(first), hullOf(second), {toFloat(pose.orientation).matrix(), toFloat(pose.position)}, 0.0f, {});
+            float deepest = 1.0f;
+            for (int i = 0; i < collision.manifold.count; ++i)
+                deepest = std::min(deepest, collision.manifold.points[static_cast<std::size_t>(i)].separation);
+            QVERIFY2(deepest < collision.axis.separation + 0.001f, qPrintable(QString("seed %1").arg(seed)));
+        }
     }
     /// Guessing any face leads to the same collision.
     void resultDoesNotDependOnTheGuess() {
