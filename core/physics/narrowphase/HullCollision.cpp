@@ -8,12 +8,12 @@ namespace {
 /// Collides along one face. True if no other axis has to be tested: the face separates the hulls, or a point of one
 /// lies so near above the face that no other axis can separate them by clearly more.
 bool collideAlongFace(const SeparatingAxis& face, const Hull& first, const Hull& second, const RelativePose& pose,
-                      float margin, HullCollision& collision) {
+                      float margin, Vec3f turn, HullCollision& collision) {
     constexpr float kClearly = 2.0f * kAxisPreference;
     collision.axis = face;
     collision.manifold = {};
     if (face.separation > margin) return true;
-    collision.manifold = manifoldAlong(face, first, second, pose, margin);
+    collision.manifold = manifoldAlong(face, first, second, pose, margin, turn);
     const float enough = face.separation + kClearly;
     const auto isNear = [&](const Manifold::Point& point) { return point.separation <= enough; };
     return enough >= 0.0f && std::any_of(collision.manifold.points.begin(),
@@ -45,16 +45,16 @@ void addMissingPoint(HullCollision& collision, const Hull& first, const Hull& se
 }  // namespace
 
 HullCollision collideHulls(const Hull& first, const Hull& second, const RelativePose& pose, float margin,
-                           const SeparatingAxis& guess) {
+                           const SeparatingAxis& guess, Vec3f turn) {
     HullCollision collision;
     collision.offset = pose.offset;
     collision.axis = guess.kind == AxisKind::None ? initialGuess(first, second, pose) : guess;
     if (collision.axis.isFace() &&
-        collideAlongFace(faceAxis(collision.axis, first, second, pose), first, second, pose, margin, collision)) {
+        collideAlongFace(faceAxis(collision.axis, first, second, pose), first, second, pose, margin, turn, collision)) {
         return collision;
     }
     const SeparatingAxis face = bestFaceAxis(first, second, pose, margin, collision.axis);
-    if (!isSameFace(face, collision.axis) && collideAlongFace(face, first, second, pose, margin, collision))
+    if (!isSameFace(face, collision.axis) && collideAlongFace(face, first, second, pose, margin, turn, collision))
         return collision;
     collision.axis = bestEdgeAxis(face, first, second, pose, margin);
     if (collision.axis.kind == AxisKind::Edges) {

@@ -18,8 +18,8 @@ struct HullCollision {
 };
 
 /// Collides two hulls; the manifold is empty if they are more than `margin` apart. `guess` is the axis of the last
-/// collision, which is kept unless another separates the hulls by clearly more.
+/// collision, which is kept unless another separates the hulls by clearly more; `turn` as for manifoldAlong().
 HullCollision collideHulls(const Hull& first, const Hull& second, const RelativePose& pose, float margin,
-                           const SeparatingAxis& guess);
+                           const SeparatingAxis& guess, Vec3f turn = Vec3f(0.0f));
 
 }  // namespace rubble

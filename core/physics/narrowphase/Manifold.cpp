@@ -12,6 +12,7 @@ constexpr float kHysteresis = 1.05f;
 constexpr float kMinSpread = 1e-6f;      // m²: points within a millimetre count as one
 constexpr float kAlignedCosine = 0.8f;   // of the angle between an edge axis and a face normal that stands for it
 constexpr float kMissedDepth = 0.0005f;  // m: a pair of edges that much deeper than the clipped points is one, too
+constexpr float kFineTurn = 0.2f;        // rad: between faces of a hull that rolls from one to the next
 constexpr int kMaxClippedPoints = 2 * kMaxHullCorners;
 constexpr std::uint32_t kCutByEdge = 1u << 31;
 constexpr std::uint32_t kOnSecondFace = 1u << 30;
@@ -205,10 +206,13 @@ bool liesOver(const Hull& owner, int face, Vec3f point) {
 /// The manifold for a reference face of `owner`, in its frame: with the other's face that is most opposed to it, or,
 /// where that is elsewhere than the other's deepest corner and this lies over the reference face, with the most opposed
 /// one at that corner.
-Manifold faceManifold(const Hull& owner, int face, const Hull& other, const RelativePose& pose, float margin) {
+Manifold faceManifold(const Hull& owner, int face, const Hull& other, const RelativePose& pose, float margin,
+                      Vec3f turn) {
     const HullPlane& plane = owner.planes[face];
     const Vec3f opposed = pose.rotation.transposedTimes(plane.normal) * -1.0f;
-    FacePair faces{.reference = face, .incident = other.faceAlong(opposed), .normal = plane.normal};
+    Vec3f soon = opposed;
+    if (other.minTurn < kFineTurn) soon = pose.rotation.transposedTimes(cross(turn, plane.normal) - plane.normal);
+    FacePair faces{.reference = face, .incident = other.faceAlong(soon), .normal = plane.normal};
     const Manifold manifold = clippedManifold(owner, other, pose, faces, nullptr, margin);
     const int deepest = other.farthest(opposed);
     const Vec3f corner = pose.rotation * other.corner(deepest) + pose.offset;
@@ -291,11 +295,13 @@ bool isReached(const Manifold& manifold, float separation) {
 }
 
 Manifold manifoldAlong(const SeparatingAxis& axis, const Hull& first, const Hull& second, const RelativePose& pose,
-                       float margin) {
+                       float margin, Vec3f turn) {
     switch (axis.kind) {
-        case AxisKind::FirstFace: return faceManifold(first, axis.first, second, pose, margin);
-        case AxisKind::SecondFace:
-            return fromSecond(faceManifold(second, axis.second, first, inverse(pose), margin), pose);
+        case AxisKind::FirstFace: return faceManifold(first, axis.first, second, pose, margin, turn);
+        case AxisKind::SecondFace: {
+            const Vec3f back = pose.rotation.transposedTimes(turn) * -1.0f;
+            return fromSecond(faceManifold(second, axis.second, first, inverse(pose), margin, back), pose);
+        }
         case AxisKind::Edges: return edgeManifold(axis, first, second, pose, margin);
         case AxisKind::None: break;
     }

@@ -25,8 +25,11 @@ struct Manifold {
 /// same of the two faces that are most along the axis, if one is within 37 degrees of it; else the point between the
 /// edges, none if the closest points of their lines lie beyond their ends.
 /// Source: Gregorius 2015, "Robust contact creation"; faces for edges as in Rouwe's Jolt Physics.
+///
+/// `turn`: what the second will turn by relative to the first, as a rotation vector in the first's frame, rad. A hull
+/// of many faces rolls on to the one that is most opposed after that.
 Manifold manifoldAlong(const SeparatingAxis& axis, const Hull& first, const Hull& second, const RelativePose& pose,
-                       float margin);
+                       float margin, Vec3f turn = Vec3f(0.0f));
 
 /// Whether a point is as deep as hulls of a separation, to half a millimetre.
 bool isReached(const Manifold& manifold, float separation);

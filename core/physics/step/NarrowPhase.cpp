@@ -16,8 +16,9 @@ namespace {
 /// their points, which then rotate them and falsify their friction.
 constexpr float kMaxSlack = 0.02f;      // m
 constexpr float kSlackFraction = 0.2f;  // of the smaller bounding radius
-/// They turn at most by the least angle between two faces of a hull, or by this: one of many faces rolls on to others.
-constexpr float kMinTurn = 0.02f;  // rad
+/// They turn at most by half of the least angle between two faces of a hull, or by this: one of many faces rolls on to
+/// the next.
+constexpr float kMinTurn = 0.002f;  // rad
 /// Bodies that move less than this in a step are not stopped by a contact ahead of them.
 constexpr float kMinSliding = 0.001f;  // m
 /// Separated bodies are collided again when they may have closed this fraction of the gap.
@@ -141,7 +142,7 @@ float maxSlack(const WorldState& state, const Contact& contact) {
                                 hullOf(state, state.proxies[contact.proxies[1]]).boundingRadius);
     const float turn = std::min(hullOf(state, state.proxies[contact.proxies[0]]).minTurn,
                                 hullOf(state, state.proxies[contact.proxies[1]]).minTurn);
-    return std::min(kMaxSlack, std::clamp(turn, kMinTurn, kSlackFraction) * size);
+    return std::min(kMaxSlack, std::clamp(0.5f * turn, kMinTurn, kSlackFraction) * size);
 }
 
 /// Writes the points; those with a feature of the last manifold keep their impulses (warm starting). `offset` is that
@@ -317,7 +318,8 @@ HullCollision collideContact(const WorldState& state, const Contact& contact, fl
     const float swing =
         length(b.angularVelocity - a.angularVelocity) * dt * std::min(first.boundingRadius, second.boundingRadius);
     const float margin = kSpeculativeDistance + (isFast ? 0.0f : far) + swing;
-    HullCollision collision = collideHulls(first, second, pose, margin, contact.axis);
+    const Vec3f turn = firstPose.rotation.matrix().transposedTimes(b.angularVelocity - a.angularVelocity) * dt;
+    HullCollision collision = collideHulls(first, second, pose, margin, contact.axis, turn);
     const Vec3f inFirst = firstPose.rotation.matrix().transposedTimes(displacement);
     // The manifold may be recycled until its bodies have moved that far.
     const Vec3f recycled = far > kMinSliding ? inFirst * ((far + kMaxSlack) / far) : Vec3f(0.0f);
