@@ -9,10 +9,11 @@ namespace {
 
 /// Of two points that span nearly as much, the earlier is kept, for coherence with the last manifold.
 constexpr float kHysteresis = 1.05f;
-constexpr float kMinSpread = 1e-6f;      // m²: points within a millimetre count as one
-constexpr float kAlignedCosine = 0.8f;   // of the angle between an edge axis and a face normal that stands for it
-constexpr float kMissedDepth = 0.0005f;  // m: a pair of edges that much deeper than the clipped points is one, too
-constexpr float kFineTurn = 0.2f;        // rad: between faces of a hull that rolls from one to the next
+constexpr float kMinSpread = 1e-6f;       // m²: points within a millimetre count as one
+constexpr float kAlignedCosine = 0.8f;    // of the angle between an edge axis and a face normal that stands for it
+constexpr float kMissedDepth = 0.0005f;   // m: a pair of edges that much deeper than the clipped points is one, too
+constexpr float kParallelCosine = 0.98f;  // of the angle between faces that both serve as the reference
+constexpr float kNearHeight = 0.004f;     // m: corners of nearly parallel faces above the deepest point
 constexpr int kMaxClippedPoints = 2 * kMaxHullCorners;
 constexpr std::uint32_t kCutByEdge = 1u << 31;
 constexpr std::uint32_t kOnSecondFace = 1u << 30;
@@ -86,24 +87,32 @@ int bestOf(const ClippedPoint* points, int count, float least, const Score& scor
     return best;
 }
 
-/// Reduces the manifold to four points, moved to the front: the deepest, the one farthest from it, the one that spans
-/// the largest triangle with both, and the one farthest outside that triangle.
-int reduce(ClippedPoint* points, int count, Vec3f normal) {
-    if (count <= kMaxManifoldPoints) return count;
-    const auto moveTo = [&](int index, int found) { std::swap(points[index], points[found]); };
+float deepestOf(const ClippedPoint* points, int count) {
     float deepest = points[0].height;
     for (int i = 1; i < count; ++i) deepest = std::min(deepest, points[i].height);
-    // Depths that differ by less than a millimetre count as equal.
-    moveTo(0,
-           bestOf(points, count, 0.0f, [&](const ClippedPoint& p) { return 0.001f / (p.height - deepest + 0.001f); }));
+    return deepest;
+}
+
+/// 1 for the deepest point, half for one a millimetre above it.
+float depthWeight(const ClippedPoint& point, float deepest) { return 0.001f / (point.height - deepest + 0.001f); }
+
+/// Reduces the manifold to four points, moved to the front: the deepest, the one farthest from it, the one that spans
+/// the largest triangle with both, and the one farthest outside that triangle. `weigh(point)` scales what a point
+/// spans.
+template <class Weigh>
+int reduce(ClippedPoint* points, int count, Vec3f normal, const Weigh& weigh) {
+    if (count <= kMaxManifoldPoints) return count;
+    const auto moveTo = [&](int index, int found) { std::swap(points[index], points[found]); };
+    const float deepest = deepestOf(points, count);
+    moveTo(0, bestOf(points, count, 0.0f, [&](const ClippedPoint& p) { return depthWeight(p, deepest); }));
     const Vec3f a = points[0].position;
-    int found =
-        bestOf(points + 1, count - 1, kMinSpread, [&](const ClippedPoint& p) { return lengthSquared(p.position - a); });
+    int found = bestOf(points + 1, count - 1, kMinSpread,
+                       [&](const ClippedPoint& p) { return lengthSquared(p.position - a) * weigh(p); });
     if (found < 0) return 1;
     moveTo(1, 1 + found);
     const Vec3f b = points[1].position;
     found = bestOf(points + 2, count - 2, kMinSpread,
-                   [&](const ClippedPoint& p) { return std::abs(twiceArea(normal, a, b, p.position)); });
+                   [&](const ClippedPoint& p) { return std::abs(twiceArea(normal, a, b, p.position)) * weigh(p); });
     if (found < 0) return 2;
     moveTo(2, 2 + found);
     const Vec3f c = points[2].position;
@@ -112,7 +121,7 @@ int reduce(ClippedPoint* points, int count, Vec3f normal) {
         const float least = std::min(
             inwards * twiceArea(normal, a, b, p.position),
             std::min(inwards * twiceArea(normal, b, c, p.position), inwards * twiceArea(normal, c, a, p.position)));
-        return -least;
+        return -least * weigh(p);
     });
     if (found < 0) return 3;
     moveTo(3, 3 + found);
@@ -142,6 +151,34 @@ int addEdgePoint(const Manifold::Point& edges, Vec3f normal, ClippedPoint* point
     return count + 1;
 }
 
+bool liesOver(const Hull& owner, int face, Vec3f point) {
+    return std::ranges::all_of(owner.sidesOf(face),
+                               [&](const HullPlane& side) { return dot(side.normal, point) <= side.offset; });
+}
+
+/// Adds the other corners of a rounded hull that lie over the reference face and hardly above the deepest point: of
+/// its faces that are nearly in one plane only one is clipped. Returns the number of points.
+int addNearCorners(const Hull& owner, const Hull& other, const RelativePose& pose, const FacePair& faces,
+                   ClippedPoint* points, int count) {
+    const HullPlane& reference = owner.planes[faces.reference];
+    const Vec3f down = pose.rotation.transposedTimes(faces.normal);
+    const Vec3f lowest = pose.rotation * other.corner(other.farthest(down * -1.0f)) + pose.offset;
+    const float scale = 1.0f / dot(faces.normal, reference.normal);
+    const auto heightOf = [&](Vec3f at) { return (dot(reference.normal, at) - reference.offset) * scale; };
+    const float highest = std::max(heightOf(lowest), faces.minSeparation) + kNearHeight;
+    const int clipped = count;
+    for (int i = 0; i < other.cornerCount && count < kMaxClippedPoints; ++i) {
+        const Vec3f at = pose.rotation * other.corner(i) + pose.offset;
+        const float height = std::max(heightOf(at), faces.minSeparation);
+        if (height > highest || !liesOver(owner, faces.reference, at)) continue;
+        const auto feature = static_cast<std::uint32_t>(i);
+        const bool isThere =
+            std::any_of(points, points + clipped, [&](const ClippedPoint& p) { return p.feature == feature; });
+        if (!isThere) points[count++] = {at, height, 0, feature};
+    }
+    return count;
+}
+
 /// The manifold of two faces, in the frame of the reference face's owner. `edges`: the point of two edges, or null.
 Manifold clippedManifold(const Hull& owner, const Hull& other, const RelativePose& pose, const FacePair& faces,
                          const Manifold::Point* edges, float margin) {
@@ -159,8 +196,15 @@ Manifold clippedManifold(const Hull& owner, const Hull& other, const RelativePos
     }
     measureAlong(faces, reference.normal, in, count);
     if (edges != nullptr) count = addEdgePoint(*edges, faces.normal, in, count);
+    if (other.minTurn < kSharpTurn) count = addNearCorners(owner, other, pose, faces, in, count);
     const ClippedPoint* end = std::remove_if(in, in + count, [&](const ClippedPoint& p) { return p.height > margin; });
-    count = reduce(in, static_cast<int>(end - in), faces.normal);
+    count = static_cast<int>(end - in);
+    if (other.minTurn < kSharpTurn && count > 0) {
+        const float deepest = deepestOf(in, count);
+        count = reduce(in, count, faces.normal, [&](const ClippedPoint& p) { return depthWeight(p, deepest); });
+    } else {
+        count = reduce(in, count, faces.normal, [](const ClippedPoint&) { return 1.0f; });
+    }
     Manifold manifold;
     manifold.normal = faces.normal;
     manifold.count = count;
@@ -198,9 +242,16 @@ int faceAt(const Hull& hull, int corner, Vec3f direction) {
     return best;
 }
 
-bool liesOver(const Hull& owner, int face, Vec3f point) {
-    return std::ranges::all_of(owner.sidesOf(face),
-                               [&](const HullPlane& side) { return dot(side.normal, point) <= side.offset; });
+/// The manifold of two faces for the normal of the first, in its owner's frame. The second is the reference where it
+/// is nearly parallel and the first is of the rounder hull, whose faces nearly in its plane count as well.
+Manifold manifoldOf(const Hull& owner, const Hull& other, const RelativePose& pose, const FacePair& faces,
+                    float margin) {
+    const Vec3f opposed = pose.rotation.transposedTimes(faces.normal) * -1.0f;
+    const bool isRounder = owner.minTurn < std::min(other.minTurn, kSharpTurn);
+    if (!isRounder || dot(opposed, other.planes[faces.incident].normal) < kParallelCosine)
+        return clippedManifold(owner, other, pose, faces, nullptr, margin);
+    const FacePair swapped{.reference = faces.incident, .incident = faces.reference, .normal = opposed};
+    return fromSecond(clippedManifold(other, owner, inverse(pose), swapped, nullptr, margin), pose);
 }
 
 /// The manifold for a reference face of `owner`, in its frame: with the other's face that is most opposed to it, or,
@@ -211,9 +262,9 @@ Manifold faceManifold(const Hull& owner, int face, const Hull& other, const Rela
     const HullPlane& plane = owner.planes[face];
     const Vec3f opposed = pose.rotation.transposedTimes(plane.normal) * -1.0f;
     Vec3f soon = opposed;
-    if (other.minTurn < kFineTurn) soon = pose.rotation.transposedTimes(cross(turn, plane.normal) - plane.normal);
+    if (other.minTurn < kSharpTurn) soon = pose.rotation.transposedTimes(cross(turn, plane.normal) - plane.normal);
     FacePair faces{.reference = face, .incident = other.faceAlong(soon), .normal = plane.normal};
-    const Manifold manifold = clippedManifold(owner, other, pose, faces, nullptr, margin);
+    const Manifold manifold = manifoldOf(owner, other, pose, faces, margin);
     const int deepest = other.farthest(opposed);
     const Vec3f corner = pose.rotation * other.corner(deepest) + pose.offset;
     const float depth = dot(plane.normal, corner) - plane.offset;

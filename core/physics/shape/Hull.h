@@ -14,6 +14,9 @@ namespace rubble {
 /// without improving it.
 inline constexpr int kMaxHullCorners = 256;
 
+/// The least angle between adjacent faces of hulls that stand for a body of corners, not for a round one, rad.
+inline constexpr float kSharpTurn = 0.2f;
+
 /// The points x with dot(normal, x) <= offset.
 struct HullPlane {
     Vec3f normal{0.0f, 1.0f, 0.0f};

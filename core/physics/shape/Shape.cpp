@@ -44,17 +44,19 @@ Result<std::shared_ptr<Shape>> emptyShape(const MassProperties& mass) {
 
 /// Sets what a shape says of its hulls.
 void setBounds(Shape& shape) {
-    float boundingRadius = 0.0f, minWidth = std::numeric_limits<float>::infinity();
+    float boundingRadius = 0.0f, minWidth = std::numeric_limits<float>::infinity(), minTurn = 1.0f;
     Vec3f extents(0.0f);
     for (const PlacedHull& placed : shape.hulls) {
         const Hull& hull = *placed.hull;
         boundingRadius = std::max(boundingRadius, length(placed.offset) + hull.boundingRadius);
         extents = componentMax(extents, componentAbs(placed.offset + hull.middle) + hull.extents);
         minWidth = std::min(minWidth, hull.minWidth);
+        minTurn = std::min(minTurn, hull.minTurn);
     }
     shape.boundingRadius = boundingRadius;
     shape.extents = extents;
     shape.minWidth = minWidth;
+    shape.minTurn = minTurn;
 }
 
 Error noHulls() { return {ErrorCode::BadInput, "A body needs at least one hull."}; }
@@ -121,6 +123,7 @@ std::shared_ptr<const Shape> remainingShape(const Shape& shape, std::span<const 
     remaining->boundingRadius = shape.boundingRadius;
     remaining->extents = shape.extents;
     remaining->minWidth = shape.minWidth;
+    remaining->minTurn = shape.minTurn;
     return remaining;
 }
 

@@ -29,7 +29,11 @@ struct Shape {
     Vec3f extents{0.0f};
     // m: the least width of any hull, or less of a remainingShape(); a body moving farther in a step may tunnel.
     float minWidth = 0.0f;
+    float minTurn = 1.0f;  // that of its hulls, or less of a remainingShape()
 };
+
+/// Whether a shape has a hull of many faces, which stand for a round surface.
+inline bool isRounded(const Shape& shape) { return shape.minTurn < kSharpTurn; }
 
 /// The shape of convex polytopes in one frame. Mass properties are those of the polytopes, or those given, such as
 /// those of the exact fragment if the polytopes are simplified.

@@ -14,6 +14,7 @@
 #include "core/physics/step/EnergyLimit.h"
 #include "core/physics/step/Impacts.h"
 #include "core/physics/step/NarrowPhase.h"
+#include "core/physics/step/RollingResistance.h"
 #include "core/physics/step/SharedLoad.h"
 #include "core/physics/step/Solver.h"
 #include "core/physics/step/StaticOverlaps.h"
@@ -295,6 +296,7 @@ void World::solve(double dt) {
     solveSubSteps(*m_state, context.threads, context.regions, context.solve, context.kernels, step,
                   context.energy.starts);
     restoreMasses(*m_state, context.solve.scaled);
+    resistRolling(*m_state);
     limitSpins(*m_state, context.threads, context.regions);
     context.times.solve = watch.lap();
     displaceDeepContacts(*m_state, context.solve.deepBlocks, step.dt);
