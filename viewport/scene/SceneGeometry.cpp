@@ -2,45 +2,64 @@
 
 #include "viewport/scene/SolidBuilder.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace rubble {
 namespace {
 
-using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;  // from position to position
+constexpr double kCurvedCosine = 0.866;  // of 30 degrees: flatter creases of the outside are a curved surface
 
-/// The directed edges of faces [first, end), sorted.
-std::vector<DirectedEdge> edgesOf(const Mesh& mesh, std::size_t first, std::size_t end) {
-    std::vector<DirectedEdge> edges;
-    for (std::size_t f = first; f < end; ++f) {
-        const std::span<const MeshCorner> corners = mesh.cornersOf(mesh.faces[f]);
-        for (std::size_t k = 0; k < corners.size(); ++k) {
-            edges.emplace_back(corners[k].position, corners[(k + 1) % corners.size()].position);
+/// Which edges of a mesh are visible: all but those between faces in one plane, and flat creases of the outside.
+class VisibleEdges {
+public:
+    explicit VisibleEdges(const Mesh& mesh) : m_mesh(mesh) {
+        m_edges.reserve(mesh.corners.size());
+        for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+            const std::span<const MeshCorner> corners = mesh.cornersOf(mesh.faces[f]);
+            for (std::size_t k = 0; k < corners.size(); ++k)
+                m_edges.push_back({corners[k].position, corners[(k + 1) % corners.size()].position, f});
         }
+        std::ranges::sort(m_edges);
     }
-    std::ranges::sort(edges);
-    return edges;
-}
+
+    /// Of a face, from one position to another.
+    bool has(const MeshFace& face, std::uint32_t from, std::uint32_t to) const {
+        const auto back = std::ranges::lower_bound(m_edges, DirectedEdge{to, from, 0});
+        if (back == m_edges.end() || back->from != to || back->to != from) return true;
+        const MeshFace& other = m_mesh.faces[back->face];
+        if (other.side != face.side) return true;
+        if (other.normal == face.normal) return false;
+        const bool isFlat = glm::dot(m_mesh.normals[other.normal], m_mesh.normals[face.normal]) > kCurvedCosine;
+        return face.side == FaceSide::Inside || !isFlat;
+    }
+
+private:
+    struct DirectedEdge {
+        std::uint32_t from = 0, to = 0;  // positions
+        std::uint32_t face = 0;
+        auto operator<=>(const DirectedEdge&) const = default;
+    };
+
+    const Mesh& m_mesh;
+    std::vector<DirectedEdge> m_edges;  // sorted
+};
 
 VertexSide sideOf(const MeshFace& face, const Texture* texture) {
     if (face.side == FaceSide::Inside) return VertexSide::Inside;
     return texture != nullptr && texture->covers(face.material) ? VertexSide::Textured : VertexSide::Outside;
 }
 
-/// Adds the coplanar faces [first, end).
-void addFaces(const Mesh& mesh, const Texture* texture, std::size_t first, std::size_t end, SolidBuilder& builder) {
-    const bool isSingle = end - first == 1;
-    const std::vector<DirectedEdge> edges = isSingle ? std::vector<DirectedEdge>() : edgesOf(mesh, first, end);
-    for (std::size_t f = first; f < end; ++f) {
-        const MeshFace& face = mesh.faces[f];
+void addFaces(const Mesh& mesh, const Texture* texture, SolidBuilder& builder) {
+    const VisibleEdges edges(mesh);
+    for (const MeshFace& face : mesh.faces) {
         builder.beginFace(mesh.normals[face.normal], sideOf(face, texture));
         const std::span<const MeshCorner> corners = mesh.cornersOf(face);
         for (std::size_t k = 0; k < corners.size(); ++k) {
-            const DirectedEdge back{corners[(k + 1) % corners.size()].position, corners[k].position};
             builder.addCorner(mesh.positions[corners[k].position], mesh.uvs[corners[k].uv],
-                              isSingle || !std::ranges::binary_search(edges, back));
+                              edges.has(face, corners[k].position, corners[(k + 1) % corners.size()].position));
         }
         builder.endFace();
     }
@@ -60,12 +79,7 @@ void addSolid(SceneGeometry& geometry, std::span<const SolidPart> parts, const T
     const std::size_t firstVertex = geometry.vertices.size();
     SolidBuilder builder(geometry);
     for (const auto& [mesh, mortar] : parts) {
-        for (std::size_t first = 0; first < mesh.faces.size();) {
-            std::size_t end = first + 1;
-            while (end < mesh.faces.size() && mesh.faces[end].normal == mesh.faces[first].normal) ++end;
-            addFaces(mesh, texture, first, end, builder);
-            first = end;
-        }
+        addFaces(mesh, texture, builder);
         for (const PlainFace& face : mortar) {
             builder.beginFace(face.normal, VertexSide::Mortar);
             for (const Vec3 corner : face.corners) builder.addCorner(corner, Vec2(0.0), false);

@@ -8,6 +8,7 @@
 #include "tests/support/ProcessorTime.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/ClusteredRow.h"
+#include "tests/support/asset/MeshProjects.h"
 #include "tests/support/files/TestImages.h"
 #include "viewport/scene/SceneBuilder.h"
 
@@ -272,6 +273,20 @@ private slots:
         other.assets[0].pattern.layers[0].randomSeed += 1;
         const RenderScene changed = builder.sceneOf(other, allBakes(other), {});
         QVERIFY(changed.batches[0].geometry != first.batches[0].geometry);
+    }
+    /// Triangles of a curved surface have no lines between them; its fragments do.
+    void edgesOfCurvedSurfacesAreHidden() {
+        Project project = test::meshProject();
+        project.assets = {test::meshAsset(test::torus(64, 32), 6)};
+        project.instances = {{.id = 60, .name = "torus", .asset = project.assets[0].id}};
+        const auto edges = [](const RenderScene& scene) {
+            return std::ranges::count_if(scene.batches[0].geometry->vertices, [](const SceneVertex& vertex) {
+                return vertex.across[0] != 128 || vertex.across[1] != 128;
+            });
+        };
+        QCOMPARE(edges(sceneOf(project, {})), 0);
+        const RenderScene broken = sceneOf(project, allBakes(project));
+        QVERIFY(edges(broken) > 0);
     }
     void textureIsPartOfScenesColouredByMaterial() {
         Project project = starterProject();
