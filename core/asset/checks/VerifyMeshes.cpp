@@ -23,6 +23,7 @@ std::optional<std::string> verifyMeshes(const Bake& bake, const Asset& asset) {
     const std::string owner = "Asset " + quotedName(asset.name) + ": the mesh of ";
     const FragmentMesher mesher(asset);
     if (auto fault = verifyMesh(mesher.wholeMesh(bake), bake.whole.volume)) return owner + "the whole: " + *fault;
+    const double cutFrom = asset.mesh() != nullptr ? asset.mesh()->bounds.diagonal() : 0.0;
     const bool isRough = asset.shaping.roughness.amplitude > 0.0;
     const RoughCuts cuts(bake, asset);
     std::vector<double> gained;  // m³ of each fragment, by rough cuts
@@ -33,7 +34,7 @@ std::optional<std::string> verifyMeshes(const Bake& bake, const Asset& asset) {
             const Mesh mesh = mesher.fragmentMesh(fragment, cuts.cornersOf(k));
             // Not its mass, which may include that of a thin neighbour.
             const double volume = shapeVolumeOf(fragment.solid);
-            if (auto fault = verifyMesh(mesh, isRough ? volumeOf(mesh) : volume)) {
+            if (auto fault = verifyMesh(mesh, isRough ? volumeOf(mesh) : volume, cutFrom)) {
                 return owner + "fragment " + bake.fragmentId(k) + ": " + *fault;
             }
             gained.push_back(volumeOf(mesh) - volume);

@@ -43,6 +43,7 @@ Vec3 areaVector(const Mesh& mesh, const MeshFace& face) {
 }
 
 /// By how much twice the area of a face may be wrong, m², if its corners are rounded: needles have no orientation.
+/// The lattice on which closed meshes are cut has a step of at most 2⁻³⁹ of their diagonal, and four steps count as none.
 double areaSlack(const Mesh& mesh, const MeshFace& face, double extent) {
     constexpr double kRounding = 1e-11;  // of the mesh's extent
     const std::span<const MeshCorner> corners = mesh.cornersOf(face);
@@ -96,8 +97,8 @@ Fault orderFault(const Mesh& mesh) {
 
 }  // namespace
 
-Fault verifyMesh(const Mesh& mesh, double volume) {
-    double extent = 0.0;
+Fault verifyMesh(const Mesh& mesh, double volume, double cutFrom) {
+    double extent = cutFrom;
     for (const Vec3& position : mesh.positions) extent = std::max(extent, glm::length(position));
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
         if (Fault fault = faceFault(mesh, i)) return fault;

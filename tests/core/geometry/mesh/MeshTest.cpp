@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include <array>
+
 using namespace rubble;
 
 namespace {
@@ -36,6 +38,19 @@ private slots:
         const Mesh triangles = triangulated(boxMesh());
         QCOMPARE(triangulated(triangles).positions.size(), triangles.positions.size());
         QCOMPARE(triangulated(triangles).faces.size(), triangles.faces.size());
+    }
+    /// What is cut from a large mesh is rounded as that is, so that its faces may be thinner than its own rounding.
+    void needlesOfWhatWasCutHaveNoOrientation() {
+        Mesh box = boxMesh();
+        box.faces.push_back(box.faces[3]);  // a needle that stands on its plane
+        box.faces.back().firstCorner = static_cast<std::uint32_t>(box.corners.size());
+        box.faces.back().cornerCount = 3;
+        const std::array<MeshCorner, 2> edge{box.cornersOf(box.faces[3])[0], box.cornersOf(box.faces[3])[1]};
+        const Vec3 middle = (box.positions[edge[0].position] + box.positions[edge[1].position]) / 2.0;
+        box.positions.push_back(middle + 1e-10 * box.normals[3]);
+        box.corners.insert(box.corners.end(), {edge[0], edge[1], {8, edge[1].uv}});
+        QCOMPARE(faultOf(box), "Face 6 is not counter-clockwise about its normal.");
+        QVERIFY(!verifyMesh(box, 8.0, 1000.0).value_or("").starts_with("Face 6 is not"));
     }
     void everyFaultIsReported_data() {
         QTest::addColumn<int>("fault");
