@@ -8,6 +8,7 @@
 #include "tests/support/asset/House.h"
 #include "tests/support/asset/Pane.h"
 #include "tests/support/asset/RockFace.h"
+#include "tests/support/asset/Sculptures.h"
 #include "tests/support/asset/TwoStoreyHouse.h"
 #include "tests/support/asset/WallWithOpenings.h"
 
@@ -29,6 +30,7 @@ private slots:
         QTest::newRow("joined house") << "joined-house.rubble" << test::joinedHouse();
         QTest::newRow("pane") << "pane.rubble" << test::pane();
         QTest::newRow("rock face") << "rock-face.rubble" << test::rockFace();
+        QTest::newRow("sculptures") << "sculptures.rubble" << test::sculptures();
         QTest::newRow("two-storey house") << "two-storey-house.rubble" << test::twoStoreyHouse();
         QTest::newRow("wall with openings") << "wall-with-openings.rubble" << test::wallWithOpenings();
     }
