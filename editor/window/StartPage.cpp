@@ -25,10 +25,10 @@ namespace rubble {
 
 namespace {
 
-constexpr QSize kPictureSize{174, 118};
+constexpr QSize kPictureSize{156, 106};
 constexpr const char* kPictureName = "picture";  // a property of the button of an example
 constexpr int kMaxRecent = 6;
-constexpr int kPageWidth = 960;         // pixels: five examples side by side
+constexpr int kPageWidth = 1040;        // pixels: six examples side by side
 constexpr double kTitleScale = 2.2;     // font size relative to the window's
 constexpr double kHeadingScale = 1.15;  // the same
 
@@ -118,7 +118,7 @@ QWidget* StartPage::recentColumn() {
 }
 
 /// Returns null if no examples are installed. Those without a picture are only found in their folder: there is room for
-/// five.
+/// six.
 QWidget* StartPage::exampleRow() {
     QStringList paths = exampleProjects();
     paths.removeIf(
