@@ -53,7 +53,8 @@ struct SolidPart {
 };
 
 /// Appends a solid with the faces of several parts, or of several hulls; the faces are convex. Edges between coplanar
-/// faces of a mesh (the convex parts of a cap) are hidden, and creases of its outside below 30 degrees (curved surfaces).
+/// faces of a mesh (the convex parts of a cap) are hidden, and those of its outside that bend by less than 30 degrees
+/// (triangles of a curved surface).
 /// `texture`: of the outside of meshes; null: none.
 void addSolid(SceneGeometry& geometry, std::span<const SolidPart> parts, const Texture* texture = nullptr);
 void addSolid(SceneGeometry& geometry, std::span<const Polytope> hulls);

@@ -53,7 +53,8 @@ Mesh triangulated(const Mesh& mesh);
 /// or does not match its face (of a needle, which is as thin as rounding, that is not checked), an inside face before
 /// an outside one, an edge without exactly two faces in opposite directions, or a volume other than `volume` (relative
 /// 1e-9). Nothing for a valid one.
-/// `cutFrom`: the extent, m, of the mesh that it was cut from on a lattice, to which its points are rounded; 0: of none.
+/// `cutFrom`: the extent, m, of the closed mesh that it was cut from on a lattice, which its points are rounded to; 0:
+/// it was cut from none.
 std::optional<std::string> verifyMesh(const Mesh& mesh, double volume, double cutFrom = 0.0);
 
 }  // namespace rubble

@@ -43,7 +43,7 @@ Vec3 areaVector(const Mesh& mesh, const MeshFace& face) {
 }
 
 /// By how much twice the area of a face may be wrong, m², if its corners are rounded: needles have no orientation.
-/// The lattice on which closed meshes are cut has a step of at most 2⁻³⁹ of their diagonal, and four steps count as none.
+/// The lattice on which closed meshes are cut has a step of up to 2⁻³⁹ of their diagonal; four count as none.
 double areaSlack(const Mesh& mesh, const MeshFace& face, double extent) {
     constexpr double kRounding = 1e-11;  // of the mesh's extent
     const std::span<const MeshCorner> corners = mesh.cornersOf(face);
