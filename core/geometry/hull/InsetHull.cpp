@@ -112,7 +112,11 @@ std::optional<Polytope> inSinglePrecision(const Polytope& polytope, double least
 }
 
 InsetHull insetPolytope(const Polytope& polytope, double inset) {
-    constexpr double kMinEdge = 0.125;  // of the inset
+    constexpr double kMinEdge = 0.125;     // of the inset
+    constexpr double kHalfUnit = 0x1p-24;  // of a number: the rounding error of single precision
+    double farthest = 0.0;
+    for (const Vec3& vertex : polytope.vertices) farthest = std::max(farthest, glm::length(vertex));
+    if (kHalfUnit * farthest > inset) return {polytope, 0.0};  // rounding may move a corner farther than its faces
     std::vector<Plane> planes = polytope.planes;
     for (Plane& plane : planes) plane.offset -= inset;
     std::optional<Polytope> shrunk = halfSpaceIntersection(planes, massOf(polytope).centre);

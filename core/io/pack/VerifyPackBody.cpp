@@ -96,7 +96,7 @@ ErrorText verifyBounds(const PackBody& body, const std::vector<Polytope>& solids
     if (!body.bounds) return std::nullopt;
     PackBounds found{.min = Vec3(1e308), .max = Vec3(-1e308), .thinnest = 1e308};
     for (const Polytope& solid : solids) {
-        if (solid.planes.size() >= 5) found.thinnest = std::min(found.thinnest, thinnestWidth(solid));
+        found.thinnest = std::min(found.thinnest, thinnestWidth(solid));
         for (const Vec3& vertex : solid.vertices) {
             found.min = glm::min(found.min, vertex);
             found.max = glm::max(found.max, vertex);
@@ -130,7 +130,7 @@ ErrorText verifyMass(const PackBody& body, const std::vector<Polytope>& solids, 
     double hidden = 0.0;
     for (const Polytope& solid : solids) {
         parts.push_back(massOf(solid));
-        if (scale.inset > 0.0 && !solid.planes.empty())
+        if (scale.inset > 0.0 && isPrism(solid))
             hidden += kInsetCorners * scale.inset * scale.inset * (solid.planes[0].offset + solid.planes[1].offset);
     }
     const MassProperties hulls = combined(parts);

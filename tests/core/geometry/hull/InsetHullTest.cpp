@@ -1,4 +1,5 @@
 #include "core/base/Random.h"
+#include "core/geometry/hull/ConvexHull.h"
 #include "core/geometry/hull/InsetHull.h"
 #include "core/geometry/hull/MassProperties.h"
 #include "tests/support/TestProgram.h"
@@ -133,6 +134,15 @@ private slots:
         const Polytope solid = solidOf(insetHull(box, 1e-3)).value();
         for (std::size_t k = 0; k < box.vertices.size(); ++k)
             QVERIFY(glm::distance(solid.vertices[k], box.vertices[k]) < 1e-14);
+    }
+    void solidsThinnerThanSinglePrecisionAreKept() {
+        const auto wedge = [](double x, double height) {
+            return convexHull(std::vector<Vec3>{{x, 0.0, 0.0}, {x + 0.5, 0.0, 0.0}, {x, 0.5, 0.0}, {x, 0.0, height}})
+                .value();
+        };
+        QVERIFY(insetHull(wedge(0.5, 0.25), 1e-4).inset == 1e-4);
+        const Polytope thin = wedge(0.5, 3.5e-8);
+        QVERIFY((insetHull(thin, 1e-4) == InsetHull{thin, 0.0}));
     }
     void onlyPrismsArePrisms() {
         const Polytope box = extruded(Ring{{0, 0}, {2, 0}, {2, 1}, {0, 1}}, -0.5, 0.5);

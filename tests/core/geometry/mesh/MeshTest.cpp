@@ -3,6 +3,8 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/geometry/Meshes.h"
 
+#include <glm/geometric.hpp>
+
 #include <QTest>
 
 #include <array>
@@ -10,6 +12,24 @@
 using namespace rubble;
 
 namespace {
+
+/// A tetrahedron whose bottom is a needle, with the normal of that turned by 0.05 about its longest edge.
+Mesh needleMesh() {
+    constexpr double kWidth = 1e-9;
+    Mesh mesh;
+    mesh.positions = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.5, kWidth, 0.0}, {0.5, 0.0, 1.0}};
+    mesh.uvs = {{0.0, 0.0}};
+    constexpr std::uint32_t kCorners[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    for (std::uint32_t face = 0; face < 4; ++face) {
+        const auto& corners = kCorners[face];
+        const Vec3 a = mesh.positions[corners[0]];
+        const Vec3 area = glm::cross(mesh.positions[corners[1]] - a, mesh.positions[corners[2]] - a);
+        mesh.normals.push_back(glm::normalize(face == 0 ? Vec3(0.0, 0.05, -1.0) : area));
+        mesh.faces.push_back({3 * face, 3, face, 0, FaceSide::Outside});
+        for (const std::uint32_t corner : corners) mesh.corners.push_back({corner, 0});
+    }
+    return mesh;
+}
 
 std::string faultOf(const Mesh& mesh) { return verifyMesh(mesh, 8.0).value_or(""); }
 
@@ -91,6 +111,16 @@ private slots:
         }
         const double expectedVolume = fault == 11 ? 7.5 : 8.0;
         QCOMPARE(QString::fromStdString(verifyMesh(box, expectedVolume).value_or("")), message);
+    }
+    void needlesAreRoundedAsWhatTheyAreCutFrom() {
+        const Mesh needle = needleMesh();
+        const double volume = volumeOf(needle);
+        const auto fault = [&](double extent) {
+            return QString::fromStdString(verifyMesh(needle, volume, extent).value_or(""));
+        };
+        QCOMPARE(fault(0.0), "Face 0 is not counter-clockwise about its normal.");
+        QCOMPARE(fault(1.0), "Face 0 is not counter-clockwise about its normal.");
+        QCOMPARE(fault(10.0), "");
     }
 };
 

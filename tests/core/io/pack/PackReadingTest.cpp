@@ -5,10 +5,12 @@
 #include "core/io/pack/VerifyPackBonding.h"
 #include "tests/support/ErrorText.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/MeshAsset.h"
 #include "tests/support/asset/Packs.h"
 #include "tests/support/files/JsonMutations.h"
 #include "tests/support/files/Schemas.h"
 #include "tests/support/files/WrongValues.h"
+#include "tests/support/geometry/BrokenMeshes.h"
 
 #include <QTest>
 
@@ -86,6 +88,17 @@ private slots:
             QCOMPARE(read.childCount, written.childCount);
             QVERIFY(read.principal == principalInertia(read.inertia));
             QCOMPARE(read.neighbours.size(), written.solid.contacts().size());
+        }
+    }
+    /// Hulls that are tetrahedra, and hulls beside the centre of mass of their body.
+    void packsOfMeshesAreValid() {
+        const TriangleMesh corner =
+            test::tetrahedron({0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
+        for (const TriangleMesh& mesh : {corner, test::torus(24, 48), test::bumpySphere(12)}) {
+            for (const std::uint32_t seeds : {1u, 3u, 30u}) {
+                const std::optional<std::string> fault = verifyPack(*readPack(packOf(test::meshAsset(mesh, seeds))));
+                QVERIFY2(!fault, fault.value_or("").c_str());
+            }
         }
     }
     void writtenPacksPassVerification() {
