@@ -94,8 +94,9 @@ private slots:
     void packsOfMeshesAreValid() {
         const TriangleMesh corner =
             test::tetrahedron({0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
-        for (const TriangleMesh& mesh : {corner, test::torus(24, 48), test::bumpySphere(12)}) {
-            for (const std::uint32_t seeds : {1u, 3u, 30u}) {
+        const TriangleMesh small = test::transformed(test::bumpySphere(24), Mat3(0.05));
+        for (const TriangleMesh& mesh : {corner, test::torus(24, 48), test::bumpySphere(12), small}) {
+            for (const std::uint32_t seeds : {1u, 3u, 30u, 100u}) {
                 const std::optional<std::string> fault = verifyPack(*readPack(packOf(test::meshAsset(mesh, seeds))));
                 QVERIFY2(!fault, fault.value_or("").c_str());
             }
