@@ -3060,6 +3060,12 @@ inline EventBody bodyOf(const Event& event) {
     return body;
 }
 
+/// What is left of a body moves if the event has its mass.
+inline void setRest(EventBody& body, const Event& event) {
+    body.mass = event.restMass;
+    body.isFixed = !(event.restMass > 0.0);
+}
+
 /// Adds a body that appeared, or what came free of its anchors.
 inline void addBirth(const EventLog& log, const Event& event, EventState& state) {
     EventBody body = bodyOf(event);
@@ -3074,7 +3080,7 @@ inline void addBirth(const EventLog& log, const Event& event, EventState& state)
         body.name = other.name, body.instance = other.instance, body.asset = other.asset, body.variant = other.variant;
         if (event.kind == EventKind::Detached) {
             for (const std::string& path : body.fragments) takeFragment(log, other, path);
-            other.mass = event.restMass;
+            setRest(other, event);
         }
     }
     state.bodies[event.body] = std::move(body);
@@ -3085,7 +3091,7 @@ inline void addRemoval(const EventLog& log, const Event& event, EventState& stat
         state.bodies.erase(event.body);
     } else if (const auto body = state.bodies.find(event.body); body != state.bodies.end()) {
         for (const std::string& path : event.fragments) takeFragment(log, body->second, path);
-        body->second.mass = event.restMass;
+        setRest(body->second, event);
         if (body->second.fragments.empty()) state.bodies.erase(body);
     }
 }
