@@ -32,6 +32,24 @@ std::pair<double, double> clipped(const Polytope& hull, Vec3 from, Vec3 to, doub
 
 Vec3 inFrame(const Pose& pose, Vec3 point) { return glm::conjugate(pose.orientation) * (point - pose.position); }
 
+/// Whether a face of the first shows that the second overlaps it by no more than `depth`, m.
+bool isAbove(const Polytope& first, const Pose& firstPose, const Polytope& second, const Pose& secondPose,
+             double depth) {
+    std::vector<Vec3> points;
+    for (const Vec3& vertex : second.vertices)
+        points.push_back(inFrame(firstPose, secondPose.position + secondPose.orientation * vertex));
+    return std::ranges::any_of(first.planes, [&](const Plane& plane) {
+        return std::ranges::all_of(
+            points, [&](const Vec3& point) { return glm::dot(plane.normal, point) >= plane.offset - depth; });
+    });
+}
+
+/// Quicker than their overlap, which takes all pairs of edges.
+bool isShallow(const Polytope& first, const Pose& firstPose, const Polytope& second, const Pose& secondPose,
+               double depth) {
+    return isAbove(first, firstPose, second, secondPose, depth) || isAbove(second, secondPose, first, firstPose, depth);
+}
+
 }  // namespace
 
 BodyHulls::Posed BodyHulls::of(const BodyFacts& facts) {
@@ -51,15 +69,16 @@ void BodyHulls::keepOnly(const Moment& moment) {
     std::erase_if(m_known, [&](const auto& entry) { return moment.find(entry.first) == nullptr; });
 }
 
-double overlapDepth(const BodyHulls::Posed& first, const BodyHulls::Posed& second) {
+double overlapDepth(const BodyHulls::Posed& first, const BodyHulls::Posed& second, double least) {
     if (isApart(first.box, second.box)) return 0.0;
-    double depth = 0.0;
+    double depth = least;
     for (const Polytope& one : *first.hulls) {
         for (const Polytope& other : *second.hulls) {
+            if (isShallow(one, first.pose, other, second.pose, depth)) continue;
             depth = std::max(depth, hullOverlap(one, first.pose, other, second.pose).depth);
         }
     }
-    return depth;
+    return depth > least ? depth : 0.0;
 }
 
 bool contains(const BodyHulls::Posed& body, Vec3 point) {

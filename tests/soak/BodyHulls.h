@@ -32,8 +32,8 @@ private:
     std::map<std::uint32_t, Known> m_known;  // by the body's number
 };
 
-/// The depth at which two bodies overlap, m; 0 where they do not.
-double overlapDepth(const BodyHulls::Posed& first, const BodyHulls::Posed& second);
+/// The depth at which two bodies overlap, m; 0 where it is no more than `least`, m.
+double overlapDepth(const BodyHulls::Posed& first, const BodyHulls::Posed& second, double least);
 /// Whether a point is in a hull of a body.
 bool contains(const BodyHulls::Posed& body, Vec3 point);
 /// The length of the part of a segment that is deeper than `depth` in a hull of a body, m; only of hulls in which

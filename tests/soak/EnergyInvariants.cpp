@@ -25,7 +25,7 @@ public:
         for (const BodyFacts& one : moment.bodies) {
             for (const BodyFacts& other : moment.bodies) {
                 if (one.body.number >= other.body.number) continue;  // what is fixed may break
-                if (overlapDepth(m_hulls.of(one), m_hulls.of(other)) > kOverlap) {
+                if (overlapDepth(m_hulls.of(one), m_hulls.of(other), kOverlap) > 0.0) {
                     m_overlapping.emplace(one.body.origin, other.body.origin);
                 }
             }
@@ -60,7 +60,7 @@ private:
             for (const BodyFacts& other : moment.bodies) {
                 const bool isMeant = one.body.number < other.body.number && (one.isDynamic() || other.isDynamic()) &&
                                      m_overlapping.contains(std::minmax(one.body.origin, other.body.origin));
-                if (isMeant && overlapDepth(m_hulls.of(one), m_hulls.of(other)) > kOverlap) return true;
+                if (isMeant && overlapDepth(m_hulls.of(one), m_hulls.of(other), kOverlap) > 0.0) return true;
             }
         }
         return false;

@@ -1,4 +1,5 @@
 #include "core/asset/bake/Bake.h"
+#include "core/asset/project/AssetShape.h"
 #include "core/base/Random.h"
 #include "tests/soak/GenerateScene.h"
 #include "tests/soak/GenerateShapes.h"
@@ -48,8 +49,7 @@ private:
     /// The mass of an instance, kg, at most.
     double massOf(const Instance& one) const {
         const Asset& asset = *findAsset(project(), one.asset);
-        const double volume = massOfPrism(asset.prism().outline, asset.prism().depth).volume;
-        return volume * findMaterial(project(), asset.material)->density;
+        return volumeOf(asset) * findMaterial(project(), asset.material)->density;
     }
 
     Throw randomThrow() {

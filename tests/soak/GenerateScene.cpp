@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -15,13 +16,19 @@ namespace {
 
 constexpr std::uint32_t kMaxFragments = 60;  // of an asset: more are slow to play
 
-double heightOf(const Prism& prism, const Quat& orientation, double sign) {
-    double most = -1e300;
-    for (const Vec2& point : prism.outline.outer) {
-        for (const double z : {-0.5 * prism.depth, 0.5 * prism.depth}) {
-            most = std::max(most, sign * (orientation * Vec3(point, z)).y);
-        }
+std::vector<Vec3> cornersOf(const Asset& asset) {
+    if (const ClosedMesh* mesh = asset.mesh()) return mesh->mesh.points;
+    std::vector<Vec3> corners;
+    for (const Vec2& point : asset.prism().outline.outer) {
+        for (const double z : {-0.5 * asset.prism().depth, 0.5 * asset.prism().depth})
+            corners.push_back(Vec3(point, z));
     }
+    return corners;
+}
+
+double heightOf(const Asset& asset, const Quat& orientation, double sign) {
+    double most = -1e300;
+    for (const Vec3& corner : cornersOf(asset)) most = std::max(most, sign * (orientation * corner).y);
     return most;
 }
 
@@ -88,6 +95,15 @@ Bake smallBake(Asset& asset, Id& nextId) {
     return std::move(*baked);
 }
 
+/// Makes one of ten assets one of a mesh, which plays slower. What is random in it depends on the size only, so that
+/// scenes of prisms stay as they were.
+void makeMesh(Asset& asset, double size) {
+    Random random(std::bit_cast<std::uint64_t>(size));
+    if (!chance(random, 0.1)) return;
+    asset.shape = randomMesh(random, size);
+    asset.bonding.strokes.clear();
+}
+
 Asset randomAsset(Random& random, Project& project, const RandomScene& scene) {
     const double size = scene.size * magnitudeIn(random, 0.5, 1.5);
     const Id id = project.nextId++;
@@ -112,6 +128,7 @@ Asset randomAsset(Random& random, Project& project, const RandomScene& scene) {
                                         .falloffRadius = size * magnitudeIn(random, 0.05, 1.0)};
     }
     asset.bonding = randomBonding(random, asset.prism(), size, momentum);
+    makeMesh(asset, size);
     const Bake baked = smallBake(asset, project.nextId);
     if (asset.breakAs == BreakAs::Bonded && chance(random, 0.3)) addClusters(random, asset, baked);
     return asset;
@@ -144,13 +161,12 @@ public:
     void add() {
         const Asset& asset = m_project.assets[m_random.below(m_project.assets.size())];
         const Quat orientation = randomRotation(m_random);
-        const double below = heightOf(asset.prism(), orientation, -1.0),
-                     above = heightOf(asset.prism(), orientation, 1.0);
+        const double below = heightOf(asset, orientation, -1.0), above = heightOf(asset, orientation, 1.0);
         Vec3 at(m_last.x, m_top + below, m_last.z);
         switch (m_random.below(5)) {
             case 0: break;  // on the last one
-            case 1: at = sideways(asset.prism(), orientation, below, 0.0); break;
-            case 2: at = sideways(asset.prism(), orientation, below, m_size * m_random.between(0.01, 0.5)); break;
+            case 1: at = sideways(asset, orientation, below, 0.0); break;
+            case 2: at = sideways(asset, orientation, below, m_size * m_random.between(0.01, 0.5)); break;
             case 3: at.y += m_size * magnitudeIn(m_random, 0.05, 4.0); break;
             default:
                 at += m_size *
@@ -159,18 +175,18 @@ public:
         place(asset, {at, orientation});
         m_last = at;
         m_top = at.y + above;
-        m_right = std::max(m_right, at.x + extentOf(asset.prism(), orientation));
+        m_right = std::max(m_right, at.x + extentOf(asset, orientation));
     }
 
 private:
-    static double extentOf(const Prism& prism, const Quat& orientation) {
+    static double extentOf(const Asset& asset, const Quat& orientation) {
         const Quat quarter(0.70710678118654752, 0.0, 0.0, 0.70710678118654752);  // x becomes y
-        return heightOf(prism, quarter * orientation, 1.0);
+        return heightOf(asset, quarter * orientation, 1.0);
     }
 
-    Vec3 sideways(const Prism& prism, const Quat& orientation, double below, double apart) const {
+    Vec3 sideways(const Asset& asset, const Quat& orientation, double below, double apart) const {
         const Quat quarter(0.70710678118654752, 0.0, 0.0, 0.70710678118654752);
-        const double left = heightOf(prism, quarter * orientation, -1.0);
+        const double left = heightOf(asset, quarter * orientation, -1.0);
         return {m_right + left + apart, m_floor + below, 0.0};
     }
 

@@ -5,9 +5,13 @@
 #include "tests/support/asset/RandomAssets.h"
 #include "tests/support/fracture/PatternSamples.h"
 #include "tests/support/geometry/Outlines.h"
+#include "tests/support/geometry/SolidShapes.h"
+
+#include <glm/gtc/quaternion.hpp>
 
 #include <array>
 #include <numbers>
+#include <set>
 
 namespace rubble::soak {
 namespace {
@@ -36,6 +40,59 @@ Polygon randomOutlineOf(Random& random) {
                      {-a, b}},
                     {}};
         default: return test::randomOutline(random, static_cast<int>(random.below(3)));
+    }
+}
+
+/// A solid of revolution of random radii: a column, a vase, a spindle.
+TriangleMesh revolved(Random& random) {
+    const auto sides = static_cast<std::uint32_t>(6 + random.below(12));
+    const auto rings = static_cast<std::uint32_t>(3 + random.below(4));
+    TriangleMesh mesh;
+    for (std::uint32_t ring = 0; ring < rings; ++ring) {
+        const double radius = random.between(0.2, 0.6), height = 2.0 * ring / (rings - 1.0) - 1.0;
+        for (std::uint32_t side = 0; side < sides; ++side) {
+            const double angle = 2.0 * std::numbers::pi * side / sides;
+            mesh.points.push_back({radius * cosine(angle), radius * sine(angle), height});
+        }
+    }
+    const auto bottom = static_cast<std::uint32_t>(mesh.points.size()), top = bottom + 1;
+    mesh.points.push_back({0.0, 0.0, -1.0});
+    mesh.points.push_back({0.0, 0.0, 1.0});
+    for (std::uint32_t side = 0; side < sides; ++side) {
+        const std::uint32_t next = (side + 1) % sides, last = (rings - 1) * sides;
+        mesh.triangles.push_back({bottom, next, side});
+        mesh.triangles.push_back({top, last + side, last + next});
+        for (std::uint32_t ring = 0; ring + 1 < rings; ++ring) {
+            const std::uint32_t low = ring * sides, high = low + sides;
+            mesh.triangles.push_back({low + side, low + next, high + next});
+            mesh.triangles.push_back({low + side, high + next, high + side});
+        }
+    }
+    return mesh;
+}
+
+/// A bar of cubes with corners and branches.
+TriangleMesh barOfCubes(Random& random) {
+    std::set<std::array<int, 3>> filled;
+    std::array<int, 3> at{};
+    filled.insert(at);
+    for (std::uint64_t k = 1 + random.below(6); k > 0; --k) {
+        ++at[random.below(3)];  // never back, so that no two cubes meet at an edge only
+        filled.insert(at);
+    }
+    return test::cubes(filled);
+}
+
+TriangleMesh randomUnitMesh(Random& random) {
+    switch (random.below(6)) {
+        case 0: return test::bumpySphere(4 + static_cast<int>(random.below(6)));
+        case 1: return test::torus(6 + static_cast<int>(random.below(8)), 4 + static_cast<int>(random.below(4)));
+        case 2: return barOfCubes(random);
+        case 3: {
+            const TriangleMesh ball = test::bumpySphere(6);
+            return test::together(ball, test::insideOut(test::transformed(ball, Mat3(random.between(0.6, 0.9)))));
+        }
+        default: return revolved(random);
     }
 }
 
@@ -99,6 +156,18 @@ Prism randomPrism(Random& random, double size) {
     scaleRing(prism.outline.outer, size);
     for (Ring& hole : prism.outline.holes) scaleRing(hole, size);
     return prism;
+}
+
+std::shared_ptr<const ClosedMesh> randomMesh(Random& random, double size) {
+    TriangleMesh mesh = randomUnitMesh(random);
+    const Vec3 stretch(magnitudeIn(random, 0.2, 1.0), magnitudeIn(random, 0.2, 1.0), magnitudeIn(random, 0.2, 1.0));
+    Mat3 shape(Vec3(stretch.x, 0.0, 0.0), Vec3(0.0, stretch.y, 0.0), Vec3(0.0, 0.0, stretch.z));
+    if (chance(random, 0.3)) shape = glm::mat3_cast(randomRotation(random)) * shape;
+    mesh = test::transformed(std::move(mesh), shape);
+    const Box3 box = boundsOf(mesh);
+    const double scale = 2.0 * size / box.diagonal();
+    mesh = test::transformed(std::move(mesh), Mat3(scale), -scale * box.centre());
+    return closedMesh(std::move(mesh)).value();
 }
 
 Pattern randomPattern(Random& random, double size, Id& nextId) {

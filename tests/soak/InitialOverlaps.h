@@ -16,9 +16,9 @@ public:
         for (const BodyFacts& one : moment.bodies) {
             for (const BodyFacts& other : moment.bodies) {
                 if (one.body.number >= other.body.number) continue;
-                const double depth = overlapDepth(hulls.of(one), hulls.of(other));
+                const double depth = overlapDepth(hulls.of(one), hulls.of(other), kSinkFloor);
                 if (depth > 0.0) m_depths[{one.body.origin, other.body.origin}] = depth;
-                if (depth <= kSinkFloor) continue;
+                if (depth == 0.0) continue;
                 if (!other.isDynamic()) m_inside.insert(one.body.origin);  // also if it is fixed: it may break
                 if (!one.isDynamic()) m_inside.insert(other.body.origin);
             }

@@ -44,7 +44,7 @@ private:
         if (m_initial.isInside(moving)) return std::nullopt;
         const double allowed = m_initial.of(moving, fixed) + std::max({kSinkFloor, kSinkFraction * moving.minWidth,
                                                                        kSinkOfSize * moving.boundingRadius});
-        const double depth = overlapDepth(m_hulls.of(moving), posed);
+        const double depth = overlapDepth(m_hulls.of(moving), posed, kSinkFloor);
         if (depth <= allowed) return std::nullopt;
         return Fault{step.session.nameOf(moving.body), "it is " + textOf(depth) + " m deep in " +
                                                            step.session.nameOf(fixed.body) + ", at most " +
@@ -80,8 +80,8 @@ private:
 
     std::optional<Fault> faultOf(const StepFacts& step, const Placed& one, const Placed& other) const {
         if (m_initial.isInside(*one.first) || m_initial.isInside(*other.first)) return std::nullopt;  // it jams
-        const double depth = overlapDepth(one.second, other.second);
-        if (depth <= kSinkFloor) return std::nullopt;
+        const double depth = overlapDepth(one.second, other.second, kSinkFloor);
+        if (depth == 0.0) return std::nullopt;
         const double width = std::min(one.first->minWidth, other.first->minWidth);
         const double size = std::min(one.first->boundingRadius, other.first->boundingRadius);
         const double allowed =

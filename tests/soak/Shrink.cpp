@@ -1,7 +1,9 @@
 #include "tests/soak/Shrink.h"
 
 #include "core/asset/checks/VerifyProject.h"
+#include "core/asset/project/AssetShape.h"
 #include "tests/soak/ChildProcess.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -138,8 +140,14 @@ private:
             change([](Asset& asset) { asset.bonding.minimumIsland = 1; });
             change([](Asset& asset) { asset.shaping = {}; });
             change([](Asset& asset) { asset.cutAtImpact.reset(); });
-            change([](Asset& asset) { asset.prism().outline.holes.clear(); });
-            change([](Asset& asset) { makeBox(asset.prism()); });
+            change([](Asset& asset) {
+                if (asset.mesh() == nullptr) return asset.prism().outline.holes.clear();
+                const Vec3 half = 0.5 * rubble::sizeOf(asset);
+                asset.shape = Prism{{rectangle(Vec2(-half), Vec2(half)), {}}, 2.0 * half.z};
+            });
+            change([](Asset& asset) {
+                if (asset.isPrism()) makeBox(asset.prism());
+            });
             simplifyPattern(k, change);
         }
     }
@@ -215,7 +223,8 @@ private:
                 });
             }
             for (std::size_t k = 0; k < m_best.one.project.assets.size(); ++k) {
-                attempt([&](SoakCase& one) { roundPrism(one.project.assets[k].prism(), digits); });
+                if (m_best.one.project.assets[k].isPrism())
+                    attempt([&](SoakCase& one) { roundPrism(one.project.assets[k].prism(), digits); });
                 attempt([&](SoakCase& one) { roundStrength(one.project.assets[k], digits); });
             }
             for (std::size_t k = 0; k < m_best.one.inputs.size(); ++k) {
