@@ -2,12 +2,15 @@
 
 #include "core/base/Parallel.h"
 #include "core/base/QuantityText.h"
+#include "core/fracture/fragments/HullSeparation.h"
 #include "core/fracture/partition/CappedDiagnostics.h"
 
 #include <algorithm>
 
 namespace rubble {
 namespace {
+
+constexpr double kOverlapTolerance = 1e-7;  // of the solid: hulls that overlap by less touch
 
 /// Lists the contacts of each fragment. They ascend by first, then second, so those of a fragment do by the other.
 void listContacts(SolidFragments& all) {
@@ -78,6 +81,9 @@ private:
             }
         }
         std::ranges::move(std::move(vanished).list(), std::back_inserter(m_diagnostics));
+        Box3 box;
+        for (const Vec3& point : m_all.partition.points) box.include(point);
+        separateHulls(m_all.hulls, kOverlapTolerance * box.diagonal());
         if (m_numbers.size() < m_all.partition.fragmentCount()) m_all.remaining = m_numbers;
         return success();
     }
