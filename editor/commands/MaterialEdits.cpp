@@ -30,7 +30,7 @@ Id findOrAddMaterial(const Project& project, const MaterialPreset& preset, Edit&
 
 void applyPattern(const Project& project, const MaterialPreset& preset, Asset& asset, Edit& edit) {
     if (preset.pattern.layers.empty()) return;
-    asset.pattern = patternWithin(preset, planeBoundsOf(asset));
+    asset.pattern = patternWithin(preset, planeBoundsOf(asset), boundsOf(asset).centre().z);
     for (PatternLayer& layer : asset.pattern.layers) {
         layer.id = edit.allocateId(project);
         layer.randomSeed = layer.id;

@@ -12,7 +12,9 @@ struct Scaling {
     Box2 bounds;
     Vec2 centre;
     Vec2 factor;
-    Vec2 size;  // of the scaled bounds
+    Vec2 size;                    // of the scaled bounds
+    double middle = 0.0;          // of the box along z: the fixed point there
+    double factorOfHeight = 1.0;  // along z
 
     /// Maps the corners of the bounds exactly, however the factor is rounded.
     double mapped(double value, int axis) const {
@@ -20,6 +22,7 @@ struct Scaling {
         if (value == bounds.max[axis]) return centre[axis] + size[axis] / 2.0;
         return centre[axis] + (value - centre[axis]) * factor[axis];
     }
+    double atHeight(double z) const { return factorOfHeight == 1.0 ? z : middle + (z - middle) * factorOfHeight; }
     Vec2 operator()(Vec2 point) const {
         return {factor.x == 1.0 ? point.x : mapped(point.x, 0), factor.y == 1.0 ? point.y : mapped(point.y, 1)};
     }
@@ -37,11 +40,14 @@ void scale(Polygon& polygon, const Scaling& map) {
 void scale(Pattern& pattern, const Scaling& map) {
     for (PatternLayer& layer : pattern.layers) {
         for (SeedOverride& seed : layer.overrides) {
-            if (!seed.isDeleted) seed.position = map(seed.position);
+            if (seed.isDeleted) continue;
+            seed.position = map(seed.position);
+            seed.height = map.atHeight(seed.height);
         }
         for (const LayerParameter& parameter : kindOf(layer.parameters).parameters) {
-            if (parameter.type != ParameterType::Point) continue;
-            parameter.write(layer.parameters, map(std::get<Vec2>(parameter.read(layer.parameters))));
+            const ParameterValue value = parameter.read(layer.parameters);
+            if (parameter.isHeight) parameter.write(layer.parameters, map.atHeight(std::get<double>(value)));
+            if (parameter.type == ParameterType::Point) parameter.write(layer.parameters, map(std::get<Vec2>(value)));
         }
         if (layer.scatteredIn) {
             scale(*layer.scatteredIn, map);
@@ -50,7 +56,10 @@ void scale(Pattern& pattern, const Scaling& map) {
             if (!valid || *valid != *layer.scatteredIn) layer.scatteredIn.reset();
         }
         if (auto* placed = std::get_if<PlacedSeeds>(&layer.parameters)) {
-            for (PlacedSeeds::Seed& seed : placed->seeds) seed.position = map(seed.position);
+            for (PlacedSeeds::Seed& seed : placed->seeds) {
+                seed.position = map(seed.position);
+                seed.height = map.atHeight(seed.height);
+            }
         }
         if (auto* drawn = std::get_if<CrackLines>(&layer.parameters)) {
             for (CrackLines::CrackLine& line : drawn->lines) scale(line.points, map);
@@ -90,7 +99,8 @@ void scale(Surface& surface, const Scaling& map, double factorOfDepth) {
 Asset resized(Asset asset, Vec3 size) {
     const Vec3 before = sizeOf(asset);
     const Box2 bounds = planeBoundsOf(asset);
-    const Scaling map{bounds, (bounds.min + bounds.max) / 2.0, Vec2{size} / bounds.size(), Vec2{size}};
+    const Scaling map{bounds,     (bounds.min + bounds.max) / 2.0, Vec2{size} / bounds.size(),
+                      Vec2{size}, boundsOf(asset).centre().z,      size.z / before.z};
     if (asset.surface) {
         auto surface = std::make_shared<Surface>(*asset.surface);
         scale(*surface, map, size.z / before.z);

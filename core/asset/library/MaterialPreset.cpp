@@ -94,13 +94,14 @@ Material materialOf(const MaterialPreset& preset, Id id) {
             .opacity = preset.opacity};
 }
 
-Pattern patternWithin(const MaterialPreset& preset, const Box2& bounds) {
+Pattern patternWithin(const MaterialPreset& preset, const Box2& bounds, double height) {
     Pattern pattern = preset.pattern;
     for (PatternLayer& layer : pattern.layers) {
         const PatternKind& kind = kindOf(layer.parameters);
         const LayerParameters defaults = kind.defaultsFor(bounds);
         for (const LayerParameter& parameter : kind.parameters) {
             if (parameter.type == ParameterType::Point) parameter.write(layer.parameters, parameter.read(defaults));
+            if (parameter.isHeight) parameter.write(layer.parameters, height);
         }
     }
     return pattern;

@@ -42,8 +42,9 @@ std::optional<std::string> verifyPreset(const MaterialPreset& preset);
 Material materialOf(const MaterialPreset& preset, Id id);
 
 /// The pattern of a preset for an outline with these bounds: points (a centre, the origin of bricks) take the values of
-/// a new layer there, other parameters and layer ids those of the preset.
-Pattern patternWithin(const MaterialPreset& preset, const Box2& bounds);
+/// a new layer there, other parameters and layer ids those of the preset. `height`: the z of such points in a closed
+/// mesh, m.
+Pattern patternWithin(const MaterialPreset& preset, const Box2& bounds, double height = 0.0);
 
 /// A preset of a project's material, without sources. `asset` of this material gives the pattern, whose layers are
 /// renumbered, and the cut; null: none.

@@ -71,7 +71,8 @@ constexpr std::array kBrickBondParameters{
                                          .caption = "Origin height",
                                          .hint = "Height of the origin, along z",
                                          .quantity = Quantity::Length,
-                                         .isSpatial = true}),
+                                         .isSpatial = true,
+                                         .isHeight = true}),
 };
 
 /// The courses and columns that cover a box, with one more on every side.

@@ -57,6 +57,7 @@ struct LayerParameter {
     std::span<const ParameterOption> options = {};  // in the order of the enumerators
     bool (*usedIf)(const void* kind) = nullptr;     // null: always; else depends on other parameters, see usedIf<>()
     bool isSpatial = false;                         // has an effect on closed meshes only: see isShown()
+    bool isHeight = false;                          // the z of a point in space
     ParameterType type = ParameterType::Real;       // set by parameter<>(), as are the next two
     ParameterValue (*readFrom)(const void* kind) = nullptr;  // of a struct of that kind
     void (*writeTo)(void* kind, const ParameterValue&) = nullptr;
@@ -156,7 +157,8 @@ inline constexpr LayerParameter kCentreHeightParameter{.name = "centreHeight",
                                                        .caption = "Centre height",
                                                        .hint = "Height of the centre, along z",
                                                        .quantity = Quantity::Length,
-                                                       .isSpatial = true};
+                                                       .isSpatial = true,
+                                                       .isHeight = true};
 
 /// An axis of the coordinates.
 enum class CoordinateAxis { X, Y, Z };

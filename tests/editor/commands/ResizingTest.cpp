@@ -2,11 +2,13 @@
 
 #include "core/geometry/polygon/PolygonFaults.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/MeshAsset.h"
 #include "tests/support/asset/Projects.h"
 
 #include <QTest>
 
 using namespace rubble;
+using namespace rubble::test;
 
 class ResizingTest : public QObject {
     Q_OBJECT
@@ -18,6 +20,17 @@ private slots:
         QCOMPARE(sizeOf(scaled), Vec3(4.0, 2.0, 0.75));
         QCOMPARE(scaled.prism().outline.outer[0], Vec2(-1.0, -0.5));
         QCOMPARE(std::get<PlacedSeeds>(scaled.pattern.layers[0].parameters).seeds[0].position, Vec2(0.0, 0.0));
+    }
+    /// Along z, about the middle of the mesh.
+    void scalesHeightsInMeshes() {
+        Asset asset = meshAsset(transformed(cubes({{0, 0, 0}}), Mat3(2.0)), 5);
+        asset.pattern.layers[0].parameters = PlacedSeeds{{{.index = 0, .position = {1.0, 1.0}, .height = 1.5}}};
+        asset.pattern.layers[0].overrides = {{.index = 1, .position = {1.0, 1.0}, .height = 0.5}};
+        asset.pattern.layers.push_back({.id = 9, .parameters = RadialPattern{.centreHeight = 2.0}});
+        const Pattern scaled = resized(asset, {2.0, 2.0, 4.0}).pattern;
+        QCOMPARE(std::get<PlacedSeeds>(scaled.layers[0].parameters).seeds[0].height, 2.0);
+        QCOMPARE(scaled.layers[0].overrides[0].height, 0.0);
+        QCOMPARE(std::get<RadialPattern>(scaled.layers[1].parameters).centreHeight, 3.0);
     }
     void scalesMovedSeedsButNotDeletedOnes() {
         Asset asset = boxAsset(2, 3, UniformScatter{.count = 4});
