@@ -1,0 +1,100 @@
+// Tests core/fracture/solid/SampledHulls.cpp.
+#include "core/fracture/solid/SampledHulls.h"
+
+#include "core/fracture/solid/SolidHulls.h"
+#include "core/geometry/hull/MassProperties.h"
+#include "core/geometry/mesh/SolidMesh.h"
+#include "tests/support/TestProgram.h"
+#include "tests/support/geometry/SolidShapes.h"
+
+#include <QTest>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+using namespace rubble;
+using namespace rubble::test;
+
+namespace {
+
+constexpr int kCells = 32;
+
+/// How far a point is outside the nearest of hulls, m; 0 in one of them.
+double distanceFrom(const std::vector<Polytope>& hulls, Vec3 point) {
+    double nearest = 1e300;
+    for (const Polytope& hull : hulls) {
+        double outside = 0.0;
+        for (const Plane& plane : hull.planes)
+            outside = std::max(outside, glm::dot(plane.normal, point) - plane.offset);
+        nearest = std::min(nearest, outside);
+    }
+    return nearest;
+}
+
+double ratioOf(const std::vector<Polytope>& hulls, const TriangleMesh& mesh) {
+    double volume = 0.0;
+    for (const Polytope& hull : hulls) volume += massOf(hull).volume;
+    return volume / signedVolume(mesh);
+}
+
+}  // namespace
+
+class SampledHullsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void hullsFollowTheMesh() {
+        for (const TriangleMesh& mesh : {bumpySphere(72), torus(100, 50)}) {
+            const Result<std::vector<Polytope>> hulls = sampledHulls(mesh, kCells);
+            QVERIFY(hulls);
+            const double ratio = ratioOf(*hulls, mesh);
+            QVERIFY2(ratio > 0.98 && ratio < 1.06, qPrintable(QString::number(ratio)));
+            const double size = boundsOf(mesh).diagonal();
+            for (const Vec3 point : mesh.points) QVERIFY(distanceFrom(*hulls, point) < 0.01 * size);
+            for (const Polytope& hull : *hulls) {
+                QVERIFY(!verifyPolytope(hull));
+                QVERIFY(hull.vertices.size() <= 128);
+            }
+        }
+    }
+    /// A plate with a rib: too thin for points inside it, with large triangles.
+    void thinAndCoarseMeshesHaveHulls() {
+        const TriangleMesh l = cubes({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+        const TriangleMesh mesh = transformed(l, Mat3(Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1e-4)));
+        const Result<std::vector<Polytope>> hulls = sampledHulls(mesh, kCells);
+        QVERIFY(hulls);
+        QVERIFY(std::abs(ratioOf(*hulls, mesh) - 1.0) < 0.06);
+    }
+    /// Parts that are concave get more seeds; a convex mesh keeps those it began with.
+    void concavePartsGetMoreSeeds() {
+        QCOMPARE(sampledSeeds(cubes({{0, 0, 0}}), kCells).size(), std::size_t{kCells});
+        const std::size_t more = sampledSeeds(mengerSponge(2), kCells).size();
+        QVERIFY(more > kCells && more <= 4 * kCells);
+    }
+    void manyTrianglesAreCutOnce() {
+        const TriangleMesh mesh = bumpySphere(110);
+        QVERIFY(mesh.triangles.size() > 20'000);
+        QVERIFY(*coarseHulls(mesh, kCells) == *sampledHulls(mesh, kCells));
+    }
+    void sameHullsOnAnyThreads() {
+        const TriangleMesh mesh = bumpySphere(40);
+        TaskContext task;
+        task.threads = 4;
+        QVERIFY(*sampledHulls(mesh, kCells) == *sampledHulls(mesh, kCells, task));
+    }
+    void cancellationEndsIt() {
+        TaskContext task;
+        task.cancel.cancel();
+        const Result<std::vector<Polytope>> hulls = sampledHulls(bumpySphere(40), kCells, task);
+        QVERIFY(!hulls);
+        QCOMPARE(hulls.error().code, ErrorCode::Cancelled);
+    }
+    void meshesWithoutAreaHaveNone() {
+        const TriangleMesh line{{Vec3(0.0), Vec3(1.0), Vec3(2.0)}, {{0, 1, 2}}};
+        QVERIFY(sampledSeeds(line, kCells).empty());
+        QVERIFY(!sampledHulls(line, kCells));
+    }
+};
+
+RUBBLE_TEST(SampledHullsTest)
+#include "SampledHullsTest.moc"
