@@ -1,6 +1,6 @@
 #include "core/asset/bake/PrismHulls.h"
 
-#include "core/fracture/solid/SolidHulls.h"
+#include "core/asset/bake/MeshHullCache.h"
 #include "core/geometry/polygon/ConvexParts.h"
 
 namespace rubble {
@@ -19,10 +19,11 @@ Result<std::vector<Polytope>> prismHulls(const Prism& prism, Vec2 origin) {
 }
 
 Result<std::vector<Polytope>> meshHulls(const ClosedMesh& mesh, Vec3 origin, const TaskContext& task) {
-    constexpr int kCells = 32;
-    Result<std::vector<Polytope>> hulls = coarseHulls(mesh.mesh, kCells, task);
-    if (!hulls) return hulls.error();
-    for (Polytope& hull : *hulls) hull = translated(std::move(hull), -origin);
+    static MeshHullCache cache;
+    const Result<MeshHullCache::Hulls> whole = cache.hullsOf(mesh, task);
+    if (!whole) return whole.error();
+    std::vector<Polytope> hulls = **whole;
+    for (Polytope& hull : hulls) hull = translated(std::move(hull), -origin);
     return hulls;
 }
 

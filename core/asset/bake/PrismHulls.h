@@ -16,7 +16,7 @@ namespace rubble {
 Result<std::vector<Polytope>> prismHulls(const Prism& prism, Vec2 origin = {0.0, 0.0});
 
 /// The hulls that a closed mesh collides as, see coarseHulls(), in its own frame translated so that `origin` becomes
-/// the origin.
+/// the origin. Those of the meshes asked for last are kept, see MeshHullCache.
 ///
 /// Errors: those of coarseHulls().
 Result<std::vector<Polytope>> meshHulls(const ClosedMesh& mesh, Vec3 origin = {0.0, 0.0, 0.0},
