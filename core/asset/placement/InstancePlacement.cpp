@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 namespace rubble {
 namespace {
@@ -74,6 +75,17 @@ void hitInstance(const Instance& instance, const std::vector<Polytope>& hulls, c
     }
 }
 
+/// Of the hulls of an asset that is no mesh; none if it cannot be fractured.
+std::vector<Vec3> cornersOfPrism(const Asset& asset) {
+    std::vector<Vec3> corners;
+    const Result<Prism> prism = validated(asset.prism());
+    if (!prism) return corners;
+    const Result<std::vector<Polytope>> hulls = prismHulls(*prism);
+    if (!hulls) return corners;
+    for (const Polytope& hull : *hulls) corners.insert(corners.end(), hull.vertices.begin(), hull.vertices.end());
+    return corners;
+}
+
 /// The drop of `upper` onto `lower`; infinite if it misses it or has sunk deeper than `maxDepth`.
 double dropOnto(const Instance& upper, const Instance& lower, const AssetHulls& hulls, double maxDepth) {
     double drop = kInfinity;
@@ -122,15 +134,20 @@ double dropDistance(const Instance& instance, std::span<const Instance> others, 
 }
 
 Box3 boundsOf(const Project& project, std::span<const Id> instances) {
-    const AssetHulls hulls = assetHulls(project);
+    std::map<Id, std::vector<Vec3>> cornersOf;  // of prisms
     Box3 box;
     for (const Instance& instance : project.instances) {
-        const auto found = hulls.find(instance.asset);
-        if (found == hulls.end() || !isAmong(instances, instance.id)) continue;
-        for (const Polytope& hull : found->second) {
-            for (const Vec3& vertex : hull.vertices)
-                box.include(instance.pose.position + instance.pose.orientation * vertex);
+        const Asset* asset = isAmong(instances, instance.id) ? findById(project.assets, instance.asset) : nullptr;
+        if (!asset) continue;
+        std::span<const Vec3> corners;
+        if (const ClosedMesh* mesh = asset->mesh()) {
+            corners = mesh->mesh.points;
+        } else {
+            const auto [found, isNew] = cornersOf.try_emplace(asset->id);
+            if (isNew) found->second = cornersOfPrism(*asset);
+            corners = found->second;
         }
+        for (const Vec3& corner : corners) box.include(instance.pose.position + instance.pose.orientation * corner);
     }
     return box;
 }

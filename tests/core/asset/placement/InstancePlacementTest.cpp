@@ -2,10 +2,12 @@
 #include "core/asset/project/Ids.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
+#include "tests/support/geometry/SolidShapes.h"
 
 #include <QTest>
 
 using namespace rubble;
+using namespace rubble::test;
 
 namespace {
 
@@ -50,6 +52,20 @@ private slots:
         const Project once = after;
         moveAddedBesideOthers(before, after);
         QVERIFY(after.instances == once.instances);
+    }
+    /// Of the mesh itself: no hulls are made for it, which would be smaller for one of so many triangles.
+    void boundsOfAMeshAreThoseOfItsPoints() {
+        const TriangleMesh mesh = bumpySphere(110);
+        Project project = boxesAt({{1.0, 2.0, 3.0}});
+        project.assets[0].shape = *closedMesh(mesh);
+        project.instances[0].pose.orientation = glm::angleAxis(0.7, glm::normalize(Vec3(1.0, 2.0, -1.0)));
+        Box3 expected;
+        for (const Vec3 point : mesh.points) {
+            const Pose& pose = project.instances[0].pose;
+            expected.include(pose.position + pose.orientation * point);
+        }
+        const Box3 box = boundsOf(project, std::vector<Id>{10});
+        QVERIFY(box.min == expected.min && box.max == expected.max);
     }
     void rayHitsTheNearestInstance() {
         const Project project = boxesAt({{0.0, 0.0, 0.0}, {0.0, 3.0, 0.0}});
