@@ -134,6 +134,7 @@ Result<SolidPartition> cutSolid(const TriangleMesh& mesh, std::span<const Vec3> 
     for (const Vec3 seed : seeds) box.include(seed);
     const SolidLattice lattice(box);
     const LatticeMesh snapped = snappedMesh(mesh, lattice, task);
+    if (task.isCancelled()) return TaskContext::cancelled();
     task.report(0.1);
     std::vector<Vec3> sites;
     for (const Vec3 seed : seeds) sites.push_back(lattice.snapped(seed));

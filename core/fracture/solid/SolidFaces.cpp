@@ -192,12 +192,12 @@ class FaceBuilder {
 public:
     FaceBuilder(const LatticeMesh& mesh, const SolidDiagram& diagram, const SurfacePieces& pieces,
                 const InnerFaces& facets, std::span<const Vec3> points, const TaskContext& task)
-        : m_in{mesh,   diagram,     pieces, facets,
-               points, pieces.cell, {},     weldedPoints(points, pieces, facets, task.threads)},
+        : m_in{mesh, diagram, pieces, facets, points, pieces.cell, {}, weldedPoints(points, pieces, facets, task)},
           m_task(task) {}
 
     Result<SolidFaces> build() {
         moveTiedPieces();
+        if (m_task.isCancelled()) return TaskContext::cancelled();
         std::optional<SolidFaces> atOnce = facesAtOnce();
         Result<SolidFaces> faces = atOnce ? Result<SolidFaces>(std::move(*atOnce)) : facesByRounds();
         if (faces) faces->welded = std::move(m_in.welded);
@@ -208,7 +208,7 @@ private:
     /// Pieces of triangles that lie in the bisector of two cells are in the cell on the inner side, whatever the ranks
     /// say: else the other cell would have a part of no thickness. The facet between both ends there then.
     void moveTiedPieces() {
-        for (std::uint32_t piece = 0; piece < m_in.pieces.pieceCount(); ++piece) {
+        for (std::uint32_t piece = 0; piece < m_in.pieces.pieceCount() && !m_task.isCancelled(); ++piece) {
             const std::uint32_t receiver = innerCell(piece);
             if (receiver == kNone) continue;
             const std::uint32_t cell = m_in.pieces.cell[piece], facet = m_in.diagram.facetOf(cell, receiver);

@@ -157,12 +157,13 @@ bool coincide(Vec3 a, Vec3 b) {
 }
 
 std::vector<std::uint32_t> weldedPoints(std::span<const Vec3> points, const SurfacePieces& pieces,
-                                        const InnerFaces& faces, int threads) {
+                                        const InnerFaces& faces, const TaskContext& task) {
     constexpr std::size_t kChunk = 1024;  // pieces or edges
     const auto chunksOf = [](std::size_t count) { return (count + kChunk - 1) / kChunk; };
     const std::size_t edgeChunks = chunksOf(faces.edges.items.size());
     std::vector<std::vector<PointStep>> welds(edgeChunks + chunksOf(pieces.pieceCount()));
-    forEachIndex(welds.size(), threads, [&](std::size_t chunk) {
+    forEachIndex(welds.size(), task.threads, [&](std::size_t chunk) {
+        if (task.isCancelled()) return;
         const auto weldEnds = [&](const PointStep& edge) {
             if (coincide(points[edge.from], points[edge.to])) welds[chunk].push_back(edge);
         };
@@ -179,6 +180,7 @@ std::vector<std::uint32_t> weldedPoints(std::span<const Vec3> points, const Surf
             }
         }
     });
+    if (task.isCancelled()) return {};
     DisjointSets sets(points.size());
     for (const std::vector<PointStep>& chunk : welds) {
         for (const PointStep& edge : chunk) sets.merge(edge.from, edge.to);

@@ -30,8 +30,8 @@ Result<SolidPoints> solidPoints(const LatticeMesh& mesh, std::span<const Vec3> c
                                 const SurfacePieces& pieces, const InnerFaces& faces, const TaskContext& task = {});
 
 /// The point that stands for each point: the lowest of those that are joined by edges shorter than kSolidWeldDistance
-/// in each coordinate. Corners of the mesh stand for themselves.
+/// in each coordinate. Corners of the mesh stand for themselves. Empty if the task is cancelled.
 std::vector<std::uint32_t> weldedPoints(std::span<const Vec3> points, const SurfacePieces& pieces,
-                                        const InnerFaces& faces, int threads = 1);
+                                        const InnerFaces& faces, const TaskContext& task = {});
 
 }  // namespace rubble

@@ -179,11 +179,11 @@ public:
         : m_mesh(mesh), m_diagram(diagram), m_task(task) {}
 
     Result<SurfacePieces> walk() {
-        locateCorners();
-        crossEdges();
-        divideTriangles();
-        if (m_task.isCancelled()) return TaskContext::cancelled();
-        joinChunks();
+        for (const auto step : {&SurfaceWalk::locateCorners, &SurfaceWalk::crossEdges, &SurfaceWalk::divideTriangles,
+                                &SurfaceWalk::joinChunks}) {
+            (this->*step)();
+            if (m_task.isCancelled()) return TaskContext::cancelled();
+        }
         return std::move(m_result);
     }
 
@@ -251,6 +251,7 @@ private:
     void divideTriangles() {
         m_chunks.resize(chunksOf(m_mesh.triangles.size()));
         forEachIndex(m_chunks.size(), m_task.threads, [&](std::size_t chunk) {
+            if (m_task.isCancelled()) return;
             TriangleClipper clipper(m_mesh, m_diagram);
             std::vector<std::uint32_t> cells;
             m_chunks[chunk].reserve(kChunk + kChunk / 4);
@@ -359,6 +360,7 @@ private:
         for (auto* perCorner : {&m_result.points, &m_result.facet}) perCorner->resize(corners);
         const std::size_t firstFree = m_mesh.corners.size() + m_result.edgeCrossings.size();
         forEachIndex(m_chunks.size(), m_task.threads, [&](std::size_t k) {
+            if (m_task.isCancelled()) return;
             const PieceChunk& chunk = m_chunks[k];
             const auto [crossing, piece, corner] = places[k];
             const auto copy = [](const auto& from, auto& to, std::size_t at) {
@@ -405,6 +407,7 @@ void findEdges(LatticeMesh& mesh, const TaskContext& task) {
         }
     };
     Groups<HalfEdge> atLow = grouped<HalfEdge>(mesh.corners.size(), parts, task.threads, forEachHalf);
+    if (task.isCancelled()) return;
     const std::size_t chunks = chunksOf(mesh.corners.size());
     const auto forEachLow = [&](std::size_t chunk, const auto& visit) {
         if (task.isCancelled()) return;
@@ -420,6 +423,7 @@ void findEdges(LatticeMesh& mesh, const TaskContext& task) {
             }
         });
     });
+    if (task.isCancelled()) return;
     std::partial_sum(firstEdge.begin(), firstEdge.end(), firstEdge.begin());
     mesh.edges.resize(firstEdge.back());
     mesh.edgesOfTriangle.resize(mesh.triangles.size());

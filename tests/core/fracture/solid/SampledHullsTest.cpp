@@ -89,6 +89,26 @@ private slots:
         QVERIFY(!hulls);
         QCOMPARE(hulls.error().code, ErrorCode::Cancelled);
     }
+    /// Nothing more is reported then.
+    void cancelsInEachStage() {
+        const TriangleMesh mesh = bumpySphere(40);
+        std::vector<double> reports;
+        TaskContext task;
+        task.progress = [&](double fraction) { reports.push_back(fraction); };
+        QVERIFY(sampledHulls(mesh, kCells, task));
+        QVERIFY(reports.size() >= 8 && std::ranges::is_sorted(reports));
+        for (const double at : reports) {
+            TaskContext cancelled;
+            double last = 0.0;
+            cancelled.progress = [&](double fraction) {
+                last = fraction;
+                if (fraction >= at) cancelled.cancel.cancel();
+            };
+            const Result<std::vector<Polytope>> hulls = sampledHulls(mesh, kCells, cancelled);
+            QVERIFY(!hulls && hulls.error().code == ErrorCode::Cancelled);
+            QCOMPARE(last, at);
+        }
+    }
     void meshesWithoutAreaHaveNone() {
         const TriangleMesh line{{Vec3(0.0), Vec3(1.0), Vec3(2.0)}, {{0, 1, 2}}};
         QVERIFY(sampledSeeds(line, kCells).empty());
