@@ -75,7 +75,7 @@ void hitInstance(const Instance& instance, const std::vector<Polytope>& hulls, c
     }
 }
 
-/// Of the hulls of an asset that is no mesh; none if it cannot be fractured.
+/// Of the hulls of an asset that is not a mesh; none if it cannot be fractured.
 std::vector<Vec3> cornersOfPrism(const Asset& asset) {
     std::vector<Vec3> corners;
     const Result<Prism> prism = validated(asset.prism());

@@ -97,9 +97,9 @@ public:
         }
         if (sum <= allowed || seeds.size() >= most || m_task.isCancelled()) return false;
         std::ranges::sort(excesses);
-        const double share = allowed / static_cast<double>(seeds.size());
+        const double ofEach = allowed / static_cast<double>(seeds.size());
         for (const auto& [negative, seed] : excesses) {
-            if (-negative <= share || seeds.size() >= most) break;
+            if (-negative <= ofEach || seeds.size() >= most) break;
             const auto far = std::ranges::max_element(
                 m_ofSeed[seed], {}, [&](std::uint32_t k) { return squared(m_samples.points[k] - seeds[seed]); });
             seeds.push_back(m_samples.points[*far]);
