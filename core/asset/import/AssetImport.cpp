@@ -159,7 +159,34 @@ ImportedAsset added(const ImportPart& part, const ImportedSolid& solid, const Im
     return result;
 }
 
+/// A size of a solid, m: "width of the outline".
+struct SolidSize {
+    ProjectNumber number;
+    double value = 0.0;
+    std::string name;
+};
+
 /// A solid in a wrong unit is often too large or too small for a project.
+std::optional<std::string> sizeFault(const std::string& name, const ImportedSolid& solid) {
+    std::vector<SolidSize> sizes;
+    if (solid.closed) {
+        const Vec3 size = solid.closed->mesh->bounds.max - solid.closed->mesh->bounds.min;
+        for (const auto& [value, axis] : {std::pair(size.x, "x"), std::pair(size.y, "y"), std::pair(size.z, "z")})
+            sizes.push_back({ProjectNumber::OutlineSize, value, std::string("size of the mesh along ") + axis});
+    } else {
+        const Vec2 size = boundsOf(solid.prism->outline.outer).max - boundsOf(solid.prism->outline.outer).min;
+        sizes = {{ProjectNumber::OutlineSize, size.x, "width of the outline"},
+                 {ProjectNumber::OutlineSize, size.y, "height of the outline"},
+                 {ProjectNumber::PrismDepth, solid.prism->depth, "depth"}};
+    }
+    for (const SolidSize& size : sizes) {
+        if (rangeOf(size.number).contains(size.value)) continue;
+        return quotedName(name) + ": The " + size.name + " is " + messageText(size.value) + " m, but it must be " +
+               rangeText(rangeOf(size.number)) + " m. Choose another unit at import.";
+    }
+    return std::nullopt;
+}
+
 std::optional<std::string> prismFault(const std::string& name, const PrismFit& prism) {
     const std::string owner = quotedName(name);
     if (auto fault = prismRangeFault(owner, {prism.outline, prism.depth})) return fault;
@@ -198,6 +225,7 @@ std::optional<std::string> closedFault(const std::string& name, const ImportedSo
 /// The faults of the shape, and those of copies and of texture coordinates, which may be anything.
 std::optional<std::string> solidFault(const ImportPart& part, const ImportedSolid& solid) {
     const std::string& name = part.name;
+    if (auto fault = sizeFault(name, solid)) return fault;
     if (auto fault = solid.closed ? closedFault(name, solid) : prismFault(name, *solid.prism)) return fault;
     for (const Pose& copy : part.copies) {
         const Vec3 position = moved(solid.pose(), copy).position;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <utility>
@@ -33,6 +34,8 @@ std::vector<Item> firstOf(std::vector<Item> items) {
     return items;
 }
 
+bool isFinitePoint(Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
 /// What makes triangles useless; the rest of the judgement needs points that exist and are finite.
 std::optional<MeshFinding> numberFault(const TriangleMesh& mesh) {
     if (mesh.triangles.empty()) return MeshFinding{Kind::NoTriangles, 0, {}, {}, {}, "The mesh has no triangles."};
@@ -52,7 +55,13 @@ std::optional<MeshFinding> numberFault(const TriangleMesh& mesh) {
         if (fault->triangles.empty()) continue;
         fault->count = fault->triangles.size();
         const bool isOne = fault->count == 1;
-        const std::string what = fault == &unknown ? " to points that do not exist" : " to points that are not finite";
+        std::string what = " to points that do not exist";
+        if (fault == &infinite) {
+            const auto isFinite = [&](std::uint32_t corner) { return isFinitePoint(mesh.points[corner]); };
+            what = std::ranges::all_of(mesh.triangles[fault->triangles[0]], isFinite)
+                       ? " to points 1e30 m or more from the origin"
+                       : " to points that are not finite";
+        }
         fault->message = std::to_string(fault->count) + (isOne ? " triangle refers" : " triangles refer") + what +
                          (isOne ? ": triangle " : ", the first is triangle ") + std::to_string(fault->triangles[0]) +
                          ".";

@@ -68,7 +68,10 @@ std::optional<Error> faultOf(const TriangleMesh& mesh) {
     for (std::size_t i = 0; i < mesh.points.size(); ++i) {
         const Vec3 size = glm::abs(mesh.points[i]);
         if (size.x < kMaxMeshCoordinate && size.y < kMaxMeshCoordinate && size.z < kMaxMeshCoordinate) continue;
-        return Error{ErrorCode::BadInput, "Point " + std::to_string(i) + " of the mesh is not a finite number."};
+        const bool isFinite = std::isfinite(size.x) && std::isfinite(size.y) && std::isfinite(size.z);
+        return Error{ErrorCode::BadInput,
+                     "Point " + std::to_string(i) + " of the mesh is " +
+                         (isFinite ? "out of range: 1e30 m or more from the origin." : "not a finite number.")};
     }
     return std::nullopt;
 }

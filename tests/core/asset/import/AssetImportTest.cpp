@@ -112,6 +112,14 @@ private slots:
                               "made it."));
         QCOMPARE(fault({4e4, 0.0, 0.0}, 10.0), "");
     }
+    void sizesOutOfRangeAreReportedWithWhatToDo() {
+        SourceObject wall = objectOf("Wall", wallMesh());
+        for (Vec3& point : wall.points) point = 2e4 * (point - Vec3(11.0, 0.5, 0.0));
+        const std::string end = " is 40000 m, but it must be from 0.00001 to 10000 m. Choose another unit at import.";
+        QCOMPARE(importFault(sceneOf({wall})).toStdString(), "\"Wall\": The width of the outline" + end);
+        QCOMPARE(importFault(sceneOf({wall}), {.as = ImportShape::Solid}).toStdString(),
+                 "\"Wall\": The size of the mesh along x" + end);
+    }
     void greatestNextIdReusesIds() {
         Project project;
         project.nextId = std::numeric_limits<Id>::max() - 1;

@@ -374,6 +374,15 @@ private slots:
         QVERIFY(verdict->mesh.triangles.empty() && verdict->shells.empty());
         QCOMPARE(std::ranges::count_if(verdict->findings, [](const auto& f) { return isFault(f.kind); }), 1);
     }
+    void pointsThatAreTooFarAreNotCalledInfinite() {
+        const auto messageWith = [](double z) {
+            return QString::fromStdString(judgeMesh(moved(unitBox(), 1, {1, 0, z}))->findings[0].message);
+        };
+        QCOMPARE(messageWith(3.4e38),
+                 "4 triangles refer to points 1e30 m or more from the origin, the first is triangle 1.");
+        QCOMPARE(messageWith(std::numeric_limits<double>::infinity()),
+                 "4 triangles refer to points that are not finite, the first is triangle 1.");
+    }
 };
 
 RUBBLE_TEST(MeshFaultTest)

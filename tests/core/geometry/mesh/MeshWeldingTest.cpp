@@ -52,6 +52,8 @@ private slots:
         const double nan = std::numeric_limits<double>::quiet_NaN();
         QCOMPARE(welded({{{0, 0, 0}, {0, nan, 0}}, {{0, 1, 0}}}).error().message,
                  "Point 1 of the mesh is not a finite number.");
+        QCOMPARE(welded({{{0, 0, 0}, {0, 3.4e38, 0}}, {{0, 1, 0}}}).error().message,
+                 "Point 1 of the mesh is out of range: 1e30 m or more from the origin.");
         QCOMPARE(welded({{{1, 2, 3}}, {{0, 0, 0}}}).error().code, ErrorCode::Degenerate);
         QCOMPARE(welded({{{1, 2, 3}, {4, 5, 6}}, {{0, 1, 0}}}).error().message, "No triangle of the mesh has an area.");
     }
