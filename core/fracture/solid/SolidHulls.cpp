@@ -190,7 +190,7 @@ Result<std::vector<std::vector<Polytope>>> fragmentHulls(const SolidPartition& p
 
 Result<std::vector<Polytope>> coarseHulls(const TriangleMesh& mesh, int cells, const TaskContext& task) {
     constexpr int kRelaxations = 4;
-    constexpr std::size_t kMaxExact = 20'000;  // triangles that are cut again for each relaxation
+    constexpr std::size_t kMaxExact = 30'000;  // triangles that are cut again for each relaxation
     if (mesh.triangles.size() > kMaxExact) return sampledHulls(mesh, cells, task);
     const Box3 box = boundsOf(mesh);
     Random random(mixSeeds(static_cast<std::uint64_t>(cells), mesh.triangles.size()));

@@ -41,7 +41,7 @@ Result<std::vector<std::vector<Polytope>>> fragmentHulls(const SolidPartition& p
                                                          const TaskContext& task = {});
 
 /// The hulls that a whole solid collides as: those of the fragments of a coarse cut of it into about `cells` cells of
-/// similar size; of meshes with more than 20,000 triangles, sampledHulls(), which cut the mesh once.
+/// similar size; of meshes with more than 30,000 triangles, sampledHulls(), which cut the mesh once.
 ///
 /// Errors: those of cutSolid() and hullsOf().
 Result<std::vector<Polytope>> coarseHulls(const TriangleMesh& mesh, int cells, const TaskContext& task = {});

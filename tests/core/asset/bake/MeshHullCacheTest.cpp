@@ -44,7 +44,7 @@ private slots:
         MeshHullCache cache;
         TaskContext task;
         task.cancel.cancel();
-        const auto mesh = *closedMesh(bumpySphere(110));
+        const auto mesh = *closedMesh(bumpySphere(130));
         QVERIFY(!cache.hullsOf(*mesh, task));
         QVERIFY(cache.hullsOf(*mesh));
     }

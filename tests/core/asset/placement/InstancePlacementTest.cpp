@@ -55,7 +55,7 @@ private slots:
     }
     /// Of the mesh itself: no hulls are made for it, which would be smaller for one of so many triangles.
     void boundsOfAMeshAreThoseOfItsPoints() {
-        const TriangleMesh mesh = bumpySphere(110);
+        const TriangleMesh mesh = bumpySphere(130);
         Project project = boxesAt({{1.0, 2.0, 3.0}});
         project.assets[0].shape = *closedMesh(mesh);
         project.instances[0].pose.orientation = glm::angleAxis(0.7, glm::normalize(Vec3(1.0, 2.0, -1.0)));

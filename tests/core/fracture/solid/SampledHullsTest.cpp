@@ -72,8 +72,8 @@ private slots:
         QVERIFY(more > kCells && more <= 4 * kCells);
     }
     void manyTrianglesAreCutOnce() {
-        const TriangleMesh mesh = bumpySphere(110);
-        QVERIFY(mesh.triangles.size() > 20'000);
+        const TriangleMesh mesh = bumpySphere(130);
+        QVERIFY(mesh.triangles.size() > 30'000);
         QVERIFY(*coarseHulls(mesh, kCells) == *sampledHulls(mesh, kCells));
     }
     void sameHullsOnAnyThreads() {
