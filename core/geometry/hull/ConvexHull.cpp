@@ -230,4 +230,12 @@ Result<Polytope> convexHull(std::span<const Vec3> points, double tolerance) {
     return convexHull(points);
 }
 
+double flatnessOf(std::span<const Vec3> points) {
+    constexpr double kFlat = 1e-10;  // of the diagonal of the box around them
+    if (points.empty()) return 0.0;
+    Vec3 low = points[0], high = low;
+    for (const Vec3& point : points) low = glm::min(low, point), high = glm::max(high, point);
+    return kFlat * glm::length(high - low);
+}
+
 }  // namespace rubble

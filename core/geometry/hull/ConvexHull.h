@@ -24,4 +24,7 @@ Result<Polytope> convexHull(std::span<const Vec3> points);
 /// Errors: those above.
 Result<Polytope> convexHull(std::span<const Vec3> points, double tolerance);
 
+/// That tolerance for points that are rounded, m: of what is flat but for that.
+double flatnessOf(std::span<const Vec3> points);
+
 }  // namespace rubble

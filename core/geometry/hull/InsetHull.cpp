@@ -4,6 +4,7 @@
 #include "core/geometry/hull/ConvexHull.h"
 #include "core/geometry/hull/HalfSpaceIntersection.h"
 #include "core/geometry/hull/MassProperties.h"
+#include "core/geometry/hull/SimplifiedHull.h"
 
 #include <algorithm>
 #include <cmath>
@@ -121,6 +122,10 @@ InsetHull insetPolytope(const Polytope& polytope, double inset) {
     for (Plane& plane : planes) plane.offset -= inset;
     std::optional<Polytope> shrunk = halfSpaceIntersection(planes, massOf(polytope).centre);
     if (shrunk) shrunk = inSinglePrecision(*shrunk, kMinEdge * inset);
+    // Faces that move split corners at which more than three meet.
+    const std::size_t maxCorners = std::max(kMaxCollisionCorners, polytope.vertices.size());
+    if (shrunk && shrunk->vertices.size() > maxCorners)
+        shrunk = simplifiedHull(*shrunk, {.tolerance = kMinEdge * inset, .maxCorners = maxCorners});
     return shrunk ? InsetHull{std::move(*shrunk), inset} : InsetHull{polytope, 0.0};
 }
 

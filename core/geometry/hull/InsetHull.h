@@ -29,7 +29,8 @@ bool isPrism(const Polytope& polytope);
 double thinnestWidth(const Polytope& hull);
 
 /// A hull with its faces moved inwards by `distance` m >= 0, at most kMaxInset of its thinnestWidth(). Faces between
-/// which no room is left vanish. The hull itself where rounding leaves nothing.
+/// which no room is left vanish. The hull itself where rounding leaves nothing. One that is not a prism has at most
+/// kMaxCollisionCorners corners, or as many as before: corners that moving faces split are simplified.
 InsetHull insetHull(const Polytope& hull, double distance);
 
 /// The hull whose insetHull() this is: exactly, up to rounding, but for faces that vanished, beside which it extends up

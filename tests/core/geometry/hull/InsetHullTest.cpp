@@ -2,6 +2,7 @@
 #include "core/geometry/hull/ConvexHull.h"
 #include "core/geometry/hull/InsetHull.h"
 #include "core/geometry/hull/MassProperties.h"
+#include "core/geometry/hull/SimplifiedHull.h"
 #include "tests/support/TestProgram.h"
 
 #include <QTest>
@@ -158,6 +159,26 @@ private slots:
         Polytope frustum = box;
         frustum.vertices[0].x += 0.1;
         QVERIFY(!isPrism(frustum));
+    }
+    /// Moved faces split corners at which more than three meet; a hull of few corners keeps few.
+    void insetHullsHaveFewCorners() {
+        Random random(7);
+        std::vector<Vec3> points;
+        while (points.size() < kMaxCollisionCorners) {
+            const Vec3 point{random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-1.0, 1.0)};
+            if (glm::length(point) > 0.1 && glm::length(point) < 1.0) points.push_back(glm::normalize(point));
+        }
+        const Polytope hull = convexHull(points).value();
+        QCOMPARE(hull.vertices.size(), kMaxCollisionCorners);
+        const InsetHull inset = insetHull(hull, 1e-3);
+        QCOMPARE(inset.inset, 1e-3);
+        QVERIFY(inset.polytope.vertices.size() <= kMaxCollisionCorners);
+        QVERIFY(!verifyPolytope(inset.polytope));
+        for (const Vec3& vertex : inset.polytope.vertices) {
+            for (const Plane& plane : hull.planes)
+                QVERIFY(glm::dot(plane.normal, vertex) <= plane.offset - 1e-3 + 1e-6);
+        }
+        QVERIFY(massOf(inset.polytope).volume > 0.98 * massOf(hull).volume);
     }
 };
 
