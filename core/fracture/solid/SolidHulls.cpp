@@ -4,106 +4,86 @@
 #include "core/base/Random.h"
 #include "core/fracture/solid/SampledHulls.h"
 #include "core/fracture/solid/SolidCut.h"
-#include "core/geometry/hull/ConvexHull.h"
 #include "core/geometry/hull/MassProperties.h"
+#include "core/geometry/hull/SimplifiedHull.h"
 #include "core/geometry/mesh/SolidMesh.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
-#include <optional>
-#include <tuple>
+#include <queue>
 #include <utility>
 
 namespace rubble {
 namespace {
 
-/// A part of a mesh with its hull.
-struct HullPart {
-    TriangleMesh mesh;
-    Polytope hull;
-    double volume = 0.0;   // m³
-    double excess = 0.0;   // m³: of the hull over the part
-    bool isFinal = false;  // it is not split
+using SplitsOfEach = std::vector<Result<ConcaveSplits>>;
+
+/// Which of the splits of several solids are made: the first of each, as many as HullLimits ask for.
+class SplitChoice {
+public:
+    SplitChoice(const SplitsOfEach& splits, const HullLimits& limits)
+        : m_splits(splits), m_limits(limits), m_made(splits.size(), 0) {}
+
+    /// The number of splits that are made of each solid.
+    std::vector<std::size_t> make() && {
+        double volume = 0.0, excess = 0.0;
+        for (std::size_t solid = 0; solid < m_splits.size(); ++solid) {
+            if (!m_splits[solid]) continue;
+            const ConcaveSplits& splits = *m_splits[solid];
+            const double most = (m_limits.worstRatio - 1.0) * splits.volume();
+            while (m_made[solid] < splits.splitCount() && splits.excessAfter(m_made[solid]) > most) ++m_made[solid];
+            volume += splits.volume();
+            excess += splits.excessAfter(m_made[solid]);
+            offer(solid);
+        }
+        while (excess > (m_limits.sumRatio - 1.0) * volume && !m_offers.empty()) {
+            const Offer best = m_offers.top();
+            m_offers.pop();
+            const ConcaveSplits& splits = *m_splits[best.solid];
+            excess += splits.excessAfter(best.made) - splits.excessAfter(m_made[best.solid]);
+            m_made[best.solid] = best.made;
+            offer(best.solid);
+        }
+        return std::move(m_made);
+    }
+
+private:
+    /// What more splits of a solid would save.
+    struct Offer {
+        double saved = 0.0;  // m³, for each part more
+        std::size_t solid = 0;
+        std::size_t made = 0;  // the number of splits then
+        bool operator<(const Offer& other) const {
+            return saved != other.saved ? saved < other.saved : solid > other.solid;
+        }
+    };
+
+    /// Adds the best offer of a solid, if there is one that saves something.
+    void offer(std::size_t solid) {
+        const ConcaveSplits& splits = *m_splits[solid];
+        const std::size_t made = m_made[solid];
+        Offer best{.solid = solid};
+        for (std::size_t more = made + 1; more <= splits.splitCount(); ++more) {
+            const double saved = (splits.excessAfter(made) - splits.excessAfter(more)) /
+                                 static_cast<double>(splits.partsAfter(more) - splits.partsAfter(made));
+            if (saved > best.saved) best = {saved, solid, more};
+        }
+        if (best.saved > 0.0) m_offers.push(best);
+    }
+
+    const SplitsOfEach& m_splits;
+    HullLimits m_limits;
+    std::vector<std::size_t> m_made;
+    std::priority_queue<Offer> m_offers;  // one of each solid at most
 };
 
-Result<HullPart> hullPart(TriangleMesh mesh) {
-    constexpr double kFlat = 1e-10;  // of the part's size: what is flat but for the rounding of its points
-    Result<Polytope> hull = convexHull(mesh.points, kFlat * boundsOf(mesh).diagonal());
-    if (!hull) return hull.error();
-    const double volume = massOf(mesh.points, mesh.triangles).volume, around = massOf(*hull).volume;
-    return HullPart{std::move(mesh), std::move(*hull), volume, around - volume};
-}
-
-/// How deep a point is below the surface of a hull, if deeper than `least`; else that or less, in less time. `nearest`:
-/// the face to try first, which becomes the nearest one.
-double depthIn(const Polytope& hull, Vec3 point, double least, std::size_t& nearest) {
-    const auto depthBelow = [&](const Plane& plane) { return plane.offset - glm::dot(plane.normal, point); };
-    double depth = depthBelow(hull.planes[nearest]);
-    for (std::size_t k = 0; k < hull.planes.size() && depth > least; ++k) {
-        const double below = depthBelow(hull.planes[k]);
-        if (below < depth) depth = below, nearest = k;
-    }
-    return depth;
-}
-
-/// The plane through the deepest concave edge of a part, half-way between its two faces; nothing for a convex part.
-std::optional<Plane> splittingPlane(const HullPart& part) {
-    struct HalfEdge {
-        std::uint32_t low, high;
-        std::uint32_t triangle;
-    };
-    const TriangleMesh& mesh = part.mesh;
-    std::vector<HalfEdge> edges;
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        for (int k = 0; k < 3; ++k) {
-            const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-            edges.push_back({std::min(a, b), std::max(a, b), t});
-        }
-    }
-    std::ranges::sort(edges, {}, [](const HalfEdge& e) { return std::tuple(e.low, e.high, e.triangle); });
-    const double flat = 1e-6 * boundsOf(mesh).diagonal();
-    double deepest = flat;
-    std::size_t nearest = 0;
-    std::optional<Plane> best;
-    for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
-        const HalfEdge &first = edges[k], &second = edges[k + 1];
-        if (first.low != second.low || first.high != second.high) continue;
-        const Vec3 firstArea = doubleArea(mesh, first.triangle), secondArea = doubleArea(mesh, second.triangle);
-        if (firstArea == Vec3(0.0) || secondArea == Vec3(0.0)) continue;  // without a normal
-        const Vec3 n = glm::normalize(firstArea), m = glm::normalize(secondArea);
-        const Vec3 a = mesh.points[first.low], b = mesh.points[first.high];
-        double height = 0.0;  // of the second triangle's far corner over the first
-        for (const std::uint32_t corner : mesh.triangles[second.triangle]) {
-            if (corner != first.low && corner != first.high) height = glm::dot(n, mesh.points[corner] - a);
-        }
-        if (height <= flat) continue;
-        const double depth = depthIn(part.hull, (a + b) / 2.0, deepest, nearest);
-        const Vec3 normal = n - m;
-        if (depth <= deepest || glm::length(normal) < 1e-3) continue;
-        deepest = depth;
-        best = Plane{glm::normalize(normal), glm::dot(glm::normalize(normal), a)};
-    }
-    return best;
-}
-
-/// The parts of a mesh on both sides of a plane: its Voronoi cells of two points mirrored at it.
-Result<std::vector<TriangleMesh>> split(const TriangleMesh& mesh, const Plane& plane) {
-    const Vec3 middle = boundsOf(mesh).centre();
-    const Vec3 onPlane = middle + (plane.offset - glm::dot(plane.normal, middle)) * plane.normal;
-    const Vec3 apart = boundsOf(mesh).diagonal() / 4.0 * plane.normal;
-    const std::array<Vec3, 2> seeds = {onPlane - apart, onPlane + apart};
-    const Result<SolidPartition> partition = cutSolid(mesh, seeds);
-    if (!partition) return partition.error();
-    std::vector<TriangleMesh> parts;
-    for (std::uint32_t k = 0; k < partition->fragmentCount(); ++k) {
-        parts.push_back(meshOf(*partition, k));
-        for (Vec3& point : parts.back().points) point += partition->origin;
-    }
-    return parts;
+Result<std::vector<Polytope>> simplifiedHulls(const ConcaveSplits& splits, std::size_t made) {
+    Result<std::vector<Polytope>> hulls = splits.hullsAfter(made);
+    if (!hulls) return hulls.error();
+    for (Polytope& hull : *hulls) hull = simplifiedHull(hull, collisionDetail(hull));
+    return hulls;
 }
 
 }  // namespace
@@ -130,44 +110,25 @@ TriangleMesh meshOf(const SolidPartition& partition, std::uint32_t fragment) {
 }
 
 Result<std::vector<Polytope>> hullsOf(const TriangleMesh& mesh, const HullLimits& limits) {
-    Result<HullPart> whole = hullPart(mesh);
-    if (!whole) return whole.error();
-    const double allowed = (limits.maxRatio - 1.0) * whole->volume;
-    std::vector<HullPart> parts;
-    parts.push_back(std::move(*whole));
-    const auto totalExcess = [&] {
-        return std::accumulate(parts.begin(), parts.end(), 0.0,
-                               [](double sum, const HullPart& p) { return sum + p.excess; });
-    };
-    while (totalExcess() > allowed && static_cast<int>(parts.size()) < limits.maxHulls) {
-        const auto worst =
-            std::ranges::max_element(parts, {}, [](const HullPart& p) { return p.isFinal ? -1.0 : p.excess; });
-        if (worst->isFinal) break;
-        worst->isFinal = true;
-        const std::optional<Plane> plane = splittingPlane(*worst);
-        if (!plane) continue;
-        Result<std::vector<TriangleMesh>> halves = split(worst->mesh, *plane);
-        if (!halves) return halves.error();
-        if (halves->size() < 2 || parts.size() - 1 + halves->size() > static_cast<std::size_t>(limits.maxHulls))
-            continue;
-        parts.erase(worst);
-        for (TriangleMesh& half : *halves) {
-            Result<HullPart> next = hullPart(std::move(half));
-            if (!next) return next.error();
-            parts.push_back(std::move(*next));
-        }
-    }
-    std::vector<Polytope> hulls;
-    for (HullPart& part : parts) hulls.push_back(std::move(part.hull));
-    return hulls;
+    return std::move(hullsOfEach(1, [&](std::uint32_t) { return mesh; }, limits, {})[0]);
 }
 
 std::vector<Result<std::vector<Polytope>>> hullsOfEach(std::size_t count,
                                                        const std::function<TriangleMesh(std::uint32_t)>& meshOf,
                                                        const HullLimits& limits, const TaskContext& task) {
-    std::vector<Result<std::vector<Polytope>>> hulls(count, Result<std::vector<Polytope>>(std::vector<Polytope>{}));
+    SplitsOfEach splits(count, Result<ConcaveSplits>(ConcaveSplits{}));
     forEachIndex(count, task.threads, [&](std::size_t k) {
-        if (!task.isCancelled()) hulls[k] = hullsOf(meshOf(static_cast<std::uint32_t>(k)), limits);
+        if (!task.isCancelled()) splits[k] = ConcaveSplits::of(meshOf(static_cast<std::uint32_t>(k)), limits.splits);
+    });
+    std::vector<Result<std::vector<Polytope>>> hulls(count, Result<std::vector<Polytope>>(std::vector<Polytope>{}));
+    if (task.isCancelled()) return hulls;
+    const std::vector<std::size_t> made = SplitChoice(splits, limits).make();
+    forEachIndex(count, task.threads, [&](std::size_t k) {
+        if (!splits[k]) {
+            hulls[k] = splits[k].error();
+        } else if (!task.isCancelled()) {
+            hulls[k] = simplifiedHulls(*splits[k], made[k]);
+        }
     });
     return hulls;
 }

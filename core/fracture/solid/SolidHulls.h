@@ -2,6 +2,7 @@
 
 #include "core/base/Result.h"
 #include "core/base/TaskContext.h"
+#include "core/fracture/solid/ConcaveSplits.h"
 #include "core/fracture/solid/SolidPartition.h"
 #include "core/geometry/hull/Polytope.h"
 #include "core/geometry/mesh/TriangleMesh.h"
@@ -11,19 +12,21 @@
 
 namespace rubble {
 
-/// How closely hulls are to follow a solid.
+/// How closely hulls are to follow solids.
 struct HullLimits {
-    double maxRatio = 1.05;  // of the volume of all hulls to that of what they stand for
-    int maxHulls = 8;
+    SplitLimits splits;  // of each solid: more are not made
+    // Splits that save least are not made as long as the hulls of all solids exceed these by no more than this in sum,
+    // so that hulls are spent where they save most ...
+    double sumRatio = 1.03;
+    double worstRatio = 1.25;  // ... and those of no solid by more than this
 };
 
 /// A fragment as a mesh of its own, in the coordinates of the partition.
 TriangleMesh meshOf(const SolidPartition& partition, std::uint32_t fragment);
 
-/// The convex hulls that a closed mesh collides as: one, or one for each part of it, split by planes through the edge
-/// that is deepest below the hull, that with the greatest excess first, as long as the hulls exceed the mesh. Parts lie
-/// on different sides of planes, so hulls of different parts do not overlap, nor do those of different fragments, whose
-/// cells are convex.
+/// The convex hulls that a closed mesh collides as: one, or one for each part of it, see ConcaveSplits. Parts lie on
+/// different sides of planes, so hulls of different parts do not overlap, nor do those of different fragments, whose
+/// cells are convex. Hulls are simplified, see collisionDetail(), and lie in the true ones.
 ///
 /// Errors: those of cutSolid() and convexHull().
 Result<std::vector<Polytope>> hullsOf(const TriangleMesh& mesh, const HullLimits& limits = {});

@@ -3,6 +3,7 @@
 #include "core/base/MessageText.h"
 #include "core/fracture/solid/SolidHulls.h"
 #include "core/fracture/verify/VerifySolidPartition.h"
+#include "core/geometry/hull/SimplifiedHull.h"
 
 #include <glm/geometric.hpp>
 
@@ -30,11 +31,13 @@ std::optional<std::string> solidFragmentFault(const Fragments& fragments, std::u
     for (const Polytope& hull : hulls) {
         if (const std::optional<std::string> fault = verifyPolytope(hull)) return "has an invalid hull: " + *fault;
     }
+    const double diagonal = boundsOf(mesh).diagonal();
     for (const Vec3& point : mesh.points) {
         const Vec3 own = point - mass.centre;
         const auto isIn = [&](const Polytope& hull) {
+            const double outside = slack + maxCollisionError(hull.vertices.size(), diagonal);
             return std::ranges::all_of(
-                hull.planes, [&](const Plane& plane) { return glm::dot(plane.normal, own) <= plane.offset + slack; });
+                hull.planes, [&](const Plane& plane) { return glm::dot(plane.normal, own) <= plane.offset + outside; });
         };
         if (std::ranges::none_of(hulls, isIn)) return "has a point outside its hulls.";
     }

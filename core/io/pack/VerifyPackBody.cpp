@@ -3,6 +3,8 @@
 #include "core/base/MessageText.h"
 #include "core/geometry/hull/InsetHull.h"
 #include "core/geometry/hull/MassProperties.h"
+#include "core/geometry/hull/SimplifiedHull.h"
+#include "core/geometry/search/Box3.h"
 
 #include <glm/geometric.hpp>
 
@@ -138,12 +140,19 @@ double areaOf(const Polytope& hull) {
     return 0.5 * doubled;
 }
 
-/// How much less than its body the hulls of a mesh may have, m³: the inset merges corners and rounds them.
-double roundedVolume(const PackBody& body) {
+/// How much less than its body the hulls of a mesh may have, m³: they are simplified, and the inset merges corners and
+/// rounds them.
+double lostVolume(const PackBody& body) {
     constexpr double kRounded = 0.125;  // of the inset
+    constexpr double kMerged = 0.5;     // of the corners: those that the inset may merge
     double volume = 0.0;
     for (const PackHull& hull : body.hulls) {
-        if (!isPrism(hull.polytope)) volume += kRounded * hull.inset * areaOf(hull.polytope);
+        if (isPrism(hull.polytope)) continue;
+        Box3 box;
+        for (const Vec3& corner : hull.polytope.vertices) box.include(corner);
+        const auto corners = static_cast<std::size_t>(static_cast<double>(hull.polytope.vertices.size()) / kMerged);
+        const double lost = maxCollisionError(corners, box.diagonal());
+        volume += (kRounded * hull.inset + lost) * areaOf(hull.polytope);
     }
     return volume;
 }
@@ -158,8 +167,8 @@ ErrorText verifyMass(const PackBody& body, const std::vector<Polytope>& solids, 
     }
     const MassProperties hulls = combined(parts);
     double slack = scale.slackVolume + kHullTolerance * body.volume + hidden;
-    if (!std::ranges::all_of(solids, isPrism)) {  // the hulls of a mesh are around it
-        slack += std::max(hulls.volume - body.volume, roundedVolume(body));
+    if (!std::ranges::all_of(solids, isPrism)) {  // the hulls of a mesh are around it, but for details
+        slack += std::max(hulls.volume - body.volume, lostVolume(body));
     }
     if (!(std::abs(hulls.volume - body.volume) <= slack)) {
         return "its hulls have a volume of " + messageText(hulls.volume) + " m³ instead of " +

@@ -18,7 +18,7 @@ constexpr double kMinDistance = 2e-3;     // m: rounding decides how thinner fra
 constexpr double kMinOfMean = 0.2;        // of the mean distance of all seeds, in a mesh, which has no depth
 constexpr double kMeanDistance = 0.5;     // of the mean distance of all seeds at most: so many always have room
 // Hulls of fragments of meshes take most of the time of a cut, which is made within a step: half as many do.
-constexpr HullLimits kCutHulls{.maxRatio = 1.2, .maxHulls = 4};
+constexpr HullLimits kCutHulls{.splits = {.maxRatio = 1.2, .maxParts = 4, .candidates = 1}};
 constexpr int kAttemptsPerRadius = 10;  // until the radius is widened
 constexpr double kWidening = 1.1;
 constexpr int kMaxWidenings = 200;  // from the smallest falloff radius to the largest outline

@@ -2,8 +2,10 @@
 #include "core/base/Random.h"
 #include "core/geometry/hull/InsetHull.h"
 #include "core/geometry/hull/MassProperties.h"
+#include "core/io/pack/ImporterProblems.h"
 #include "core/io/pack/PackFile.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/MeshAsset.h"
 #include "tests/support/asset/Packs.h"
 #include "tests/support/asset/RandomAssets.h"
 #include "tests/support/fracture/PatternSamples.h"
@@ -54,6 +56,18 @@ private slots:
         QCOMPARE(one.fragments.size(), four.fragments.size());
         for (std::size_t k = 0; k < one.fragments.size(); ++k)
             QVERIFY(one.fragments[k].hulls[0].polytope == four.fragments[k].hulls[0].polytope);
+    }
+    /// What PhysX takes on the GPU: 64. Others take 255 or more.
+    void hullsOfMeshesHaveFewCorners() {
+        Asset asset = test::meshAsset(test::bumpySphere(60), 6, 50);
+        for (const double inset : {0.0, 1e-4, 1e-3}) {
+            const Pack pack = builtPack(asset, {.inset = inset});
+            QVERIFY(!verifyPack(pack));
+            for (const PackBody& body : pack.fragments) {
+                for (const PackHull& hull : body.hulls) QVERIFY(hull.polytope.vertices.size() <= 64);
+            }
+            QVERIFY(hullCornerProblems(pack).empty());
+        }
     }
     /// No point of a hull is in another fragment, or nearer to it than both insets.
     void hullsOfNeighboursDoNotTouch() {
