@@ -37,9 +37,13 @@ void addMissingPoint(HullCollision& collision, const Hull& first, const Hull& se
             collision.manifold = manifoldAlong(edges, first, second, pose, margin);
         }
     }
-    if (collision.manifold.count > 0) return;
-    collision.manifold = touchingManifold(collision.axis, first, second, pose, margin);
-    collision.manifold.points[0].separation = collision.axis.separation;
+    Manifold& manifold = collision.manifold;
+    if (isReached(manifold, collision.axis.separation)) return;
+    Manifold::Point point = supportingCorner(collision.axis, first, second, pose);
+    point.separation = collision.axis.separation;
+    manifold.normal = collision.axis.normal;
+    manifold.count = std::min(manifold.count + 1, kMaxManifoldPoints);
+    manifold.points[static_cast<std::size_t>(manifold.count - 1)] = point;
 }
 
 }  // namespace

@@ -327,7 +327,13 @@ Manifold edgeManifold(const SeparatingAxis& axis, const Hull& first, const Hull&
     return manifold;
 }
 
-/// The supporting corner along the axis: the first hull's if it touches a face of the second, else the second's.
+}  // namespace
+
+bool isReached(const Manifold& manifold, float separation) {
+    return std::any_of(manifold.points.begin(), manifold.points.begin() + manifold.count,
+                       [&](const Manifold::Point& point) { return point.separation <= separation + kMissedDepth; });
+}
+
 Manifold::Point supportingCorner(const SeparatingAxis& axis, const Hull& first, const Hull& second,
                                  const RelativePose& pose) {
     if (axis.kind == AxisKind::SecondFace) {
@@ -336,13 +342,6 @@ Manifold::Point supportingCorner(const SeparatingAxis& axis, const Hull& first, 
     }
     const int corner = second.farthest(pose.rotation.transposedTimes(axis.normal) * -1.0f);
     return {pose.rotation * second.corner(corner) + pose.offset, 0.0f, static_cast<std::uint32_t>(corner)};
-}
-
-}  // namespace
-
-bool isReached(const Manifold& manifold, float separation) {
-    return std::any_of(manifold.points.begin(), manifold.points.begin() + manifold.count,
-                       [&](const Manifold::Point& point) { return point.separation <= separation + kMissedDepth; });
 }
 
 Manifold manifoldAlong(const SeparatingAxis& axis, const Hull& first, const Hull& second, const RelativePose& pose,

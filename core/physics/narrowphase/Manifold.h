@@ -31,6 +31,11 @@ struct Manifold {
 Manifold manifoldAlong(const SeparatingAxis& axis, const Hull& first, const Hull& second, const RelativePose& pose,
                        float margin, Vec3f turn = Vec3f(0.0f));
 
+/// The supporting corner along an axis: the first hull's if it touches a face of the second, else the second's; with no
+/// separation.
+Manifold::Point supportingCorner(const SeparatingAxis& axis, const Hull& first, const Hull& second,
+                                 const RelativePose& pose);
+
 /// Whether a point is as deep as hulls of a separation, to half a millimetre.
 bool isReached(const Manifold& manifold, float separation);
 

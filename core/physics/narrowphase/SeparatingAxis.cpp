@@ -107,9 +107,17 @@ TransformedEdge transformEdge(const Hull& hull, int edge, const RelativePose& po
             pose.rotation * at(hull.edgeFirstNormals), pose.rotation * at(hull.edgeSecondNormals)};
 }
 
+/// The separation of hulls along a direction from the first to the second, in the first's frame.
+float separationAlong(Vec3f normal, const Hull& first, const Hull& second, const RelativePose& pose) {
+    const Vec3f back = pose.rotation.transposedTimes(normal) * -1.0f;
+    return dot(normal, pose.offset) - supportDistance(second, back) - supportDistance(first, normal);
+}
+
 /// Tests four edges of the first hull against one of the second. A pair forms a face of the Minkowski difference if the
-/// arcs between the normals of its faces cross on the Gauss map.
-void improve(BestEdges& best, const Hull& first, int firstEdge, const TransformedEdge& edge, int secondEdge) {
+/// arcs between the normals of its faces cross on the Gauss map. Arcs of merged faces, which are not quite flat, may
+/// cross where others are farther out: then the separation along the axis is what counts.
+void improve(BestEdges& best, const Hull& first, int firstEdge, const TransformedEdge& edge, int secondEdge,
+             const Hull& second, const RelativePose& pose) {
     const FourVec3 u = four(first.edgeVectors, firstEdge), v = splat(edge.vector);
     const FourVec3 normalA = four(first.edgeFirstNormals, firstEdge),
                    normalB = four(first.edgeSecondNormals, firstEdge);
@@ -129,9 +137,11 @@ void improve(BestEdges& best, const Hull& first, int firstEdge, const Transforme
     const FourVec3 displacement = splat(edge.corner) - four(first.edgeCorners, firstEdge);
     const Four separation = select<kLanes>(crosses, dot<kLanes>(axis, displacement), all<kLanes>(-1e30f));
     for (int lane = 0; lane < kLanes; ++lane) {
-        if (separation[lane] > best.separation) {
-            best = {firstEdge + lane, secondEdge, separation[lane], Vec3f(axis.x[lane], axis.y[lane], axis.z[lane])};
-        }
+        if (!(separation[lane] > best.separation)) continue;
+        const Vec3f normal(axis.x[lane], axis.y[lane], axis.z[lane]);
+        const float ofHulls = separationAlong(normal, first, second, pose);
+        const float certain = ofHulls < separation[lane] - kTouching ? ofHulls : separation[lane];
+        if (certain > best.separation) best = {firstEdge + lane, secondEdge, certain, normal};
     }
 }
 
@@ -163,7 +173,7 @@ BestEdges bestEdges(const Hull& first, const Hull& second, const RelativePose& p
         if (pointsAcross && dot(edge.firstNormal, pose.offset) >= 0.0f && dot(edge.secondNormal, pose.offset) >= 0.0f)
             continue;
         for (int i = 0; i < padded; i += kLanes) {
-            if (i >= 64 * kLanes || (groups >> (i / kLanes) & 1u) != 0) improve(best, first, i, edge, j);
+            if (i >= 64 * kLanes || (groups >> (i / kLanes) & 1u) != 0) improve(best, first, i, edge, j, second, pose);
         }
     }
     return best;

@@ -20,6 +20,10 @@ HullCollision collideCubes(Vec3f offset, const SeparatingAxis& guess = {}, const
 Polytope stretchedSolid(Random& random) {
     const Vec3 scale(random.between(0.1, 1.0), random.between(0.1, 1.0), random.between(0.1, 1.0));
     std::vector<Vec3> corners = randomSolid(random).vertices;
+    if (random.below(8) == 0) {  // round, of faces that are merged and not quite flat
+        corners.clear();
+        while (corners.size() < 60) corners.push_back(0.3 * (randomRotation(random) * Vec3(0.0, 0.0, 1.0)));
+    }
     for (Vec3& corner : corners) corner *= scale;
     return *convexHull(corners);
 }
@@ -87,12 +91,13 @@ private slots:
     /// Hulls that overlap have a point as deep as they do, whatever their shapes: the face that is most opposed to
     /// another need not be at the corner that is deepest in it.
     void overlappingHullsHaveADeepPoint() {
-        for (std::uint64_t seed = 1; seed <= 4000; ++seed) {
+        for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
             Random random(seed);
             const Polytope first = stretchedSolid(random), second = stretchedSolid(random);
             const Pose pose = overlappingPose(random, first, second, 0.01);
             const HullCollision collision = collideHulls(
                 hullOf(first), hullOf(second), {toFloat(pose.orientation).matrix(), toFloat(pose.position)}, 0.0f, {});
+            QVERIFY2(collision.axis.separation < -0.006f, qPrintable(QString("seed %1").arg(seed)));
             float deepest = 1.0f;
             for (int i = 0; i < collision.manifold.count; ++i)
                 deepest = std::min(deepest, collision.manifold.points[static_cast<std::size_t>(i)].separation);
