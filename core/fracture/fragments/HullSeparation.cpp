@@ -49,10 +49,11 @@ std::optional<Polytope> behind(const Polytope& hull, const Plane& plane, double 
     return part ? std::optional(std::move(*part)) : std::nullopt;
 }
 
-void cutApart(Polytope& first, Polytope& second, double tolerance) {
-    if (areApart(first, second, tolerance)) return;
+/// Returns by how much they overlapped, m.
+double cutApart(Polytope& first, Polytope& second, double tolerance) {
+    if (areApart(first, second, tolerance)) return 0.0;
     const HullOverlap overlap = hullOverlap(first, second);
-    if (overlap.depth <= tolerance) return;
+    if (overlap.depth <= tolerance) return 0.0;
     double highest = glm::dot(overlap.normal, first.vertices[0]);
     for (const Vec3& vertex : first.vertices) highest = std::max(highest, glm::dot(overlap.normal, vertex));
     for (const double part : {0.5, 0.0, 1.0}) {  // of the overlap that is cut from the first
@@ -64,13 +65,15 @@ void cutApart(Polytope& first, Polytope& second, double tolerance) {
         if (!below || !above) continue;
         first = std::move(*below);
         second = std::move(*above);
-        return;
+        return overlap.depth;
     }
+    return 0.0;
 }
 
 }  // namespace
 
-void separateHulls(std::vector<std::vector<Polytope>>& hullsOfFragments, double tolerance) {
+std::vector<double> separateHulls(std::vector<std::vector<Polytope>>& hullsOfFragments, double tolerance) {
+    std::vector<double> cut(hullsOfFragments.size(), 0.0);
     std::vector<PlacedHull> hulls;
     std::vector<Box3> boxes;
     for (std::size_t fragment = 0; fragment < hullsOfFragments.size(); ++fragment) {
@@ -87,10 +90,14 @@ void separateHulls(std::vector<std::vector<Polytope>>& hullsOfFragments, double 
         });
         std::ranges::sort(others);
         for (const std::size_t other : others) {
-            cutApart(hullsOfFragments[hulls[one].fragment][hulls[one].hull],
-                     hullsOfFragments[hulls[other].fragment][hulls[other].hull], tolerance);
+            const std::size_t first = hulls[one].fragment, second = hulls[other].fragment;
+            const double depth = cutApart(hullsOfFragments[first][hulls[one].hull],
+                                          hullsOfFragments[second][hulls[other].hull], tolerance);
+            cut[first] = std::max(cut[first], depth);
+            cut[second] = std::max(cut[second], depth);
         }
     }
+    return cut;
 }
 
 }  // namespace rubble

@@ -81,11 +81,16 @@ private:
             }
         }
         std::ranges::move(std::move(vanished).list(), std::back_inserter(m_diagnostics));
-        Box3 box;
-        for (const Vec3& point : m_all.partition.points) box.include(point);
-        separateHulls(m_all.hulls, kOverlapTolerance * box.diagonal());
+        separate();
         if (m_numbers.size() < m_all.partition.fragmentCount()) m_all.remaining = m_numbers;
         return success();
+    }
+
+    /// Cuts the hulls of different fragments apart.
+    void separate() {
+        Box3 box;
+        for (const Vec3& point : m_all.partition.points) box.include(point);
+        m_all.hullsCutBack = separateHulls(m_all.hulls, kOverlapTolerance * box.diagonal());
     }
 
     TriangleMesh meshOf(std::uint32_t number) const {

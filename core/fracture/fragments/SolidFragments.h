@@ -21,6 +21,7 @@ struct SolidFragments {
     std::vector<std::uint32_t> remaining;       // of each fragment, its number in the partition; empty: the same
     std::vector<MassProperties> masses;         // of each fragment, at density 1, relative to the partition's origin
     std::vector<std::vector<Polytope>> hulls;   // of each fragment, relative to its centre of mass
+    std::vector<double> hullsCutBack;           // m, of each fragment: see separateHulls()
     std::vector<SolidContact> contacts;         // between fragments before the gap: see contactsOf()
     std::vector<std::uint32_t> firstContact;    // fragments + 1: where those of each start in the next
     std::vector<std::uint32_t> contactsOfFragment;  // indices of contacts, by the other fragment

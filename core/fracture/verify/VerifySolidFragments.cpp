@@ -35,7 +35,7 @@ std::optional<std::string> solidFragmentFault(const Fragments& fragments, std::u
     for (const Vec3& point : mesh.points) {
         const Vec3 own = point - mass.centre;
         const auto isIn = [&](const Polytope& hull) {
-            const double outside = slack + maxCollisionError(hull.vertices.size(), diagonal);
+            const double outside = slack + maxCollisionError(hull.vertices.size(), diagonal) + all.hullsCutBack[index];
             return std::ranges::all_of(
                 hull.planes, [&](const Plane& plane) { return glm::dot(plane.normal, own) <= plane.offset + outside; });
         };

@@ -129,20 +129,11 @@ std::optional<Loop> loopAround(const Boundary& boundary, const std::vector<std::
     return loop;
 }
 
-/// The plane on top of all vertices along a normal.
-Plane planeOver(const std::vector<Vec3>& vertices, Vec3 normal) {
+Plane planeOver(const std::vector<Vec3>& vertices, const Loop& loop) {
+    const Vec3 normal = glm::normalize(doubleArea(vertices, loop));
     double offset = glm::dot(normal, vertices[0]);
     for (const Vec3& vertex : vertices) offset = std::max(offset, glm::dot(normal, vertex));
     return {normal, offset};
-}
-
-/// The normal of merged faces: across their boundary, or that of the largest where the others are slivers beside it. A
-/// cut would else tilt by these, and lie in the fragment on its other side.
-Vec3 normalOf(const Polytope& polytope, std::uint32_t largest, const std::vector<Vec3>& vertices, const Loop& loop) {
-    constexpr double kMinShare = 0.25;
-    const Vec3 area = doubleArea(vertices, loop);
-    const double ofLargest = glm::length(doubleArea(polytope.vertices, polytope.faces[largest]));
-    return ofLargest > kMinShare * glm::length(area) ? polytope.planes[largest].normal : glm::normalize(area);
 }
 
 /// Adds the edges of the faces; false where the faces do not form a closed surface with Euler number two.
@@ -170,10 +161,9 @@ std::optional<Polytope> merge(const Polytope& polytope, const std::map<std::uint
     for (const auto& [seed, boundary] : boundaries) {
         std::optional<Loop> loop = loopAround(boundary, newIndices);
         if (!loop) return std::nullopt;
-        const Vec3 normal = normalOf(polytope, seed, merged.vertices, *loop);
-        merged.planes.push_back(planeOver(merged.vertices, normal));
         merged.faces.push_back(std::move(*loop));
     }
+    for (const Loop& loop : merged.faces) merged.planes.push_back(planeOver(merged.vertices, loop));
     if (!addEdges(merged)) return std::nullopt;
     return merged;
 }

@@ -219,7 +219,7 @@ private slots:
     }
     void tooLargeSolidsAreRejected() {
         const TriangleMesh huge = test::transformed(ball(), Mat3(1e6));
-        QVERIFY2(faultOf(huge).startsWith("\"Object 1\": the "), qPrintable(faultOf(huge)));
+        QVERIFY2(faultOf(huge).startsWith("\"Object 1\": The size of the mesh "), qPrintable(faultOf(huge)));
     }
 };
 
