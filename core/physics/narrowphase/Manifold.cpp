@@ -14,6 +14,7 @@ constexpr float kAlignedCosine = 0.8f;    // of the angle between an edge axis a
 constexpr float kMissedDepth = 0.0005f;   // m: a pair of edges that much deeper than the clipped points is one, too
 constexpr float kParallelCosine = 0.98f;  // of the angle between faces that both serve as the reference
 constexpr float kNearHeight = 0.004f;     // m: corners of nearly parallel faces above the deepest point
+constexpr float kNearFraction = 0.05f;    // of the width, at most: the far side of a splinter is none of them
 constexpr int kMaxClippedPoints = 2 * kMaxHullCorners;
 constexpr std::uint32_t kCutByEdge = 1u << 31;
 constexpr std::uint32_t kOnSecondFace = 1u << 30;
@@ -165,7 +166,8 @@ int addNearCorners(const Hull& owner, const Hull& other, const RelativePose& pos
     const Vec3f lowest = pose.rotation * other.corner(other.farthest(down * -1.0f)) + pose.offset;
     const float scale = 1.0f / dot(faces.normal, reference.normal);
     const auto heightOf = [&](Vec3f at) { return (dot(reference.normal, at) - reference.offset) * scale; };
-    const float highest = std::max(heightOf(lowest), faces.minSeparation) + kNearHeight;
+    const float highest =
+        std::max(heightOf(lowest), faces.minSeparation) + std::min(kNearHeight, kNearFraction * other.minWidth);
     const int clipped = count;
     for (int i = 0; i < other.cornerCount && count < kMaxClippedPoints; ++i) {
         const Vec3f at = pose.rotation * other.corner(i) + pose.offset;
