@@ -2,6 +2,7 @@
 
 #include "core/geometry/mesh/MeshWelding.h"
 #include "core/geometry/mesh/SolidMesh.h"
+#include "core/geometry/predicates/SegmentDistance.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -12,28 +13,6 @@
 #include <utility>
 
 namespace rubble {
-namespace {
-
-double distanceToSegment(Vec3 point, Vec3 from, Vec3 to) {
-    const Vec3 along = to - from;
-    const double length = glm::dot(along, along);
-    const double fraction = length > 0.0 ? std::clamp(glm::dot(point - from, along) / length, 0.0, 1.0) : 0.0;
-    return glm::distance(point, from + fraction * along);
-}
-
-double distanceToTriangle(Vec3 point, Vec3 a, Vec3 b, Vec3 c) {
-    const Vec3 normal = glm::cross(b - a, c - a);
-    const double size = glm::dot(normal, normal);
-    const auto isLeft = [&](Vec3 from, Vec3 to) {
-        return glm::dot(glm::cross(to - from, point - from), normal) >= 0.0;
-    };
-    if (size > 0.0 && isLeft(a, b) && isLeft(b, c) && isLeft(c, a))
-        return std::abs(glm::dot(point - a, normal)) / std::sqrt(size);
-    return std::min({distanceToSegment(point, a, b), distanceToSegment(point, b, c), distanceToSegment(point, c, a)});
-}
-
-}  // namespace
-
 SolidSurface::Content::Content(TriangleMesh given) : mesh(std::move(given)), bounds(boundsOf(mesh)), containment(mesh) {
     volume = signedVolume(mesh);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) area += glm::length(doubleArea(mesh, t)) / 2.0;

@@ -2,6 +2,7 @@
 
 #include "core/base/Parallel.h"
 #include "core/base/Random.h"
+#include "core/base/math/Trigonometry.h"
 #include "core/fracture/solid/SolidCut.h"
 #include "core/geometry/hull/ConvexHull.h"
 #include "core/geometry/mesh/SolidMesh.h"
@@ -154,7 +155,7 @@ std::array<Vec3, kDirections> spreadDirections() {
     for (std::size_t k = 0; k < kDirections; ++k) {
         const double z = 1.0 - (2.0 * static_cast<double>(k) + 1.0) / kDirections;
         const double radius = std::sqrt(1.0 - z * z), angle = turn * static_cast<double>(k);
-        directions[k] = {radius * std::cos(angle), radius * std::sin(angle), z};
+        directions[k] = {radius * cosine(angle), radius * sine(angle), z};
     }
     return directions;
 }

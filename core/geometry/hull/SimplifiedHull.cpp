@@ -3,6 +3,7 @@
 #include "core/geometry/hull/ConvexHull.h"
 #include "core/geometry/hull/GrowingHull.h"
 #include "core/geometry/hull/InsetHull.h"
+#include "core/geometry/predicates/SegmentDistance.h"
 #include "core/geometry/search/Box3.h"
 
 #include <glm/geometric.hpp>
@@ -12,27 +13,6 @@
 
 namespace rubble {
 namespace {
-
-double squaredDistanceToSegment(Vec3 point, Vec3 a, Vec3 b) {
-    const Vec3 along = b - a;
-    const double length = glm::dot(along, along);
-    const double fraction = length > 0.0 ? std::clamp(glm::dot(point - a, along) / length, 0.0, 1.0) : 0.0;
-    const Vec3 offset = point - a - fraction * along;
-    return glm::dot(offset, offset);
-}
-
-double squaredDistanceToTriangle(Vec3 point, Vec3 a, Vec3 b, Vec3 c) {
-    const Vec3 normal = glm::cross(b - a, c - a);
-    const auto isInside = [&](Vec3 from, Vec3 to) {
-        return glm::dot(glm::cross(normal, to - from), point - from) >= 0.0;
-    };
-    if (isInside(a, b) && isInside(b, c) && isInside(c, a) && normal != Vec3(0.0)) {
-        const double height = glm::dot(normal, point - a);
-        return height * height / glm::dot(normal, normal);
-    }
-    return std::min({squaredDistanceToSegment(point, a, b), squaredDistanceToSegment(point, b, c),
-                     squaredDistanceToSegment(point, c, a)});
-}
 
 /// Adds the points of a hull that are outside by more than a tolerance, those first that add the most volume.
 class GreedyHull {
@@ -47,13 +27,12 @@ public:
     }
 
     void addUntil(const HullDetail& detail) {
-        const double most = detail.tolerance * detail.tolerance;
         const auto volumeOf = [&](const Outside& o) {
-            return o.squaredDistance > most ? std::max(o.volume, 0.0) : -1.0;
+            return o.distance > detail.tolerance ? std::max(o.volume, 0.0) : -1.0;
         };
         while (!m_outside.empty() && m_added.size() < detail.maxCorners) {
             const auto largest = std::ranges::max_element(m_outside, {}, volumeOf);
-            if (largest->squaredDistance <= most) break;
+            if (largest->distance <= detail.tolerance) break;
             add(largest->point, largest->nearest);
         }
     }
@@ -68,7 +47,7 @@ private:
     struct Outside {
         std::uint32_t point;
         std::uint32_t nearest = kNone;  // the nearest face, which the point sees
-        double squaredDistance = 0.0;   // m², to it
+        double distance = 0.0;          // m, to it
         double volume = 0.0;            // m³, six times that between the point and the faces that it sees
     };
 
@@ -85,11 +64,10 @@ private:
             if (!m_hull.isAlive(face) || !m_hull.sees(outside.point, face)) continue;
             outside.volume += std::max(volumeOver(face, outside.point), 0.0);
             const auto& [a, b, c] = m_hull.triangle(face).corners;
-            const double squared =
-                squaredDistanceToTriangle(m_points[outside.point], m_points[a], m_points[b], m_points[c]);
-            if (outside.nearest != kNone && squared >= outside.squaredDistance) continue;
+            const double distance = distanceToTriangle(m_points[outside.point], m_points[a], m_points[b], m_points[c]);
+            if (outside.nearest != kNone && distance >= outside.distance) continue;
             outside.nearest = face;
-            outside.squaredDistance = squared;
+            outside.distance = distance;
         }
     }
 

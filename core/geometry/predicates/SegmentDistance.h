@@ -3,6 +3,7 @@
 #include "core/geometry/predicates/Vec.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rubble {
 
@@ -19,6 +20,18 @@ double closestFraction(Vector point, Vector from, Vector to) {
 template <class Vector>
 double distanceToSegment(Vector point, Vector from, Vector to) {
     return glm::distance(point - from, closestFraction(point, from, to) * (to - from));
+}
+
+/// The distance of a point from a triangle in space.
+inline double distanceToTriangle(Vec3 point, Vec3 a, Vec3 b, Vec3 c) {
+    const Vec3 normal = glm::cross(b - a, c - a);
+    const double size = glm::dot(normal, normal);
+    const auto isLeft = [&](Vec3 from, Vec3 to) {
+        return glm::dot(glm::cross(to - from, point - from), normal) >= 0.0;
+    };
+    if (size > 0.0 && isLeft(a, b) && isLeft(b, c) && isLeft(c, a))
+        return std::abs(glm::dot(point - a, normal)) / std::sqrt(size);
+    return std::min({distanceToSegment(point, a, b), distanceToSegment(point, b, c), distanceToSegment(point, c, a)});
 }
 
 }  // namespace rubble

@@ -1,45 +1,12 @@
 #include "core/play/scene/BodyShape.h"
 
 #include "core/base/Assert.h"
-#include "core/base/math/Trigonometry.h"
-#include "core/geometry/hull/ConvexHull.h"
+#include "core/geometry/hull/SimplifiedHull.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace rubble {
 namespace {
-
-/// `count` evenly distributed directions.
-/// Source: the spiral of Vogel 1979, on the sphere.
-std::vector<Vec3> fibonacciSphere(int count) {
-    const double goldenAngle = std::numbers::pi * (3.0 - std::sqrt(5.0));
-    std::vector<Vec3> directions;
-    for (int k = 0; k < count; ++k) {
-        const double z = 1.0 - (2.0 * k + 1.0) / count, radius = std::sqrt(1.0 - z * z);
-        directions.push_back({radius * cosine(goldenAngle * k), radius * sine(goldenAngle * k), z});
-    }
-    return directions;
-}
-
-/// The hull of the extreme corners in many directions.
-Polytope reducedHull(const Polytope& hull) {
-    std::vector<std::size_t> kept;
-    for (const Vec3& direction : fibonacciSphere(kMaxHullCorners)) {
-        const auto farther = [&](const Vec3& a, const Vec3& b) {
-            return glm::dot(a, direction) < glm::dot(b, direction);
-        };
-        kept.push_back(
-            static_cast<std::size_t>(std::ranges::max_element(hull.vertices, farther) - hull.vertices.begin()));
-    }
-    std::ranges::sort(kept);
-    kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
-    std::vector<Vec3> corners;
-    for (const std::size_t index : kept) corners.push_back(hull.vertices[index]);
-    Result<Polytope> reduced = convexHull(corners);
-    return reduced ? std::move(*reduced) : hull;
-}
 
 Polytope boundingBoxOf(std::span<const Polytope> hulls) {
     RUBBLE_ASSERT(!hulls.empty() && !hulls[0].vertices.empty());
@@ -65,7 +32,8 @@ Result<BodyShape> bodyShape(std::span<const Polytope> hulls, const MassPropertie
     const auto hasTooManyCorners = [](const Polytope& hull) { return hull.vertices.size() > kMaxHullCorners; };
     if (std::ranges::any_of(hulls, hasTooManyCorners)) {
         std::vector<Polytope> reduced;
-        for (const Polytope& hull : hulls) reduced.push_back(hasTooManyCorners(hull) ? reducedHull(hull) : hull);
+        for (const Polytope& hull : hulls)
+            reduced.push_back(hasTooManyCorners(hull) ? simplifiedHull(hull, {0.0, kMaxHullCorners}) : hull);
         if (Result<std::shared_ptr<const Shape>> shape = makeShape(reduced, mass)) {
             return BodyShape{std::move(*shape), "It collides as a hull of at most " + std::to_string(kMaxHullCorners) +
                                                     " of its corners."};

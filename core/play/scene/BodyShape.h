@@ -13,8 +13,8 @@ struct BodyShape {
     std::optional<std::string> simplified;  // how it differs from the solid, as a sentence
 };
 
-/// The shape of a solid of given mass. A hull with more than kMaxHullCorners corners is reduced to its extreme corners
-/// in many directions; a solid that makeShape() rejects as flat becomes its bounding box, at least kMinThickness on
+/// The shape of a solid of given mass. A hull with more than kMaxHullCorners corners keeps those that span the most,
+/// see simplifiedHull(); a solid that makeShape() rejects as flat becomes its bounding box, at least kMinThickness on
 /// each side. Mass, centre and inertia stay as given.
 ///
 /// Errors: BadInput without hulls, or for mass properties that are not positive and finite.

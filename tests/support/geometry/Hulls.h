@@ -8,6 +8,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -52,6 +53,18 @@ inline Polytope randomSolid(Random& random) {
         }
     }
     return *convexHull(points);
+}
+
+/// How far a point is outside the nearest of hulls, m; 0 in one of them.
+inline double distanceOutside(const std::vector<Polytope>& hulls, Vec3 point) {
+    double nearest = 1e300;
+    for (const Polytope& hull : hulls) {
+        double outside = 0.0;
+        for (const Plane& plane : hull.planes)
+            outside = std::max(outside, glm::dot(plane.normal, point) - plane.offset);
+        nearest = std::min(nearest, outside);
+    }
+    return nearest;
 }
 
 inline Hull hullOf(const Polytope& polytope) { return *makeHull(polytope, Vec3(0.0)); }

@@ -5,6 +5,7 @@
 #include "core/geometry/hull/MassProperties.h"
 #include "core/geometry/mesh/SolidMesh.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Hulls.h"
 #include "tests/support/geometry/SolidShapes.h"
 
 #include <QTest>
@@ -19,18 +20,6 @@ using namespace rubble::test;
 namespace {
 
 constexpr int kCells = 32;
-
-/// How far a point is outside the nearest of hulls, m; 0 in one of them.
-double distanceFrom(const std::vector<Polytope>& hulls, Vec3 point) {
-    double nearest = 1e300;
-    for (const Polytope& hull : hulls) {
-        double outside = 0.0;
-        for (const Plane& plane : hull.planes)
-            outside = std::max(outside, glm::dot(plane.normal, point) - plane.offset);
-        nearest = std::min(nearest, outside);
-    }
-    return nearest;
-}
 
 double ratioOf(const std::vector<Polytope>& hulls, const TriangleMesh& mesh) {
     double volume = 0.0;
@@ -50,7 +39,7 @@ private slots:
             const double ratio = ratioOf(*hulls, mesh);
             QVERIFY2(ratio > 0.98 && ratio < 1.06, qPrintable(QString::number(ratio)));
             const double size = boundsOf(mesh).diagonal();
-            for (const Vec3 point : mesh.points) QVERIFY(distanceFrom(*hulls, point) < 0.01 * size);
+            for (const Vec3 point : mesh.points) QVERIFY(distanceOutside(*hulls, point) < 0.01 * size);
             for (const Polytope& hull : *hulls) {
                 QVERIFY(!verifyPolytope(hull));
                 QVERIFY(hull.vertices.size() <= 128);

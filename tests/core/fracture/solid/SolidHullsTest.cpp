@@ -6,6 +6,7 @@
 #include "core/geometry/hull/SimplifiedHull.h"
 #include "core/geometry/mesh/SolidMesh.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Hulls.h"
 #include "tests/support/geometry/SolidShapes.h"
 
 #include <QTest>
@@ -23,18 +24,6 @@ double volumeOfAll(const std::vector<Polytope>& hulls) {
     double volume = 0.0;
     for (const Polytope& hull : hulls) volume += massOf(hull).volume;
     return volume;
-}
-
-/// How far a point is outside the nearest of hulls, m; 0 in one of them.
-double distanceOutside(const std::vector<Polytope>& hulls, Vec3 point) {
-    double nearest = 1e300;
-    for (const Polytope& hull : hulls) {
-        double outside = 0.0;
-        for (const Plane& plane : hull.planes)
-            outside = std::max(outside, glm::dot(plane.normal, point) - plane.offset);
-        nearest = std::min(nearest, outside);
-    }
-    return nearest;
 }
 
 }  // namespace
