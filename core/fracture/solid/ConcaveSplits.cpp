@@ -51,12 +51,15 @@ double depthIn(const std::vector<Plane>& planes, Vec3 point) {
     return depth;
 }
 
-/// The concave edges of a part that are below its hull, the deepest first.
-std::vector<ConcaveEdge> concaveEdges(const TriangleMesh& mesh, const std::vector<Plane>& hull) {
+/// The concave edges of a part that are below its hull, the deepest first; none when the task is cancelled.
+std::vector<ConcaveEdge> concaveEdges(const TriangleMesh& mesh, const std::vector<Plane>& hull,
+                                      const TaskContext& task) {
+    constexpr std::size_t kBetweenLooks = 256;  // edges between two looks at whether the task is cancelled
     const std::vector<HalfEdge> edges = halfEdges(mesh);
     const double flat = 1e-6 * boundsOf(mesh).diagonal();
     std::vector<ConcaveEdge> concave;
     for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
+        if (k % kBetweenLooks == 0 && task.isCancelled()) return {};
         const HalfEdge &first = edges[k], &second = edges[k + 1];
         if (first.low != second.low || first.high != second.high) continue;
         const Vec3 firstArea = doubleArea(mesh, first.triangle), secondArea = doubleArea(mesh, second.triangle);
@@ -77,12 +80,13 @@ std::vector<ConcaveEdge> concaveEdges(const TriangleMesh& mesh, const std::vecto
 }
 
 /// The planes to try: through the deepest edges, without those that are nearly the same.
-std::vector<Plane> splittingPlanes(const TriangleMesh& mesh, const std::vector<Plane>& hull, int count) {
+std::vector<Plane> splittingPlanes(const TriangleMesh& mesh, const std::vector<Plane>& hull, int count,
+                                   const TaskContext& task) {
     constexpr double kSameDirection = 0.95;  // the cosine of 18 degrees
     constexpr double kSamePlace = 0.02;      // of the diagonal
     const double near = kSamePlace * boundsOf(mesh).diagonal();
     std::vector<Plane> planes;
-    for (const ConcaveEdge& edge : concaveEdges(mesh, hull)) {
+    for (const ConcaveEdge& edge : concaveEdges(mesh, hull, task)) {
         if (std::ssize(planes) == count) break;
         const auto isSame = [&](const Plane& plane) {
             return std::abs(glm::dot(plane.normal, edge.plane.normal)) > kSameDirection &&
@@ -94,15 +98,16 @@ std::vector<Plane> splittingPlanes(const TriangleMesh& mesh, const std::vector<P
 }
 
 /// The parts of a mesh on both sides of a plane: its Voronoi cells of two points mirrored at it.
-Result<std::vector<TriangleMesh>> split(const TriangleMesh& mesh, const Plane& plane) {
+Result<std::vector<TriangleMesh>> split(const TriangleMesh& mesh, const Plane& plane, const TaskContext& task) {
     const Vec3 middle = boundsOf(mesh).centre();
     const Vec3 onPlane = middle + (plane.offset - glm::dot(plane.normal, middle)) * plane.normal;
     const Vec3 apart = boundsOf(mesh).diagonal() / 4.0 * plane.normal;
     const std::array<Vec3, 2> seeds = {onPlane - apart, onPlane + apart};
-    const Result<SolidPartition> partition = cutSolid(mesh, seeds);
+    const Result<SolidPartition> partition = cutSolid(mesh, seeds, task);
     if (!partition) return partition.error();
     std::vector<TriangleMesh> parts;
     for (std::uint32_t k = 0; k < partition->fragmentCount(); ++k) {
+        if (task.isCancelled()) return TaskContext::cancelled();
         parts.push_back(meshOf(*partition, k));
         for (Vec3& point : parts.back().points) point += partition->origin;
     }
@@ -132,26 +137,40 @@ Result<ConcaveSplits::Part> ConcaveSplits::partOf(TriangleMesh mesh, std::size_t
 
 Result<ConcaveSplits> ConcaveSplits::of(TriangleMesh mesh, const SplitLimits& limits) {
     ConcaveSplits splits;
+    splits.m_limits = limits;
     splits.m_volume = massOf(mesh.points, mesh.triangles).volume;
     Result<Part> whole = partOf(std::move(mesh), 0);
     if (!whole) return whole.error();
     splits.m_excesses.push_back(whole->excess);
     splits.m_partCounts.push_back(1);
     splits.m_parts.push_back(std::move(*whole));
-    const double allowed = (limits.maxRatio - 1.0) * splits.m_volume;
-    const auto isSplittable = [](const Part& part) { return !part.isFinal; };
-    while (splits.m_excesses.back() > allowed && std::cmp_less(splits.m_partCounts.back(), limits.maxParts) &&
-           std::ranges::any_of(splits.m_parts, isSplittable)) {
-        if (const Status split = splits.splitWorst(limits); !split) return split.error();
-    }
+    splits.m_isFinished = !splits.asksForMore();
     return splits;
 }
 
+Status ConcaveSplits::splitOnce(const TaskContext& task) {
+    TaskContext silent = task;
+    silent.threads = 1;
+    silent.progress = {};
+    for (const std::size_t before = splitCount(); splitCount() == before && !m_isFinished;) {
+        const Status split = splitWorst(silent);
+        m_isFinished = !split || !asksForMore();
+        if (!split) return split;
+    }
+    return success();
+}
+
+bool ConcaveSplits::asksForMore() const {
+    const auto isSplittable = [](const Part& part) { return !part.isFinal; };
+    return m_excesses.back() > (m_limits.maxRatio - 1.0) * m_volume &&
+           std::cmp_less(m_partCounts.back(), m_limits.maxParts) && std::ranges::any_of(m_parts, isSplittable);
+}
+
 /// Splits the part with the greatest excess, unless it is convex or its parts are too many.
-Status ConcaveSplits::splitWorst(const SplitLimits& limits) {
+Status ConcaveSplits::splitWorst(const TaskContext& task) {
     const auto worst = std::ranges::max_element(m_parts, {}, [](const Part& p) { return p.isFinal ? -1.0 : p.excess; });
     worst->isFinal = true;
-    Result<std::vector<Part>> made = bestSplit(*worst, limits);
+    Result<std::vector<Part>> made = bestSplit(*worst, task);
     if (!made) return made.error();
     if (made->empty()) return success();
     worst->splitBy = m_excesses.size();
@@ -164,19 +183,20 @@ Status ConcaveSplits::splitWorst(const SplitLimits& limits) {
 }
 
 /// The parts of a part; none if it is not split.
-Result<std::vector<ConcaveSplits::Part>> ConcaveSplits::bestSplit(const Part& part, const SplitLimits& limits) const {
+Result<std::vector<ConcaveSplits::Part>> ConcaveSplits::bestSplit(const Part& part, const TaskContext& task) const {
     const Result<Polytope> hull = convexHull(part.mesh.points, flatnessOf(part.mesh.points));
     if (!hull) return hull.error();
+    if (task.isCancelled()) return TaskContext::cancelled();
     std::vector<Part> best;
     double most = 0.0;  // m³: what the best split saves for each part more
     // What takes more parts is a shell, of which each cut costs as much and saves little.
     constexpr std::size_t kMaxPartsOfFew = 3;
-    const int candidates = m_partCounts.back() <= kMaxPartsOfFew ? limits.candidates : 1;
-    for (const Plane& plane : splittingPlanes(part.mesh, hull->planes, candidates)) {
-        Result<std::vector<TriangleMesh>> halves = split(part.mesh, plane);
+    const int candidates = m_partCounts.back() <= kMaxPartsOfFew ? m_limits.candidates : 1;
+    for (const Plane& plane : splittingPlanes(part.mesh, hull->planes, candidates, task)) {
+        Result<std::vector<TriangleMesh>> halves = split(part.mesh, plane, task);
         if (!halves) return halves.error();
         const std::size_t count = m_partCounts.back() - 1 + halves->size();
-        if (halves->size() < 2 || std::cmp_greater(count, limits.maxParts)) continue;
+        if (halves->size() < 2 || std::cmp_greater(count, m_limits.maxParts)) continue;
         std::vector<Part> parts;
         double saved = part.excess;
         for (TriangleMesh& half : *halves) {
@@ -190,6 +210,7 @@ Result<std::vector<ConcaveSplits::Part>> ConcaveSplits::bestSplit(const Part& pa
         most = saved;
         best = std::move(parts);
     }
+    if (task.isCancelled()) return TaskContext::cancelled();
     return best;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/base/TaskContext.h"
 #include "core/geometry/hull/Polytope.h"
 #include "core/geometry/mesh/TriangleMesh.h"
 
@@ -21,15 +22,22 @@ struct SplitLimits {
 /// any number of splits the parts fill the mesh, and lie on different sides of planes.
 class ConcaveSplits {
 public:
-    /// Splits the part with the greatest excess by a plane through one of the edges that are deepest below its hull: of
-    /// several such planes by that with which the hulls exceed the parts least, for each part more. As long as the
-    /// limits ask for it and there is such an edge.
+    /// A mesh that is not split yet.
     ///
-    /// Errors: those of cutSolid() and convexHull().
+    /// Errors: those of convexHull().
     static Result<ConcaveSplits> of(TriangleMesh mesh, const SplitLimits& limits);
 
+    /// The limits ask for no more splits, or there is no edge to split it at.
+    bool isFinished() const { return m_isFinished; }
+    /// Makes one more split, or finds that there is none: of the part with the greatest excess, by a plane through one
+    /// of the edges that are deepest below its hull: of several such planes by that with which the hulls exceed the
+    /// parts least, for each part more. Not to be called when finished.
+    ///
+    /// Errors: those of cutSolid() and convexHull(), after which it is finished; Cancelled.
+    Status splitOnce(const TaskContext& task);
+
     double volume() const { return m_volume; }  // m³, of the mesh
-    /// The number of splits, each of which adds one part or more.
+    /// The number of splits made, each of which adds one part or more.
     std::size_t splitCount() const { return m_excesses.size() - 1; }
     /// By how much the hulls of the parts after some splits exceed the mesh, m³.
     double excessAfter(std::size_t splits) const { return m_excesses[splits]; }
@@ -50,9 +58,12 @@ private:
     };
 
     static Result<Part> partOf(TriangleMesh mesh, std::size_t madeBy);
-    Status splitWorst(const SplitLimits& limits);
-    Result<std::vector<Part>> bestSplit(const Part& part, const SplitLimits& limits) const;
+    Status splitWorst(const TaskContext& task);
+    Result<std::vector<Part>> bestSplit(const Part& part, const TaskContext& task) const;
+    bool asksForMore() const;
 
+    SplitLimits m_limits;
+    bool m_isFinished = false;
     double m_volume = 0.0;
     std::vector<Part> m_parts;
     std::vector<double> m_excesses;         // after each number of splits, m³

@@ -20,25 +20,28 @@ namespace {
 
 using SplitsOfEach = std::vector<Result<ConcaveSplits>>;
 
-/// Which of the splits of several solids are made: the first of each, as many as HullLimits ask for.
+/// Which of the splits of several solids are made: the first of each, as many as HullLimits ask for. Splits are only
+/// tried where they could save more than those that are known; which are made does not depend on that.
 class SplitChoice {
 public:
-    SplitChoice(const SplitsOfEach& splits, const HullLimits& limits)
-        : m_splits(splits), m_limits(limits), m_made(splits.size(), 0) {}
+    SplitChoice(SplitsOfEach& splits, const HullLimits& limits, const TaskContext& task)
+        : m_splits(splits), m_limits(limits), m_task(task), m_made(splits.size(), 0) {}
 
-    /// The number of splits that are made of each solid.
+    /// The number of splits that are made of each solid; unfinished when the task is cancelled.
     std::vector<std::size_t> make() && {
+        boundEach();
         double volume = 0.0, excess = 0.0;
         for (std::size_t solid = 0; solid < m_splits.size(); ++solid) {
             if (!m_splits[solid]) continue;
-            const ConcaveSplits& splits = *m_splits[solid];
-            const double most = (m_limits.worstRatio - 1.0) * splits.volume();
-            while (m_made[solid] < splits.splitCount() && splits.excessAfter(m_made[solid]) > most) ++m_made[solid];
-            volume += splits.volume();
-            excess += splits.excessAfter(m_made[solid]);
+            volume += m_splits[solid]->volume();
+            excess += m_splits[solid]->excessAfter(m_made[solid]);
             offer(solid);
         }
-        while (excess > (m_limits.sumRatio - 1.0) * volume && !m_offers.empty()) {
+        while (excess > (m_limits.sumRatio - 1.0) * volume && !m_offers.empty() && !m_task.isCancelled()) {
+            if (!m_offers.top().isKnown) {
+                tryMore();
+                continue;
+            }
             const Offer best = m_offers.top();
             m_offers.pop();
             const ConcaveSplits& splits = *m_splits[best.solid];
@@ -52,29 +55,68 @@ public:
 private:
     /// What more splits of a solid would save.
     struct Offer {
-        double saved = 0.0;  // m³, for each part more
+        double saved = 0.0;  // m³, for each part more; at most, where it is not known
         std::size_t solid = 0;
         std::size_t made = 0;  // the number of splits then
+        bool isKnown = false;
         bool operator<(const Offer& other) const {
             return saved != other.saved ? saved < other.saved : solid > other.solid;
         }
     };
 
-    /// Adds the best offer of a solid, if there is one that saves something.
+    /// Splits each solid until its hulls exceed it by no more than the worst may. In parallel.
+    void boundEach() {
+        forEachIndex(m_splits.size(), m_task.threads, [&](std::size_t solid) {
+            const auto exceeds = [&] {
+                return m_splits[solid]->excessAfter(m_made[solid]) >
+                       (m_limits.worstRatio - 1.0) * m_splits[solid]->volume();
+            };
+            while (m_splits[solid] && exceeds() && !m_splits[solid]->isFinished()) {
+                trySplit(solid);
+                if (m_splits[solid]) m_made[solid] = m_splits[solid]->splitCount();
+            }
+        });
+    }
+
+    void trySplit(std::size_t solid) {
+        if (const Status split = m_splits[solid]->splitOnce(m_task); !split) m_splits[solid] = split.error();
+    }
+
+    /// Tries one more split of the solids whose splits could save most. In parallel, as many on any threads.
+    void tryMore() {
+        constexpr std::size_t kAtOnce = 16;
+        std::vector<std::size_t> solids;
+        for (; !m_offers.empty() && !m_offers.top().isKnown && solids.size() < kAtOnce; m_offers.pop())
+            solids.push_back(m_offers.top().solid);
+        forEachIndex(solids.size(), m_task.threads, [&](std::size_t k) { trySplit(solids[k]); });
+        for (const std::size_t solid : solids) {
+            if (m_splits[solid]) offer(solid);
+        }
+    }
+
+    /// Adds the best offer of a solid, if there is one that saves something: of its known splits, or what those not yet
+    /// tried could save if the parts then had no excess.
     void offer(std::size_t solid) {
         const ConcaveSplits& splits = *m_splits[solid];
         const std::size_t made = m_made[solid];
-        Offer best{.solid = solid};
+        const double excess = splits.excessAfter(made);
+        const std::size_t parts = splits.partsAfter(made);
+        Offer best{.solid = solid, .isKnown = true};
         for (std::size_t more = made + 1; more <= splits.splitCount(); ++more) {
-            const double saved = (splits.excessAfter(made) - splits.excessAfter(more)) /
-                                 static_cast<double>(splits.partsAfter(more) - splits.partsAfter(made));
-            if (saved > best.saved) best = {saved, solid, more};
+            const double saved =
+                (excess - splits.excessAfter(more)) / static_cast<double>(splits.partsAfter(more) - parts);
+            if (saved > best.saved) best = {saved, solid, more, true};
+        }
+        if (!splits.isFinished()) {
+            const double most = excess / static_cast<double>(splits.partsAfter(splits.splitCount()) + 1 - parts);
+            if (most > best.saved) best = {.saved = most, .solid = solid};
         }
         if (best.saved > 0.0) m_offers.push(best);
     }
 
-    const SplitsOfEach& m_splits;
+    SplitsOfEach& m_splits;
     HullLimits m_limits;
+    const TaskContext& m_task;
     std::vector<std::size_t> m_made;
     std::priority_queue<Offer> m_offers;  // one of each solid at most
 };
@@ -122,7 +164,8 @@ std::vector<Result<std::vector<Polytope>>> hullsOfEach(std::size_t count,
     });
     std::vector<Result<std::vector<Polytope>>> hulls(count, Result<std::vector<Polytope>>(std::vector<Polytope>{}));
     if (task.isCancelled()) return hulls;
-    const std::vector<std::size_t> made = SplitChoice(splits, limits).make();
+    const std::vector<std::size_t> made = SplitChoice(splits, limits, task).make();
+    if (task.isCancelled()) return hulls;
     forEachIndex(count, task.threads, [&](std::size_t k) {
         if (!splits[k]) {
             hulls[k] = splits[k].error();
