@@ -15,8 +15,8 @@ namespace {
 
 constexpr const char* kAuditFooter =
     R"(Measures whether replacing an asset by its fragments changes anything by itself. Each asset is broken three
-times without any force: floating at rest without gravity, level by level; lying flat on the ground; and flying
-while it rotates. Prints the contacts right after the swap, the deepest overlap, the fastest fragment after 30
+times without any force: floating at rest without gravity, level by level; prisms also lying flat on the ground; and
+flying while it rotates. Prints the contacts right after the swap, the deepest overlap, the fastest fragment after 30
 steps of 1/60 s (lying flat: on average of them), the changes of mass, momentum, angular momentum and energy, and
 how far the hulls in exports are apart: other engines push those apart that are closer than 20 µm.
 An asset is clean if no fragment moves faster than 1 mm/s at rest and 10 mm/s lying flat, and nothing is lost or
@@ -76,8 +76,8 @@ std::string textOf(const NamedAudit& named) {
     text += "  contacts after the swap: " + std::to_string(audit.contacts) + " with " +
             countText(audit.contactPoints, "point", "points") + "; deepest overlap " +
             quantityText(QuantityKind::Length, audit.deepestOverlap) + "\n";
-    text += "  fastest after 30 steps: " + speedText(audit.resting) + " at rest, " + speedText(audit.lying) +
-            " lying flat\n";
+    text += "  fastest after 30 steps: " + speedText(audit.resting) + " at rest";
+    text += audit.lying.fragment.empty() ? "\n" : ", " + speedText(audit.lying) + " lying flat\n";
     if (!audit.exported.fragment.empty()) {
         text += "  exported hulls are at least " + quantityText(QuantityKind::Length, audit.exported.gap) + " apart (" +
                 audit.exported.fragment + ")\n";

@@ -28,7 +28,7 @@ void writeMeasurements(JsonWriter& json, const SwapAudit& audit) {
     json.number("deepestOverlap", audit.deepestOverlap);
     writeSpeed(json, "resting", audit.resting);
     json.number("restingEnergy", audit.restingEnergy);
-    writeSpeed(json, "lying", audit.lying);
+    if (!audit.lying.fragment.empty()) writeSpeed(json, "lying", audit.lying);
     if (!audit.exported.fragment.empty()) {
         json.openObject("exported", JsonLayout::Inline);
         json.text("piece", audit.exported.fragment);

@@ -19,7 +19,7 @@ struct NamedAudit {
 ///       "exported":{"piece":s,"gap":d},"massDrift":x,"momentumDrift":x,"angularDrift":x,"energyGain":x,
 ///       "notices":[s,...],"faults":[s,...],"isClean":true},...]}
 ///
-/// An asset that does not break has `name` and `"pieces":0` only.
+/// `lying` is of prisms only. An asset that does not break has `name` and `"pieces":0` only.
 std::string swapAuditJson(std::span<const NamedAudit> audits);
 
 }  // namespace rubble

@@ -6,9 +6,10 @@ namespace rubble {
 namespace {
 
 /// Collides along one face. True if no other axis has to be tested: the face separates the hulls, or a point of one
-/// lies so near above the face that no other axis can separate them by clearly more.
+/// lies so near above the face that no other axis can separate them by clearly more, and the hulls have been tested
+/// before (`isKnown`) or do not overlap along it.
 bool collideAlongFace(const SeparatingAxis& face, const Hull& first, const Hull& second, const RelativePose& pose,
-                      float margin, Vec3f turn, HullCollision& collision) {
+                      float margin, Vec3f turn, bool isKnown, HullCollision& collision) {
     constexpr float kClearly = 2.0f * kAxisPreference;
     collision.axis = face;
     collision.manifold = {};
@@ -16,8 +17,9 @@ bool collideAlongFace(const SeparatingAxis& face, const Hull& first, const Hull&
     collision.manifold = manifoldAlong(face, first, second, pose, margin, turn);
     const float enough = face.separation + kClearly;
     const auto isNear = [&](const Manifold::Point& point) { return point.separation <= enough; };
-    return enough >= 0.0f && std::any_of(collision.manifold.points.begin(),
-                                         collision.manifold.points.begin() + collision.manifold.count, isNear);
+    return (isKnown || face.separation >= -kTouchingOverlap) && enough >= 0.0f &&
+           std::any_of(collision.manifold.points.begin(), collision.manifold.points.begin() + collision.manifold.count,
+                       isNear);
 }
 
 bool isSameFace(const SeparatingAxis& a, const SeparatingAxis& b) {
@@ -52,13 +54,15 @@ HullCollision collideHulls(const Hull& first, const Hull& second, const Relative
                            const SeparatingAxis& guess, Vec3f turn) {
     HullCollision collision;
     collision.offset = pose.offset;
+    const bool isKnown = guess.kind != AxisKind::None;
     collision.axis = guess.kind == AxisKind::None ? initialGuess(first, second, pose) : guess;
-    if (collision.axis.isFace() &&
-        collideAlongFace(faceAxis(collision.axis, first, second, pose), first, second, pose, margin, turn, collision)) {
+    if (collision.axis.isFace() && collideAlongFace(faceAxis(collision.axis, first, second, pose), first, second, pose,
+                                                    margin, turn, isKnown, collision)) {
         return collision;
     }
     const SeparatingAxis face = bestFaceAxis(first, second, pose, margin, collision.axis);
-    if (!isSameFace(face, collision.axis) && collideAlongFace(face, first, second, pose, margin, turn, collision))
+    if (!isSameFace(face, collision.axis) &&
+        collideAlongFace(face, first, second, pose, margin, turn, isKnown, collision))
         return collision;
     collision.axis = bestEdgeAxis(face, first, second, pose, margin);
     if (collision.axis.kind == AxisKind::Edges) {

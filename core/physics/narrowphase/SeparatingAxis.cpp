@@ -188,6 +188,11 @@ SeparatingAxis firstFaceAxis(const Hull& first, const BestFace& best) {
             first.planes[best.face].normal};
 }
 
+/// Whether an axis shows that hulls only touch that overlap along another, preferred one.
+bool showsApart(float separation, float preferred) {
+    return preferred < -kTouchingOverlap && separation >= -kTouchingOverlap;
+}
+
 SeparatingAxis secondFaceAxis(const Hull& second, const RelativePose& pose, const BestFace& best) {
     return {AxisKind::SecondFace, 0, static_cast<std::uint16_t>(best.face), best.separation,
             pose.rotation * second.planes[best.face].normal * -1.0f};
@@ -233,7 +238,8 @@ SeparatingAxis bestFaceAxis(const Hull& first, const Hull& second, const Relativ
     const BestFace ofFirst = bestFace(first, second, pose, margin, startFirst);
     if (ofFirst.separation > margin) return firstFaceAxis(first, ofFirst);
     const BestFace ofSecond = bestFace(second, first, firstInSecond, margin, startSecond);
-    const bool isSecond = ofSecond.separation > ofFirst.separation + kAxisPreference;
+    const bool isSecond = ofSecond.separation > ofFirst.separation + kAxisPreference ||
+                          showsApart(ofSecond.separation, ofFirst.separation);
     return isSecond ? secondFaceAxis(second, pose, ofSecond) : firstFaceAxis(first, ofFirst);
 }
 
@@ -246,7 +252,8 @@ SeparatingAxis bestEdgeAxis(const SeparatingAxis& face, const Hull& first, const
                                ? separationBound(first, {face.first, face.separation}, second, pose)
                                : separationBound(second, {face.second, face.separation}, first, inverse(pose));
     if (distance <= enough) return face;
-    const BestEdges edges = bestEdges(first, second, pose, enough, margin);
+    const float least = face.separation < -kTouchingOverlap ? std::min(enough, -kTouchingOverlap) : enough;
+    const BestEdges edges = bestEdges(first, second, pose, least, margin);
     if (edges.first < 0) return face;
     return {AxisKind::Edges, static_cast<std::uint16_t>(edges.first), static_cast<std::uint16_t>(edges.second),
             edges.separation, edges.normal};

@@ -33,10 +33,13 @@ struct SeparatingAxis {
 /// The margin by which an edge pair must separate more than a face, or a face of the second hull more than one of the
 /// first, m.
 inline constexpr float kAxisPreference = 0.0005f;
+/// The overlap up to which hulls only touch, m: what rounding to single precision leaves of a common face.
+inline constexpr float kTouchingOverlap = 3e-6f;
 
 /// The separating axis test over all face normals of both hulls and all edge pairs that form a face of the Minkowski
 /// difference, by their arcs on the Gauss map. Returns early with an axis along which the hulls are more than `margin`
-/// apart. Prefers faces to edges and the first hull's faces to the second's, by kAxisPreference. `guess`, the axis of
+/// apart. Prefers faces to edges and the first hull's faces to the second's, by kAxisPreference, unless hulls overlap
+/// along the preferred axis and only touch along the other. `guess`, the axis of
 /// the last test, is tested first.
 ///
 /// Source: Gregorius 2013, "The separating axis test between convex polyhedra".

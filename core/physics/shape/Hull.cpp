@@ -12,10 +12,10 @@
 namespace rubble {
 namespace {
 
-constexpr double kWeldDistance = 1e-3;           // m
-constexpr double kWeldFractionOfWidth = 0.02;    // keeps the shape of small hulls
-constexpr double kPlanarDistance = 1e-3;         // m: points rounded to 3 digits deviate by as much
-constexpr double kPlanarFractionOfWidth = 5e-3;  // keeps the shape of small hulls
+constexpr double kWeldDistance = 1e-3;         // m
+constexpr double kWeldFractionOfWidth = 0.02;  // keeps the shape of small hulls
+constexpr double kPlanarDistance = 1e-6;       // m: what rounding leaves of a common plane; more would push neighbours
+constexpr double kPlanarFractionOfWidth = 5e-6;  // keeps the shape of small hulls
 constexpr std::size_t kRowMultiple = 4;
 
 double widthAlong(const Polytope& polytope, const Plane& plane) {

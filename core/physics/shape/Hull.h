@@ -70,8 +70,8 @@ struct Hull {
 };
 
 /// The hull of a polytope, translated by -centre and simplified: corners within 1 mm or 2 % of the minimum width,
-/// whichever is less, are welded, and faces within 1 mm or 0.5 % of a common plane are merged. Voronoi cells have tiny
-/// sides whose normals are inaccurate.
+/// whichever is less, are welded, since Voronoi cells have tiny sides whose normals are inaccurate; faces within 1 µm
+/// or 5e-6 of that width of a common plane are merged.
 ///
 /// Errors: BadInput for more than kMaxHullCorners corners; Degenerate for fewer than four, or no volume.
 Result<Hull> makeHull(const Polytope& polytope, Vec3 centre);

@@ -332,12 +332,14 @@ Result<SwapAudit> swapAudit(const Project& project, const std::shared_ptr<const 
     measureExport(*asset->bake, audit);
     measureResting(std::move(*floating), audit);
     if (task.isCancelled()) return TaskContext::cancelled();
-    scene.gravity = {0.0, -9.81, 0.0};
-    scene.ground.isOn = true;
-    scene.instances[0].pose = {{0.0, -boundsOf(authored).min.z, 0.0}, kFlat};
-    Result<Session> lying = started(scene, asset);
-    if (!lying) return ofAsset(authored, lying.error());
-    measureLying(std::move(*lying), audit);
+    if (authored.mesh() == nullptr) {
+        scene.gravity = {0.0, -9.81, 0.0};
+        scene.ground.isOn = true;
+        scene.instances[0].pose = {{0.0, -boundsOf(authored).min.z, 0.0}, kFlat};
+        Result<Session> lying = started(scene, asset);
+        if (!lying) return ofAsset(authored, lying.error());
+        measureLying(std::move(*lying), audit);
+    }
     checkLimits(*asset, audit);
     return audit;
 }

@@ -9,7 +9,7 @@ namespace rubble {
 
 // The limits of a clean swap.
 inline constexpr double kCleanSpeed = 1e-3;       // m/s: of the fastest fragment after kAuditSteps without forces
-inline constexpr double kCleanLyingSpeed = 1e-2;  // m/s: on average, for an asset lying flat under gravity
+inline constexpr double kCleanLyingSpeed = 1e-2;  // m/s: on average, for a prism lying flat under gravity
 inline constexpr double kCleanOverlap = 1e-6;     // m
 inline constexpr double kCleanDrift = 1e-5;       // relative, of mass, momenta and energy in a step of single precision
 inline constexpr double kEngineGap = 2e-5;        // m: engines push hulls apart that are closer, see docs/engines.md
@@ -37,7 +37,8 @@ struct SwapAudit {
     double deepestOverlap = 0.0;  // m: of two exact fragments then
     FragmentSpeed resting;        // the fastest fragment, kAuditSteps after the swap of any level, without forces
     double restingEnergy = 0.0;   // J: kinetic energy of all then, of the level with the most; the whole had none
-    FragmentSpeed lying;          // the fastest on average from its swap to kAuditSteps, lying flat on the ground
+    FragmentSpeed lying;          // the fastest on average from its swap to kAuditSteps, lying flat on the ground; no
+                                  // fragment: of a closed mesh, whose fragments fall then
     double massDrift = 0.0;       // this and the following: relative, for an asset that flies and rotates
     double momentumDrift = 0.0;
     double angularDrift = 0.0;
@@ -53,8 +54,8 @@ struct SwapAudit {
 };
 
 /// Measures swaps in sessions with one instance of an asset: without forces, floating at rest, and flying and rotating;
-/// and lying flat on the ground. The project's damage preset, debris and gravity are not used; gravity on the ground is
-/// 9.81 m/s². A bonded asset is measured as if all of its bonds broke at once.
+/// and, if it is a prism, lying flat on the ground. The project's damage preset, debris and gravity are not used;
+/// gravity on the ground is 9.81 m/s². A bonded asset is measured as if all of its bonds broke at once.
 ///
 /// Errors, with the asset's name: NotFound if it has no fragments; Degenerate if it leaves the world before it breaks;
 /// those of Session::start() and Session::add(); Cancelled.

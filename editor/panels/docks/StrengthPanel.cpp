@@ -453,10 +453,12 @@ void StrengthPanel::refreshAudit() {
                 static_cast<int>(audit->fragments))
                  .arg(audit->contacts)
                  .arg(localizedQuantity(QuantityKind::Length, audit->deepestOverlap, m_units));
-    lines << tr("Highest speed after %1 steps: floating %2, lying on the ground %3")
-                 .arg(kAuditSteps)
-                 .arg(localizedQuantity(QuantityKind::Speed, audit->resting.speed),
-                      localizedQuantity(QuantityKind::Speed, audit->lying.speed));
+    const QString floating = localizedQuantity(QuantityKind::Speed, audit->resting.speed);
+    lines << (audit->lying.fragment.empty()
+                  ? tr("Highest speed after %1 steps, floating: %2").arg(kAuditSteps).arg(floating)
+                  : tr("Highest speed after %1 steps: floating %2, lying on the ground %3")
+                        .arg(kAuditSteps)
+                        .arg(floating, localizedQuantity(QuantityKind::Speed, audit->lying.speed)));
     if (!audit->exported.fragment.empty()) {
         const QString gap = localizedQuantity(QuantityKind::Length, audit->exported.gap, m_units);
         lines << (audit->exported.gap < kEngineGap

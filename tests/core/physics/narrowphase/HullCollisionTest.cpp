@@ -1,6 +1,8 @@
 #include "core/physics/narrowphase/HullCollision.h"
 
+#include "core/geometry/hull/HalfSpaceIntersection.h"
 #include "core/geometry/hull/HullOverlap.h"
+#include "core/geometry/hull/MassProperties.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/geometry/Hulls.h"
 
@@ -102,6 +104,26 @@ private slots:
             for (int i = 0; i < collision.manifold.count; ++i)
                 deepest = std::min(deepest, collision.manifold.points[static_cast<std::size_t>(i)].separation);
             QVERIFY2(deepest < collision.axis.separation + 0.001f, qPrintable(QString("seed %1").arg(seed)));
+        }
+    }
+    /// The parts of a solid on both sides of a plane have no point below their common face.
+    void partsOfASolidOnlyTouch() {
+        for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+            Random random(seed);
+            const Polytope whole = stretchedSolid(random);
+            const Vec3 normal = glm::normalize(randomIn(random, 1.0));
+            const Vec3 centre = massOf(whole).centre, apart = 1e-3 * normal;
+            std::vector<Plane> below = whole.planes, above = whole.planes;
+            below.push_back({normal, glm::dot(normal, centre)});
+            above.push_back({-normal, -glm::dot(normal, centre)});
+            const Hull first = hullOf(*halfSpaceIntersection(below, centre - apart));
+            const Hull second = hullOf(*halfSpaceIntersection(above, centre + apart));
+            const HullCollision collision = collideHulls(first, second, {}, kSpeculativeDistance, {});
+            QVERIFY(collision.manifold.count > 0);
+            for (int i = 0; i < collision.manifold.count; ++i) {
+                const float separation = collision.manifold.points[static_cast<std::size_t>(i)].separation;
+                QVERIFY2(separation > -2e-6f, qPrintable(QString("seed %1: %2 m").arg(seed).arg(separation)));
+            }
         }
     }
     /// Guessing any face leads to the same collision.

@@ -46,13 +46,13 @@ private slots:
         QVERIFY(isNear(hull.extents, Vec3f(1.0f, 2.0f, 3.0f)));
         QCOMPARE(hull.minWidth, 2.0f);
         QVERIFY(std::abs(hull.boundingRadius - std::sqrt(14.0f)) < 1e-6f);
-        QVERIFY(std::abs(hull.innerRadius - 0.999f) < 1e-6f);  // a millimetre less, for merged faces
+        QVERIFY(std::abs(hull.innerRadius - 0.999999f) < 1e-7f);  // a micrometre less, for merged faces
     }
     /// Relative to a centre of mass that lies 0.75 m nearer to the side at x = 1.
     void cornersAreRelativeToTheCentre() {
         const Hull hull = *makeHull(boxOf({2.0, 4.0, 6.0}), Vec3(0.75, 0.0, 0.0));
         QVERIFY(isNear(hull.middle, Vec3f(-0.75f, 0.0f, 0.0f)));
-        QVERIFY(std::abs(hull.innerRadius - 0.249f) < 1e-6f);
+        QVERIFY(std::abs(hull.innerRadius - 0.249999f) < 1e-7f);
         QVERIFY(std::abs(hull.boundingRadius - std::sqrt(1.75f * 1.75f + 13.0f)) < 1e-6f);
         for (const HullPlane& plane : hull.planes) {
             if (plane.normal.x > 0.5f) QVERIFY(std::abs(plane.offset - 0.25f) < 1e-6f);

@@ -88,13 +88,19 @@ private slots:
         QVERIFY2(bodies > 2 && bodies < 100, qPrintable(QString::number(bodies)));
         QVERIFY(heightOfLowest(session) > -0.01);
     }
-    void breaksAreAudited() {
-        const Project project = sculpture(bumpySphere(24), 30, BreakAs::Whole);
-        const Result<SwapAudit> audit = swapAudit(project, std::make_shared<const Bake>(*bake(project.assets[0])), {});
-        QVERIFY2(audit, audit ? "" : audit.error().message.c_str());
-        for (const Diagnostic& one : audit->diagnostics) qInfo("%s", one.message.c_str());
-        QVERIFY2(audit->massDrift < 1e-7, qPrintable(QString::number(audit->massDrift)));
-        QVERIFY2(audit->momentumDrift < 1e-6, qPrintable(QString::number(audit->momentumDrift)));
+    /// Fragments of round bodies, whose hulls have many nearly parallel faces, only touch when they break.
+    void breaksOfRoundBodiesAreClean() {
+        for (const TriangleMesh& mesh : {bumpySphere(24), bumpySphere(60), torus(40, 16), torus(90, 40)}) {
+            for (const int count : {30, 100}) {
+                const Project project = sculpture(mesh, count, BreakAs::Whole);
+                const auto baked = std::make_shared<const Bake>(*bake(project.assets[0]));
+                const Result<SwapAudit> audit = swapAudit(project, baked, {});
+                QVERIFY2(audit, audit ? "" : audit.error().message.c_str());
+                QVERIFY(audit->lying.fragment.empty());
+                for (const Diagnostic& one : audit->diagnostics)
+                    QVERIFY2(one.severity == Severity::Note, one.message.c_str());
+            }
+        }
     }
 };
 
