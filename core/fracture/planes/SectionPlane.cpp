@@ -12,6 +12,14 @@ SectionPlane axisPlane(int axis, double coordinate) {
     return plane;
 }
 
+SectionPlane sectionPlane(int axis, double coordinate) {
+    switch (axis) {
+        case 0: return {{coordinate, 0.0, 0.0}, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}};
+        case 1: return {{0.0, coordinate, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, -1.0}};
+        default: return {{0.0, 0.0, coordinate}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
+    }
+}
+
 SectionPlane planeThrough(Vec3 point, Vec3 normal) {
     const Vec3 up = glm::normalize(normal), size(std::abs(up.x), std::abs(up.y), std::abs(up.z));
     const int farthest = size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;

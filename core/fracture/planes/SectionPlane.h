@@ -37,6 +37,10 @@ struct SectionPlane {
 /// order: x and y for z.
 SectionPlane axisPlane(int axis, double coordinate);
 
+/// The plane of a section at a coordinate along its axis, seen against that axis: y is up, or along z, into the depth,
+/// where it is seen from above.
+SectionPlane sectionPlane(int axis, double coordinate);
+
 /// The plane through a point with a normal, of any length but zero. Its x axis is perpendicular to the coordinate axis
 /// that the normal is the farthest from.
 SectionPlane planeThrough(Vec3 point, Vec3 normal);

@@ -36,7 +36,7 @@ std::string lengthText(double metres) {
 
 /// The place of a panel in the drawing and its scale.
 struct Frame {
-    Box2 bounds;         // of the outline, m
+    Box2 bounds;         // of the outlines, m
     double scale = 1.0;  // pixels a metre
     Vec2 corner;         // of the drawing, top left
 
@@ -47,7 +47,9 @@ struct Frame {
 /// Returns the frame of a panel that is some columns wide, with a proportional height.
 Frame frameOf(const PatternPanel& panel, double columns) {
     Frame frame;
-    frame.bounds = boundsOf(panel.prism.outline.outer);
+    for (const Polygon& outline : panel.outlines) {
+        for (const Vec2 corner : outline.outer) frame.bounds.include(corner);
+    }
     const Vec2 size = frame.bounds.size();
     frame.scale =
         std::min((columns * kColumnWidth - 2.0 * kBleed) / size.x, (columns * kMaxHeight - 2.0 * kBleed) / size.y);
@@ -191,8 +193,9 @@ void drawTitle(SvgWriter& svg, const Frame& frame, double top, const PatternPane
     if (!isCut || !panel.seeds.empty()) svg << countText(panel.seeds.size(), "seed", "seeds") << ", ";
     svg << (isCut ? countText(panel.partition.pieceCount(), "piece", "pieces") : countText(cells, "cell", "cells"))
         << "; ";
-    svg << lengthText(size.x) << " × " << lengthText(size.y) << " × " << lengthText(panel.prism.depth);
-    svg << " m</text>\n";
+    svg << lengthText(size.x) << " × " << lengthText(size.y);
+    if (panel.section.empty()) svg << " × " << lengthText(panel.depth);
+    svg << " m" << (panel.section.empty() ? "" : " at " + escapedXml(panel.section)) << "</text>\n";
 }
 
 void drawPanel(SvgWriter& svg, const Frame& frame, std::size_t index, const PatternPanel& panel,
@@ -205,9 +208,9 @@ void drawPanel(SvgWriter& svg, const Frame& frame, std::size_t index, const Patt
         << size.x;
     svg << "\" height=\"" << size.y << "\"/></clipPath></defs>\n<g clip-path=\"url(#" << clip << ")\">\n";
     if (options.cells) drawCells(svg, frame, panel.partition);
-    if (options.triangles) drawTriangles(svg, frame, panel);
+    if (options.triangles && panel.section.empty()) drawTriangles(svg, frame, panel);
     svg << "<path fill=\"none\" stroke=\"#3a342d\" stroke-width=\"2\" stroke-linejoin=\"round\" d=\"";
-    appendPolygon(svg, frame, panel.prism.outline, Vec2(0.0));
+    for (const Polygon& outline : panel.outlines) appendPolygon(svg, frame, outline, Vec2(0.0));
     svg << "\"/>\n";
     if (options.seeds && !panel.seeds.empty()) drawSeeds(svg, frame, panel);
     svg << "</g>\n";
@@ -234,7 +237,8 @@ void drawLegend(SvgWriter& svg, double top, std::span<const PatternPanel> panels
     if (options.seeds && std::ranges::any_of(panels, hasSeedWithoutCell)) {
         entry("<circle cx=\"9\" r=\"3.2\" fill=\"none\" stroke=\"#b3261e\"/>", "seed without a cell", 156.0);
     }
-    if (options.triangles) {
+    const bool isAnyPrism = std::ranges::any_of(panels, [](const PatternPanel& p) { return p.section.empty(); });
+    if (options.triangles && isAnyPrism) {
         entry("<path stroke=\"#3d6fb4\" d=\"M0 0H18\"/>", "Delaunay triangulation", 176.0);
     }
     if (options.cells) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/fracture/partition/Partition.h"
-#include "core/fracture/pieces/Prism.h"
+#include "core/geometry/polygon/Polygon.h"
 
 #include <array>
 #include <cstdint>
@@ -11,13 +11,15 @@
 
 namespace rubble {
 
-/// A pattern of a drawing: an outline, its seeds and its partition.
+/// A pattern of a drawing: an outline, its seeds and its partition; that of a prism, or of a section of a mesh.
 struct PatternPanel {
     std::string title;
-    Prism prism;
+    std::vector<Polygon> outlines;  // one or more
+    double depth = 0.0;             // m, of a prism
+    std::string section;            // where a mesh is cut: "z = 0.3 m"; empty: of a prism
     std::vector<Vec2> seeds;
     std::vector<std::array<std::uint32_t, 3>> triangles;  // of seeds; see triangleList()
-    Partition partition;                                  // of the prism's outline
+    Partition partition;                                  // of the outlines
 };
 
 /// The parts of a pattern that are drawn beside its outline.

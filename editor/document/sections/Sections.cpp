@@ -4,14 +4,6 @@
 
 namespace rubble {
 
-SectionPlane sectionPlane(int axis, double coordinate) {
-    switch (axis) {
-        case 0: return {{coordinate, 0.0, 0.0}, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}};
-        case 1: return {{0.0, coordinate, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, -1.0}};
-        default: return {{0.0, 0.0, coordinate}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
-    }
-}
-
 SectionView Sections::of(Id asset) const {
     const auto found = m_views.find(asset);
     return found == m_views.end() ? SectionView() : found->second;

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "core/asset/project/Project.h"
-#include "core/fracture/planes/SectionPlane.h"
-
 #include <QObject>
+#include "core/asset/project/Project.h"
 
 #include <map>
 
@@ -15,10 +13,6 @@ struct SectionView {
     double position = 0.5;  // 0 to 1: from the lowest to the highest point of the mesh along the axis
     bool operator==(const SectionView&) const = default;
 };
-
-/// The plane of a section at a coordinate along its axis, seen against that axis: y is up, or along z, into the depth,
-/// where it is seen from above.
-SectionPlane sectionPlane(int axis, double coordinate);
 
 /// The sections that one window shows of meshes: one for each asset.
 class Sections : public QObject {

@@ -15,7 +15,7 @@ using namespace rubble;
 namespace {
 
 PatternPanel panel(const std::string& title, const Polygon& outline, std::vector<Vec2> seeds) {
-    PatternPanel result{.title = title, .prism = {outline, 0.5}};
+    PatternPanel result{.title = title, .outlines = {outline}, .depth = 0.5};
     const Delaunay delaunay = *triangulate(seeds);
     result.triangles = triangleList(delaunay);
     result.partition = *voronoiPartition(outline, delaunay);
@@ -60,6 +60,16 @@ private slots:
         QCOMPARE(captured(svg, kCellFill).size(), 20);
         QCOMPARE(captured(svg, kDot).count("/"), 20);
         QVERIFY(svg.contains("20 seeds, 20 cells; 1 × 1 × 0.5 m"));
+    }
+    /// A section has several outlines, says where it is, and has no triangulation.
+    void sectionsSayWhereTheyAre() {
+        PatternPanel cut = scattered(9);
+        cut.outlines.push_back({{{3.0, 0.0}, {4.0, 0.0}, {4.0, 1.0}}, {}});
+        cut.section = "y = 0.3 m";
+        const QString svg = drawn({cut});
+        QVERIFY(isXml(svg) && svg.contains("9 seeds, 9 cells; 4 × 1 m at y = 0.3 m"));
+        QVERIFY(!svg.contains("Delaunay"));
+        QVERIFY(drawn({cut, scattered(2)}).contains("Delaunay"));
     }
     void onlyRequestedPartsAreDrawn() {
         QVERIFY(captured(drawn({scattered(20)}, {.cells = false}), kCellFill).isEmpty());
