@@ -7,7 +7,9 @@
 #include "core/fracture/solid/SolidCut.h"
 #include "core/fracture/solid/SolidMerge.h"
 #include "core/geometry/mesh/SolidMesh.h"
+#include "core/geometry/predicates/SegmentDistance.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/SolidCells.h"
 #include "tests/support/geometry/SolidShapes.h"
 
 #include <QTest>
@@ -24,33 +26,11 @@ using namespace rubble::test;
 
 namespace {
 
-SolidPartition cellsOf(const TriangleMesh& mesh, const std::vector<Vec3>& seeds) {
-    Result<SolidPartition> partition = cutSolid(mesh, seeds);
-    return partition ? std::move(*partition) : SolidPartition{};
-}
-
 /// A cube of size 1 cut into n³ cubes.
 SolidPartition cubeGrid(int n) {
     std::vector<Vec3> seeds;
     for (int k = 0; k < n * n * n; ++k) seeds.push_back((Vec3(k % n, k / n % n, k / n / n) + 0.5) / double(n));
     return cellsOf(cubes({{0, 0, 0}}), seeds);
-}
-
-double distanceToSegment3(Vec3 point, Vec3 a, Vec3 b) {
-    const Vec3 along = b - a;
-    const double length = glm::dot(along, along);
-    const double place = length > 0.0 ? std::clamp(glm::dot(point - a, along) / length, 0.0, 1.0) : 0.0;
-    return glm::length(point - a - place * along);
-}
-
-double distanceToTriangle(Vec3 point, Vec3 a, Vec3 b, Vec3 c) {
-    const Vec3 normal = glm::cross(b - a, c - a);
-    const bool isOver = glm::dot(glm::cross(b - a, point - a), normal) >= 0.0 &&
-                        glm::dot(glm::cross(c - b, point - b), normal) >= 0.0 &&
-                        glm::dot(glm::cross(a - c, point - c), normal) >= 0.0;
-    if (isOver && glm::length(normal) > 0.0) return std::abs(glm::dot(point - a, glm::normalize(normal)));
-    return std::min(
-        {distanceToSegment3(point, a, b), distanceToSegment3(point, b, c), distanceToSegment3(point, c, a)});
 }
 
 /// What is wrong with a shrunk fragment.

@@ -8,6 +8,7 @@
 #include "core/fracture/verify/VerifySolidPartition.h"
 #include "core/geometry/mesh/SolidMesh.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/SolidCells.h"
 #include "tests/support/geometry/SolidShapes.h"
 
 #include <QTest>
@@ -23,11 +24,6 @@ using namespace rubble;
 using namespace rubble::test;
 
 namespace {
-
-SolidPartition cutOf(const TriangleMesh& mesh, const std::vector<Vec3>& seeds) {
-    Result<SolidPartition> partition = cutSolid(mesh, seeds);
-    return partition ? std::move(*partition) : SolidPartition{};
-}
 
 Vec3 anyPoint(Random& random, const SolidPartition& partition) {
     return partition.origin + partition.points[random.below(partition.points.size())];
@@ -102,7 +98,7 @@ QString latticeFault(const Mat3& matrix, Vec3 offset) {
         const TriangleMesh mesh = transformed(straight, matrix, offset);
         std::vector<Vec3> seeds(1 + random.below(8));
         for (Vec3& point : seeds) point = matrix * latticePoint(random) + offset;
-        SolidPartition partition = cutOf(mesh, seeds);
+        SolidPartition partition = cellsOf(mesh, seeds);
         for (int k = 0; k < 6; ++k, ++splits) {
             const QString place = QString("seed %1, split %2: ").arg(seed).arg(k);
             if (partition.fragmentCount() == 0) return place + "no fragments";
@@ -135,7 +131,7 @@ class SolidSplitTest : public QObject {
 private slots:
     void aCubeletIsHalved() {
         const TriangleMesh cube = cubes({{0, 0, 0}});
-        const SolidPartition eight = cutOf(cube, kEightSeeds);
+        const SolidPartition eight = cellsOf(cube, kEightSeeds);
         QCOMPARE(eight.fragmentCount(), 8u);
         const Result<SolidSplit> split = splitFragment(eight, 3, axisPlane(2, 0.125));
         QVERIFY(split);
@@ -160,7 +156,7 @@ private slots:
     }
     void whatOnlyTouchesIsNotSplit() {
         const TriangleMesh cube = cubes({{0, 0, 0}});
-        const SolidPartition eight = cutOf(cube, kEightSeeds);
+        const SolidPartition eight = cellsOf(cube, kEightSeeds);
         const std::vector<SectionPlane> planes = {axisPlane(0, 0.0),
                                                   axisPlane(1, 0.5),
                                                   axisPlane(2, 0.75),
@@ -179,7 +175,7 @@ private slots:
     }
     void planesThroughCornersAndEdgesSplit() {
         const TriangleMesh cube = cubes({{0, 0, 0}});
-        const SolidPartition eight = cutOf(cube, kEightSeeds);
+        const SolidPartition eight = cellsOf(cube, kEightSeeds);
         for (const Vec3 normal : {Vec3(1, 1, -1), Vec3(1, -1, 0), Vec3(0, 1, -1), Vec3(2, -1, -1), Vec3(1, 1, -2)}) {
             const SectionPlane plane = planeThrough(Vec3(0.0), normal);
             for (const bool isTurned : {false, true}) {
@@ -195,7 +191,7 @@ private slots:
     void aUFallsIntoThreeParts() {
         const TriangleMesh u = cubes({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}});
         const std::vector<Vec3> seeds = {{1.5, 0.4, 0.5}};
-        const SolidPartition whole = cutOf(u, seeds);
+        const SolidPartition whole = cellsOf(u, seeds);
         const Result<SolidSplit> split = splitFragment(whole, 0, axisPlane(1, 1.5));
         QVERIFY(split);
         QCOMPARE(splitFault(whole, 0, *split, u, seeds), std::string());
@@ -213,7 +209,7 @@ private slots:
         const TriangleMesh ball = bumpySphere(16);
         const TriangleMesh hollow = together(transformed(ball, Mat3(2.0)), insideOut(transformed(ball, Mat3(0.4))));
         const std::vector<Vec3> seeds = {{0, 0, 0}};
-        const SolidPartition whole = cutOf(hollow, seeds);
+        const SolidPartition whole = cellsOf(hollow, seeds);
         for (const double height : {0.0, 0.05, 1.0, -1.5}) {
             const Result<SolidSplit> split = splitFragment(whole, 0, planeThrough({0, 0, height}, {0.1, 0.2, 1.0}));
             QVERIFY(split);
@@ -232,7 +228,7 @@ private slots:
         for (std::size_t shape = 0; shape < shapes.size(); ++shape) {
             const TriangleMesh& mesh = shapes[shape];
             const std::vector<Vec3> seeds = seedsInBox(mesh, 12, shape);
-            SolidPartition partition = cutOf(mesh, seeds);
+            SolidPartition partition = cellsOf(mesh, seeds);
             Random random(20 + shape);
             for (int k = 0; k < 60; ++k) {
                 const std::uint32_t fragment = static_cast<std::uint32_t>(random.below(partition.fragmentCount()));
@@ -253,7 +249,7 @@ private slots:
     void mergedFragmentsSplit() {
         const TriangleMesh mesh = torus(24, 10);
         const std::vector<Vec3> seeds = seedsInBox(mesh, 30, 2);
-        SolidPartition partition = withoutSmallFragments(cutOf(mesh, seeds), 0.3);
+        SolidPartition partition = withoutSmallFragments(cellsOf(mesh, seeds), 0.3);
         QVERIFY(partition.fragmentCount() > 3);
         Random random(4);
         for (int k = 0; k < 30; ++k) {
@@ -268,7 +264,7 @@ private slots:
     }
     void sameBitsOnAnyThreads() {
         const TriangleMesh mesh = bumpySphere(24);
-        const SolidPartition partition = cutOf(mesh, seedsInBox(mesh, 20, 5));
+        const SolidPartition partition = cellsOf(mesh, seedsInBox(mesh, 20, 5));
         const SectionPlane plane = planeThrough(Vec3(0.1), Vec3(1, 2, 3));
         for (std::uint32_t fragment = 0; fragment < partition.fragmentCount(); ++fragment) {
             const Result<SolidSplit> first = splitFragment(partition, fragment, plane);
@@ -283,7 +279,7 @@ private slots:
     }
     void badInputIsRefused() {
         const TriangleMesh cube = cubes({{0, 0, 0}});
-        const SolidPartition eight = cutOf(cube, kEightSeeds);
+        const SolidPartition eight = cellsOf(cube, kEightSeeds);
         QCOMPARE(splitFragment(eight, 8, axisPlane(0, 0.1)).error().code, ErrorCode::BadInput);
         const double bad = std::numeric_limits<double>::quiet_NaN();
         QCOMPARE(splitFragment(eight, 0, axisPlane(0, bad)).error().code, ErrorCode::BadInput);
@@ -294,7 +290,7 @@ private slots:
     }
     void oneOfAThousandIsSplitFast() {
         const TriangleMesh mesh = bumpySphere(224);  // 100,000 triangles
-        SolidPartition partition = cutOf(mesh, seedsInBox(mesh, 1000, 6));
+        SolidPartition partition = cellsOf(mesh, seedsInBox(mesh, 1000, 6));
         Stopwatch watch;
         double slowest = 0.0;
         for (std::uint32_t k = 0; k < 20; ++k) {

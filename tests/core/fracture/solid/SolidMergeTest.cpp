@@ -7,6 +7,7 @@
 #include "core/fracture/verify/VerifySolidPartition.h"
 #include "core/geometry/mesh/SolidMesh.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/SolidCells.h"
 #include "tests/support/geometry/SolidShapes.h"
 
 #include <QTest>
@@ -20,11 +21,6 @@ using namespace rubble;
 using namespace rubble::test;
 
 namespace {
-
-SolidPartition partitionOf(const TriangleMesh& mesh, const std::vector<Vec3>& seeds) {
-    Result<SolidPartition> partition = cutSolid(mesh, seeds);
-    return partition ? std::move(*partition) : SolidPartition{};
-}
 
 /// What verifySolidPartition() finds but for nearest seeds, which merged fragments do not keep.
 std::string mergeFault(const SolidPartition& partition, const TriangleMesh& mesh, const std::vector<Vec3>& seeds) {
@@ -45,7 +41,7 @@ class SolidMergeTest : public QObject {
 private slots:
     void contactsAreThoseOfTheCommonFaces() {
         const TriangleMesh cube = cubes({{0, 0, 0}});
-        const SolidPartition halves = partitionOf(cube, {{0.25, 0.5, 0.5}, {0.75, 0.5, 0.5}});
+        const SolidPartition halves = cellsOf(cube, {{0.25, 0.5, 0.5}, {0.75, 0.5, 0.5}});
         const std::vector<SolidContact> contacts = contactsOf(halves);
         QCOMPARE(contacts.size(), 1u);
         const SolidContact& contact = contacts[0];
@@ -60,7 +56,7 @@ private slots:
     /// The area vectors of a fragment's contacts and of its outside sum up to zero, as those of any closed surface.
     void contactsCloseTheFragments() {
         const TriangleMesh mesh = bumpySphere(24);
-        const SolidPartition partition = partitionOf(mesh, seedsInBox(mesh, 40, 1));
+        const SolidPartition partition = cellsOf(mesh, seedsInBox(mesh, 40, 1));
         std::vector<Vec3> sums(partition.fragmentCount(), Vec3(0.0));
         for (const SolidContact& contact : contactsOf(partition)) {
             sums[contact.first] += contact.area * contact.normal;
@@ -78,7 +74,7 @@ private slots:
     void mergedFragmentsAreStillAPartition() {
         const TriangleMesh mesh = torus(30, 12);
         const std::vector<Vec3> seeds = seedsInBox(mesh, 40, 2);
-        const SolidPartition partition = partitionOf(mesh, seeds);
+        const SolidPartition partition = cellsOf(mesh, seeds);
         std::vector<std::uint32_t> receivers = themselves(partition);
         for (const SolidContact& contact : contactsOf(partition)) {
             if (receivers[contact.first] == contact.first && receivers[contact.second] == contact.second &&
@@ -95,7 +91,7 @@ private slots:
     }
     void nothingChangesWhereNothingIsMerged() {
         const TriangleMesh mesh = bumpySphere(12);
-        const SolidPartition partition = partitionOf(mesh, seedsInBox(mesh, 10, 3));
+        const SolidPartition partition = cellsOf(mesh, seedsInBox(mesh, 10, 3));
         const SolidPartition same = mergedFragments(partition, themselves(partition));
         QCOMPARE(same.triangles, partition.triangles);
         QCOMPARE(same.seedOfFragment, partition.seedOfFragment);
@@ -104,7 +100,7 @@ private slots:
     }
     void allInOneIsTheMesh() {
         const TriangleMesh mesh = bumpySphere(12);
-        const SolidPartition partition = partitionOf(mesh, seedsInBox(mesh, 10, 3));
+        const SolidPartition partition = cellsOf(mesh, seedsInBox(mesh, 10, 3));
         const SolidPartition one = mergedFragments(partition, std::vector<std::uint32_t>(partition.fragmentCount(), 0));
         QCOMPARE(one.fragmentCount(), 1u);
         QVERIFY(std::abs(one.volumes[0] - signedVolume(mesh)) < 1e-12);
@@ -113,7 +109,7 @@ private slots:
     void smallFragmentsGoToTheLargestFace() {
         const TriangleMesh mesh = bumpySphere(24);
         const std::vector<Vec3> seeds = seedsInBox(mesh, 100, 4);
-        const SolidPartition partition = partitionOf(mesh, seeds);
+        const SolidPartition partition = cellsOf(mesh, seeds);
         const double limit = 0.02;
         std::vector<std::uint32_t> gone;
         const SolidPartition merged = withoutSmallFragments(partition, limit, &gone);
@@ -126,7 +122,7 @@ private slots:
     void partsOfOneSeedAreNumbered() {
         // A U: the cell of the seed between the legs falls into one part in each.
         const TriangleMesh u = cubes({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}});
-        const SolidPartition partition = partitionOf(u, {{1.5, 0.4, 0.5}, {1.5, 1.6, 0.5}});
+        const SolidPartition partition = cellsOf(u, {{1.5, 0.4, 0.5}, {1.5, 1.6, 0.5}});
         QCOMPARE(partition.seedOfFragment, (std::vector<std::uint32_t>{0, 1, 1}));
         QCOMPARE(partition.partOfFragment, (std::vector<std::uint32_t>{kNone, 0, 1}));
     }
