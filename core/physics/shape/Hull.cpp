@@ -16,6 +16,8 @@ constexpr double kWeldDistance = 1e-3;         // m
 constexpr double kWeldFractionOfWidth = 0.02;  // keeps the shape of small hulls
 constexpr double kPlanarDistance = 1e-6;       // m: what rounding leaves of a common plane; more would push neighbours
 constexpr double kPlanarFractionOfWidth = 5e-6;  // keeps the shape of small hulls
+constexpr double kCoarseDistance = 2e-4;         // m: faces so near to a common plane are one for coarseTurn
+constexpr double kCoarseFractionOfWidth = 1e-3;
 constexpr std::size_t kRowMultiple = 4;
 
 double widthAlong(const Polytope& polytope, const Plane& plane) {
@@ -154,6 +156,19 @@ void addEdges(Hull& hull, const Polytope& polytope) {
     }
 }
 
+/// See Hull::coarseTurn.
+float coarseTurnOf(const Polytope& polytope, double minWidth) {
+    const Polytope merged = mergeCoplanarFaces(polytope, std::min(kCoarseDistance, kCoarseFractionOfWidth * minWidth));
+    const auto faces = facesByEdge(merged);
+    float least = 1.0f;
+    for (const auto& [from, to] : merged.edges) {
+        const Vec3f first = toFloat(merged.planes[faces.at({from, to})].normal);
+        const Vec3f second = toFloat(merged.planes[faces.at({to, from})].normal);
+        if (dot(first, second) > 0.0f) least = std::min(least, length(cross(first, second)));
+    }
+    return least;
+}
+
 }  // namespace
 
 int Hull::farthest(Vec3f direction) const {
@@ -196,7 +211,9 @@ Result<Hull> makeHull(const Polytope& polytope, Vec3 centre) {
     const Result<Polytope> simple = simplified(polytope);
     if (!simple) return simple.error();
     Hull hull;
-    hull.minWidth = static_cast<float>(minWidthOf(*simple));
+    const double minWidth = minWidthOf(*simple);
+    hull.minWidth = static_cast<float>(minWidth);
+    hull.coarseTurn = coarseTurnOf(*simple, minWidth);
     addCorners(hull, *simple, centre);
     addFaces(hull, *simple, centre);
     hull.meanDepth = hull.boundingRadius;

@@ -53,6 +53,7 @@ struct Hull {
     Vec3f extents{0.0f, 0.0f, 0.0f};  // half the sides of the bounding box
     float minWidth = 0.0f;            // m: the least extent along a face normal
     float minTurn = 1.0f;             // the sine of the least angle between two adjacent normals, 1 at 90 degrees
+    float coarseTurn = 1.0f;          // the same, where faces within 0.2 mm of a common plane count as one
     float boundingRadius = 0.0f;      // m: distance from the centre of mass to the farthest corner
     float innerRadius = 0.0f;  // m: distance from the centre of mass to the nearest plane; -boundingRadius if outside
 

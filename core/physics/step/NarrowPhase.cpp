@@ -140,8 +140,8 @@ float softDepth(const WorldState& state, const Contact& contact) {
 float maxSlack(const WorldState& state, const Contact& contact) {
     const float size = std::min(hullOf(state, state.proxies[contact.proxies[0]]).boundingRadius,
                                 hullOf(state, state.proxies[contact.proxies[1]]).boundingRadius);
-    const float turn = std::min(hullOf(state, state.proxies[contact.proxies[0]]).minTurn,
-                                hullOf(state, state.proxies[contact.proxies[1]]).minTurn);
+    const float turn = std::min(hullOf(state, state.proxies[contact.proxies[0]]).coarseTurn,
+                                hullOf(state, state.proxies[contact.proxies[1]]).coarseTurn);
     return std::min(kMaxSlack, std::clamp(0.5f * turn, kMinTurn, kSlackFraction) * size);
 }
 
