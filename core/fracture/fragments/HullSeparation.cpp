@@ -2,6 +2,7 @@
 
 #include "core/geometry/hull/ConvexHull.h"
 #include "core/geometry/hull/HullOverlap.h"
+#include "core/geometry/hull/SimplifiedHull.h"
 #include "core/geometry/search/BoxTree.h"
 
 #include <algorithm>
@@ -32,7 +33,8 @@ bool areApart(const Polytope& first, const Polytope& second, double tolerance) {
            std::ranges::any_of(second.planes, [&](const Plane& plane) { return isAbove(plane, first); });
 }
 
-/// The part of a hull behind a plane, flat to a tolerance; nothing if that has no volume.
+/// The part of a hull behind a plane, flat to a tolerance; nothing if that has no volume. Corners that the plane adds
+/// are simplified, beyond kMaxCollisionCorners or as many as the hull has.
 std::optional<Polytope> behind(const Polytope& hull, const Plane& plane, double tolerance) {
     std::vector<double> heights;
     for (const Vec3& vertex : hull.vertices) heights.push_back(glm::dot(plane.normal, vertex) - plane.offset);
@@ -46,7 +48,9 @@ std::optional<Polytope> behind(const Polytope& hull, const Plane& plane, double 
     }
     if (points.size() < 4) return std::nullopt;
     Result<Polytope> part = convexHull(points, tolerance);
-    return part ? std::optional(std::move(*part)) : std::nullopt;
+    if (!part) return std::nullopt;
+    const std::size_t maxCorners = std::max(kMaxCollisionCorners, hull.vertices.size());
+    return part->vertices.size() > maxCorners ? simplifiedHull(*part, {.maxCorners = maxCorners}) : std::move(*part);
 }
 
 /// Returns by how much they overlapped, m.

@@ -1,11 +1,14 @@
 // Tests core/fracture/fragments/HullSeparation.cpp.
 #include "core/fracture/fragments/HullSeparation.h"
 
+#include "core/base/Random.h"
 #include "core/fracture/fragments/SolidFracture.h"
 #include "core/fracture/solid/SolidCut.h"
 #include "core/fracture/solid/SolidMerge.h"
+#include "core/geometry/hull/ConvexHull.h"
 #include "core/geometry/hull/HullOverlap.h"
 #include "core/geometry/hull/MassProperties.h"
+#include "core/geometry/hull/SimplifiedHull.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/geometry/Hulls.h"
 #include "tests/support/geometry/SolidShapes.h"
@@ -52,6 +55,24 @@ private slots:
         std::vector<std::vector<Polytope>> separated = hulls;
         separateHulls(separated, 1e-7);
         QVERIFY(separated == hulls);
+    }
+    /// A cut adds corners where it crosses edges; a hull of few corners keeps few.
+    void hullsThatAreCutHaveFewCorners() {
+        Random random(7);
+        std::vector<Vec3> points;
+        while (points.size() < kMaxCollisionCorners) {
+            const Vec3 point{random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-1.0, 1.0)};
+            if (glm::length(point) > 0.1 && glm::length(point) < 1.0) points.push_back(glm::normalize(point));
+        }
+        const Polytope ball = convexHull(points).value();
+        std::vector<std::vector<Polytope>> hulls{{ball}, {translated(ball, {1.9, 0.0, 0.0})}};
+        QVERIFY(separateHulls(hulls, 1e-7)[0] > 0.0);
+        for (const std::vector<Polytope>& one : hulls) {
+            QVERIFY(one[0].vertices.size() <= kMaxCollisionCorners);
+            QVERIFY(!verifyPolytope(one[0]));
+            QVERIFY(massOf(one[0]).volume > 0.95 * massOf(ball).volume);
+        }
+        QVERIFY(hullOverlap(hulls[0][0], hulls[1][0]).depth < 1e-6);
     }
     /// Cells that are merged at random are not convex, and reach around each other.
     void mergedCellsDoNotOverlap() {
