@@ -6,7 +6,7 @@ const kStep = 1 / 60;  // s
 const kStanding = 5;  // s
 
 /// The places of bodies in the world. A pane of 5 mm lies on the floor: loose, it would not stand on its edge.
-function posed(bodies, lies) {
+export function posed(bodies, lies = false) {
   const rotation = lies ? [-Math.SQRT1_2, 0, 0, Math.SQRT1_2] : identity;
   return bodies.map((body) => ({
     ...body,
@@ -26,7 +26,7 @@ const relative = (is, should) => Math.abs(is - should) / Math.abs(should);
 const largest = (values) => values.reduce((most, value) => (value > most || Number.isNaN(value) ? value : most), 0);
 
 /// How far what an engine has is from the pack: lengths in m, others relative; undefined what it does not report.
-function errorsOf(found, bodies) {
+export function errorsOf(found, bodies) {
   const over = (key, error) => {
     const known = bodies.filter((_, k) => found[k][key] !== undefined);
     return known.length === 0 ? undefined : largest(known.map((body) => error(found[bodies.indexOf(body)][key], body)));
@@ -44,8 +44,8 @@ function errorsOf(found, bodies) {
 }
 
 /// Bodies in a world of an engine: their properties; after `seconds` their largest speed, m/s, and displacement, m; and
-/// how far they moved in the second half of it, m.
-function run(engine, setting, bodies, {gravity, seconds, hasFloor}) {
+/// how far they moved in the second half of it, m. `afterStep`, if any, gets the world and the number of each step.
+export function run(engine, setting, bodies, {gravity, seconds, hasFloor, afterStep}) {
   const world = engine.world([0, gravity, 0], kStep, setting);
   if (hasFloor) world.addFloor(lowest(bodies), bodies[0].friction);
   const added = bodies.map((body) => world.add(body));
@@ -55,6 +55,7 @@ function run(engine, setting, bodies, {gravity, seconds, hasFloor}) {
   const halfway = [];
   for (let step = 0; step < steps; ++step) {
     world.step();
+    afterStep?.(world, step);
     if (step === steps >> 1) halfway.push(...added.map((body) => body.position()));
   }
   const drift = largest(added.map((body, k) => length(sub(body.position(), halfway[k]))));

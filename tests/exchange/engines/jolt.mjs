@@ -2,9 +2,10 @@ import {dot, sub} from "../geometry.mjs";
 
 export const program = "Jolt Physics";
 export const packageName = "jolt-physics";
-export const settings = [{name: "defaults", looser: {
-  volume: [1.2e-2, "its hulls leave out points nearer than 1 mm to a face (mHullTolerance)"],
-}}];
+const simplified = "its hulls leave out points nearer than 1 mm to a face (mHullTolerance)";
+export const settings = [
+  {name: "defaults", looser: {volume: [1.2e-2, simplified]}, round: {volume: [8e-2, simplified]}},
+];
 
 const values = (v) => [v.GetX(), v.GetY(), v.GetZ()];
 const fourValues = (q) => [...values(q), q.GetW()];
@@ -86,6 +87,16 @@ class World {
     for (const shape of shapes) all.AddShapeShape(new Jolt.Vec3(0, 0, 0), new Jolt.Quat(0, 0, 0, 1), shape, 0);
     return all.Create().Get();
   }
+  /// The number of convex hulls that a shape has.
+  hullsOf(shape) {
+    const {Jolt} = this;
+    const type = shape.GetSubType();
+    if (type === Jolt.EShapeSubType_ConvexHull) return 1;
+    if (type !== Jolt.EShapeSubType_StaticCompound) return 0;
+    const all = Jolt.castObject(shape, Jolt.StaticCompoundShape);
+    return Array.from({length: all.GetNumSubShapes()}, (_, k) => this.hullsOf(all.GetSubShape(k).mShape))
+      .reduce((sum, count) => sum + count);
+  }
   // The adapter.
   add(body) {
     const {Jolt} = this;
@@ -124,6 +135,7 @@ class World {
         centre: values(shape.GetCenterOfMass()),
         moments: values(added.GetMotionProperties().GetInverseInertiaDiagonal()).map((inverse) => 1 / inverse),
         volume: shape.GetVolume(),
+        hulls: this.hullsOf(hulls),
         friction: added.GetFriction(),
         position: values(added.GetPosition()),
       }),

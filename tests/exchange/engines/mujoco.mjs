@@ -65,7 +65,7 @@ class Handle {
     this.world.data.qvel.set([...velocity, ...rotated(conjugate(rotation), angularVelocity)], 6 * this.index());
   }
   properties() {
-    const {model, hulls} = this.world;
+    const {model, hulls, mujoco} = this.world;
     const k = this.index() + 1;
     const three = (values) => [...values.subarray(3 * k, 3 * k + 3)];
     return {
@@ -73,6 +73,8 @@ class Handle {
       centre: three(model.body_ipos),
       moments: three(model.body_inertia),
       volume: hulls.body_mass[k],
+      hulls: model.geom_type.subarray(model.body_geomadr[k], model.body_geomadr[k] + model.body_geomnum[k])
+        .filter((type) => type === mujoco.mjtGeom.mjGEOM_MESH.value).length,
       friction: model.geom_friction[3 * model.body_geomadr[k]],
       position: three(model.body_pos),
     };

@@ -4,11 +4,22 @@ import {asInBrowser} from "../packages.mjs";
 
 export const program = "PhysX 5.6.1";
 export const packageName = "physx-js-webidl";
-const volume = [2e-3, "cooking merges planes that are nearly one (planeTolerance)"];
+const merged = "cooking merges planes that are nearly one (planeTolerance)";
+const edges = "its persistent manifolds (eENABLE_PCM) find an overlap of hulls that are diagonal to each other at an edge";
 export const settings = [
-  {name: "defaults", looser: {volume, standing: [3e-2, "4 iterations of the solver PGS let stacks sink"]}},
-  {name: "solver TGS, 8 iterations", usesTgs: true, iterations: 8, looser: {volume}},
+  {name: "defaults", looser: {
+    volume: [2e-3, merged],
+    standing: [3e-2, "4 iterations of the solver PGS let stacks sink"],
+  }, round: {volume: [8e-2, merged], overlap: [2e-3, merged], swap: [5e-3, merged]}},
+  {name: "solver TGS, 8 iterations, planeTolerance 1e-5", usesTgs: true, iterations: 8, planeTolerance: 1e-5, round: {
+    volume: [5e-4, merged],
+    overlap: [2.5e-4, edges],
+  }},
 ];
+/// Further settings for sculptures.mjs.
+export const variants = [{...settings[1], name: "the same without persistent manifolds", withoutPcm: true, round: {
+  volume: [5e-4, merged],
+}}];
 
 export async function start(load, folder) {
   const wasmBinary = readFileSync(join(folder, "physx-js-webidl.wasm"));
@@ -34,10 +45,12 @@ class World {
     Object.assign(this, sdk, {setting});
     const {Px, top} = sdk;
     this.stepLength = step;
+    this.cooking.planeTolerance = setting.planeTolerance ?? 7e-4;  // its default
     const description = new Px.PxSceneDesc(this.scale);
     description.gravity = new Px.PxVec3(...gravity);
     description.cpuDispatcher = this.dispatcher;
     if (setting.usesTgs) description.solverType = Px.PxSolverTypeEnum.eTGS;
+    if (setting.withoutPcm) description.flags.clear(Px.PxSceneFlagEnum.eENABLE_PCM);
     this.reportContacts(description);
     this.scene = this.physics.createScene(description);
   }
@@ -110,6 +123,15 @@ class World {
     if (!mesh || !Px.getPointer(mesh)) throw new Error("PhysX cooks no mesh of a hull");
     return new Px.PxConvexMeshGeometry(mesh);
   }
+  /// The number of convex hulls that an actor has.
+  hullsOf(actor) {
+    const {Px} = this;
+    const count = actor.getNbShapes();
+    const shapes = new Px.PxArray_PxShapePtr(count);
+    actor.getShapes(shapes.begin(), count, 0);
+    const types = Array.from({length: count}, (_, k) => shapes.get(k).getGeometry().getType());
+    return types.filter((type) => type === Px.PxGeometryTypeEnum.eCONVEXMESH).length;
+  }
   // The adapter.
   add(body) {
     const {Px} = this;
@@ -138,6 +160,7 @@ class World {
         centre: values(added.getCMassLocalPose().p),
         moments: values(added.getMassSpaceInertiaTensor()),
         volume: geometries.reduce((sum, hull) => sum + new Px.PxMassProperties(hull).mass, 0),
+        hulls: this.hullsOf(added),
         friction: materials[0].getStaticFriction(),
         position: values(added.getGlobalPose().p),
       }),

@@ -1,8 +1,14 @@
 export const program = "Rapier";
 export const packageName = "@dimforge/rapier3d-compat";
-export const settings = [{name: "defaults", looser: {
-  volume: [5e-4, "its hulls leave out points less than about a thousandth of their size outside a face"],
+const simplified = "its hulls leave out points less than about a thousandth of their size outside a face";
+const absolute = "the tolerances of its search for the nearest points are lengths: small hulls that are apart seem to overlap";
+export const settings = [{name: "defaults", looser: {volume: [5e-4, simplified]}, round: {
+  volume: [8e-3, simplified],
+  overlap: [4e-2, absolute],
+  swap: [0.15, absolute],
 }}];
+/// Further settings for sculptures.mjs.
+export const variants = [{name: "lengths × 10", perMetre: 10, round: {volume: [8e-3, simplified]}}];
 
 const xyz = ([x, y, z]) => ({x, y, z});
 const xyzw = ([x, y, z, w]) => ({x, y, z, w});
@@ -58,6 +64,7 @@ class World {
         centre: values(added.localCom()),
         moments: values(added.principalInertia()),
         volume: colliders.reduce((sum, collider) => sum + collider.volume(), 0),
+        hulls: colliders.filter((collider) => collider.shapeType() === RAPIER.ShapeType.ConvexPolyhedron).length,
         friction: colliders[0].friction(),
         position: values(added.translation()),
       }),
