@@ -17,8 +17,9 @@ namespace {
 
 void collectActions(const QMenu& menu, QList<QAction*>& actions) {
     for (QAction* action : menu.actions()) {
-        if (action->menu()) {
-            collectActions(*action->menu(), actions);
+        if (QMenu* submenu = action->menu()) {
+            emit submenu->aboutToShow();  // fills those that list what there is now, such as saved throws
+            collectActions(*submenu, actions);
         } else if (!action->isSeparator()) {
             actions.append(action);
         }

@@ -1,9 +1,12 @@
 // Tests editor/help/ActionSearch.cpp with all actions of the window.
 #include "core/asset/library/StarterProject.h"
+#include "editor/commands/ProjectEdits.h"
 #include "editor/help/ActionSearch.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/EditorStory.h"
 
+#include <QLineEdit>
+#include <QListWidget>
 #include <QMenuBar>
 
 using namespace rubble;
@@ -46,6 +49,17 @@ private slots:
         QFETCH(const QString, word);
         QFETCH(const QString, name);
         QVERIFY(matchingActions(word, m_actions).contains(action(name.toUtf8())));
+    }
+    void savedThrowsAreFoundWithoutOpeningTheirMenu() {
+        QVERIFY(window().workspace().document().push(addShot(project(), "meteor from above", Throw{}).edit));
+        action("help-search")->trigger();
+        auto* search = window().findChild<ActionSearch*>();
+        QVERIFY(search);
+        search->findChild<QLineEdit*>()->setText("meteor");
+        QCOMPARE(search->findChild<QListWidget*>()->count(), 1);
+        QCOMPARE(search->findChild<QListWidget*>()->item(0)->text(),
+                 QString("Play ▸ Repeat Saved Throw ▸ meteor from above"));
+        search->close();
     }
 
 private:
