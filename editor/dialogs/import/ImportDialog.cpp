@@ -4,6 +4,7 @@
 #include "editor/commands/ProjectEdits.h"
 #include "editor/dialogs/import/ImportView.h"
 #include "editor/dialogs/import/MeshReading.h"
+#include "editor/dialogs/import/OfferedFallbacks.h"
 #include "editor/dialogs/import/OutlinePreview.h"
 #include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
@@ -19,6 +20,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSpinBox>
 #include <QTableWidget>
 
 #include <QLocale>
@@ -31,8 +33,9 @@ namespace rubble {
 namespace {
 
 constexpr QSize kImportDialogSize{920, 700};
-constexpr int kRefusedLines = 5;  // shown without scrolling
-constexpr int kShownRows = 8;     // of the table, without scrolling
+constexpr int kRefusedLines = 5;       // shown without scrolling
+constexpr int kShownRows = 8;          // of the table, without scrolling
+constexpr int kMaxFragments = 10'000;  // more are set in the inspector, which says how long they take
 
 enum AssetColumn { kName, kShape, kSize, kDepth, kAxis, kTolerance, kColumns };
 
@@ -76,44 +79,11 @@ QString solidText(const SolidFit& solid, const Units& units) {
     return text + ' ' + ImportDialog::tr("It is not a prism: %1").arg(QString::fromStdString(solid.whyNoPrism));
 }
 
-/// A fallback, and the refused objects that it imports.
-struct OfferedFallback {
-    WorkingFallback fallback;
-    int objects = 0;
-    double before = 0.0, after = 0.0;  // m³, of those whose volume is known
-};
-
-std::vector<OfferedFallback> offeredFallbacks(const std::vector<RejectedObject>& all) {
-    std::vector<OfferedFallback> offered;
-    for (const RejectedObject& rejected : all) {
-        for (const WorkingFallback& working : rejected.fallbacks) {
-            auto known = std::ranges::find(offered, working, &OfferedFallback::fallback);
-            if (known == offered.end()) known = offered.insert(known, {.fallback = working});
-            ++known->objects;
-            if (!rejected.volume) continue;
-            known->before += *rejected.volume;
-            known->after += working.volume;
-        }
+/// Sets the number of seeds of a new asset's pattern.
+void setSeedCount(Asset& asset, std::uint32_t count) {
+    for (PatternLayer& layer : asset.pattern.layers) {
+        if (auto* scatter = std::get_if<UniformScatter>(&layer.parameters)) scatter->count = count;
     }
-    return offered;
-}
-
-/// The caption of a button; names the axis unless it is the selected one.
-QString fallbackText(const WorkingFallback& working, PrismAxis selected) {
-    const bool isSilhouette = working.fallback == PrismFallback::Silhouette;
-    if (working.axis == selected)
-        return isSilhouette ? ImportDialog::tr("Use Silhouette") : ImportDialog::tr("Use Top Face");
-    const QString axis = QStringLiteral("XYZ").at(static_cast<int>(working.axis) - static_cast<int>(PrismAxis::X));
-    return (isSilhouette ? ImportDialog::tr("Use Silhouette Along %1") : ImportDialog::tr("Use Top Face Along %1"))
-        .arg(axis);
-}
-
-QString fallbackToolTip(const OfferedFallback& offered, const Units& units) {
-    const auto text = [&](double volume) { return localizedQuantity(QuantityKind::Volume, volume, units); };
-    const QString count = ImportDialog::tr("Import %Ln refused object(s) in this way", nullptr, offered.objects);
-    if (text(offered.before) == text(offered.after) || !(offered.before > 0.0)) return count;
-    return ImportDialog::tr("%1; the volume changes from %2 to %3")
-        .arg(count, text(offered.before), text(offered.after));
 }
 
 /// What can be imported, before the reasons for which something cannot.
@@ -192,6 +162,8 @@ ImportDialog::ImportDialog(const QString& path, const Project& project, const Pr
     });
     connect(this, &QDialog::finished, &m_job, &BackgroundJob::cancel);
     connect(m_table, &QTableWidget::currentCellChanged, this, [this](int row) { showRow(row); });
+    m_fragments->setFocus();  // a number can be typed at once, and Return imports
+    m_fragments->selectAll();
 }
 
 bool ImportDialog::read(const std::filesystem::path& importer) {
@@ -204,7 +176,13 @@ bool ImportDialog::read(const std::filesystem::path& importer) {
 }
 
 Edit ImportDialog::edit() const {
-    return editBetween(tr("Import %1").arg(fileNameText(m_path)), m_project, m_outcome->project);
+    Project imported = m_outcome->project;
+    const std::vector<Id> created = assets();
+    for (Asset& asset : imported.assets) {
+        if (std::ranges::find(created, asset.id) != created.end())
+            setSeedCount(asset, static_cast<std::uint32_t>(m_fragments->value()));
+    }
+    return editBetween(tr("Import %1").arg(fileNameText(m_path)), m_project, imported);
 }
 
 std::vector<Id> ImportDialog::assets() const {
@@ -240,6 +218,10 @@ void ImportDialog::createFields() {
     m_mergeEqual = new QCheckBox(tr("E&qual meshes are instances of one asset"));
     m_mergeEqual->setToolTip(tr("Make one asset of meshes that differ in their places only"));
     m_mergeEqual->setChecked(true);
+    m_fragments = new QSpinBox;
+    m_fragments->setRange(1, kMaxFragments);
+    m_fragments->setValue(static_cast<int>(UniformScatter().count.amount));
+    m_fragments->setToolTip(tr("Set the number of seeds of each asset, which it is fractured at"));
     m_table = new QTableWidget(0, kColumns);
     m_table->setHorizontalHeaderLabels(
         {tr("Asset"), tr("Shape"), tr("Size"), tr("Depth"), tr("Axis"), tr("Tolerance")});
@@ -291,6 +273,7 @@ QWidget* ImportDialog::createOptions() {
     form->addRow(tr("&Extrude along:"), m_axis);
     form->addRow(tr("If &not a prism:"), m_fallback);
     form->addRow(m_mergeEqual);
+    form->addRow(tr("&Fragments:"), m_fragments);
     auto* rows = new QVBoxLayout(options);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->addLayout(form);
@@ -469,12 +452,12 @@ void ImportDialog::fitTable() {
     m_table->setMinimumHeight(m_table->horizontalHeader()->sizeHint().height() + height + 2 * m_table->frameWidth());
 }
 
-/// Shows the outline of an asset, none for null; a mesh leaves the place empty.
+/// Shows the outline of an asset; the place is empty for a mesh, and for null.
 void ImportDialog::showOutline(const ImportedAsset* imported) {
     const bool hasOutline = imported != nullptr && imported->prism;
     m_preview->setOutline(hasOutline ? imported->prism->outline : Polygon());
-    m_preview->setVisible(imported == nullptr || hasOutline);
-    m_previewTitle->setVisible(imported == nullptr || hasOutline);
+    m_preview->setVisible(hasOutline);
+    m_previewTitle->setVisible(hasOutline);
 }
 
 void ImportDialog::showRow(int row) {

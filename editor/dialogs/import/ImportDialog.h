@@ -20,6 +20,7 @@ class QLabel;
 class QProgressBar;
 class QPushButton;
 class QScrollArea;
+class QSpinBox;
 class QTableWidget;
 
 namespace rubble {
@@ -85,6 +86,7 @@ private:
     QComboBox* m_axis;
     QComboBox* m_fallback;
     QCheckBox* m_mergeEqual;
+    QSpinBox* m_fragments;  // of each asset, about
     QTableWidget* m_table;
     ImportView* m_view;
     QLabel* m_previewTitle;

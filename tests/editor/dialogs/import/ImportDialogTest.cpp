@@ -1,5 +1,5 @@
-// Tests editor/dialogs/import/ImportDialog.cpp, editor/dialogs/import/ImportView.cpp and
-// editor/dialogs/import/MeshReading.cpp.
+// Tests editor/dialogs/import/ImportDialog.cpp, editor/dialogs/import/ImportView.cpp,
+// editor/dialogs/import/MeshReading.cpp and editor/dialogs/import/OfferedFallbacks.cpp.
 #include "editor/dialogs/import/ImportDialog.h"
 
 #include "core/asset/library/StarterProject.h"
@@ -22,6 +22,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSpinBox>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -355,6 +356,7 @@ private slots:
         QVERIFY(bench.shows("Red: where it cannot be cut."));
         QCOMPARE(bench.view().scene().lines.size(), std::size_t{4});
         QVERIFY(bench.buttonNamed("Show Problem")->isVisible());
+        QVERIFY(!bench.dialog.findChild<OutlinePreview*>()->isVisible());
         const Camera before = bench.view().camera();
         QTest::mouseClick(bench.buttonNamed("Show Problem"), Qt::LeftButton);
         QVERIFY(!(bench.view().camera() == before));
@@ -363,6 +365,17 @@ private slots:
         QVERIFY(bench.view().scene().lines.empty());
         QVERIFY(!bench.buttonNamed("Show Problem")->isVisible());
         QVERIFY(!bench.shows("Red: where it cannot be cut."));
+    }
+    void numberOfFragmentsIsTypedAtOnce() {
+        ImportBench bench(kMeshes + "wall.obj");
+        QVERIFY(bench.dialog.focusWidget() == bench.dialog.findChild<QSpinBox*>());
+        QTest::keyClicks(bench.dialog.focusWidget(), "100");
+        QTest::keyClick(bench.dialog.focusWidget(), Qt::Key_Return);
+        QCOMPARE(bench.dialog.result(), static_cast<int>(QDialog::Accepted));
+        Document document(bench.project);
+        QVERIFY(document.push(bench.dialog.edit()));
+        const Pattern& pattern = document.project().assets.back().pattern;
+        QVERIFY(std::get<UniformScatter>(pattern.layers.front().parameters).count == SeedCount(100));
     }
     void problemsAreFramedInTurn() {
         TriangleMesh open = prismSolid(unitSquare(), 0.5);
