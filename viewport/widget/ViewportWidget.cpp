@@ -201,24 +201,26 @@ void ViewportWidget::setProjection(Projection projection) {
 
 void ViewportWidget::setScaleUnit(const ScaleUnit& unit) { m_scaleBar->setUnit(unit); }
 
-void ViewportWidget::frame(const Box3& box) {
+void ViewportWidget::frame(const Box3& box) { frameFrom(m_goal, box); }
+
+void ViewportWidget::frameFrom(const Camera& orientation, const Box3& box) {
     if (box.isEmpty()) return;
     m_strips = m_overlay->strips(size());
-    animateTo(framed(box));
+    animateTo(framed(orientation, box));
     m_framed = box;
 }
 
-Camera ViewportWidget::framed(const Box3& box) const {
+Camera ViewportWidget::framed(const Camera& orientation, const Box3& box) const {
     const ImageStrips strips = m_overlay->strips(size());
     const double scale = devicePixelRatioF();
-    return framing(m_goal, box, imageSize(), {scale * strips.top, scale * strips.bottom});
+    return framing(orientation, box, imageSize(), {scale * strips.top, scale * strips.bottom});
 }
 
 /// Frames again what was framed, for another size or other plates.
 void ViewportWidget::refit() {
     if (!m_framed) return;
     m_strips = m_overlay->strips(size());
-    moveCamera(framed(*m_framed));
+    moveCamera(framed(m_goal, *m_framed));
 }
 void ViewportWidget::frameAll() { frame(boundsOf(*m_scene)); }
 void ViewportWidget::frameSelected() {

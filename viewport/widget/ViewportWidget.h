@@ -91,6 +91,8 @@ public:
     void frameSelected();
     /// Frames a box between the plates. It stays framed when the size or the plates change, until the camera is moved.
     void frame(const Box3& box);
+    /// The same, with the orientation of another camera.
+    void frameFrom(const Camera& orientation, const Box3& box);
 
     /// The size in device pixels.
     ImageSize imageSize() const;
@@ -125,7 +127,7 @@ protected:
 private:
     bool dispatchToTools(QEvent& event);
     bool endsPresenting(QEvent& event);
-    Camera framed(const Box3& box) const;
+    Camera framed(const Camera& orientation, const Box3& box) const;
     void refit();
     void moveCamera(const Camera& camera);
     void showError(const QString& sentence);

@@ -1,6 +1,7 @@
 #include "editor/dialogs/import/ImportView.h"
 
 #include "editor/workspace/ViewportStyle.h"
+#include "viewport/scene/ProblemCamera.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QLabel>
@@ -50,7 +51,10 @@ void ImportView::setAsset(const ImportedAsset* imported) {
     m_legend->setText(legend);
 }
 
-void ImportView::frameProblem(std::size_t index) { m_viewport->frame(surroundingsOf(m_problems[index], m_model)); }
+void ImportView::frameProblem(std::size_t index) {
+    const MeshProblem& problem = m_problems[index];
+    m_viewport->frameFrom(facing(problem, m_model, m_viewport->camera()), surroundingsOf(problem, m_model));
+}
 
 }  // namespace rubble
 

@@ -25,7 +25,7 @@ public:
     void setProblems(std::vector<MeshProblem> problems);
     /// Shows a prism and its axis, or a closed mesh; null shows none.
     void setAsset(const ImportedAsset* imported);
-    /// Frames the place of a problem.
+    /// Frames the place of a problem, from a side that shows it.
     void frameProblem(std::size_t index);
 
 private:

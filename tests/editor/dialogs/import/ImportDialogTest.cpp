@@ -391,6 +391,15 @@ private slots:
         QTest::mouseClick(next, Qt::LeftButton);
         QVERIFY(std::abs(bench.view().camera().target.x - first.target.x) < 1.0);
     }
+    void problemOnTheFarSideIsTurnedToTheViewer() {
+        TriangleMesh open = prismSolid(unitSquare(), 0.5);
+        open.triangles.erase(open.triangles.begin());  // of the back
+        ImportBench bench(meshFile(open), "Mesh");
+        if (!bench.view().errorText().isEmpty()) QSKIP("OpenGL is not available.");
+        QTest::mouseClick(bench.buttonNamed("Show Problem"), Qt::LeftButton);
+        QVERIFY(axesOf(bench.view().camera()).back.z < -0.3);
+        QVERIFY(bench.pixels(isRed) > 200);
+    }
     void redIsSeenOnACrossingMesh() {
         const TriangleMesh wall = prismSolid(unitSquare(), 0.5);
         ImportBench bench(meshFile(joined(wall, placed(wall, {{0.5, 0.25, 0.1}}))), "Mesh");
