@@ -1,5 +1,6 @@
 #include "editor/play/PlayController.h"
 
+#include "core/asset/placement/InstancePlacement.h"
 #include "core/asset/project/Ranges.h"
 #include "core/base/Parallel.h"
 #include "core/play/scene/LiveInputs.h"
@@ -308,6 +309,7 @@ void PlayController::startIfBaked() {
     if (!m_isWaitingForBakes || !m_bakes.areCurrent(m_document.project())) return;
     m_isWaitingForBakes = false;
     m_followedProject = m_startProject = m_document.project();
+    suggestTools();
     m_thread.start([project = m_followedProject, bakes = m_bakes.assetBakes(), script = m_script,
                     overlays = m_overlays](const TaskContext& task) -> Result<std::unique_ptr<PlayEngine>> {
         const Result<std::shared_ptr<const PlayScene>> scene = playScene(project, bakes, task);
@@ -318,6 +320,16 @@ void PlayController::startIfBaked() {
     });
     for (PlayThread::Task& task : m_queuedTasks) m_thread.post(std::move(task));
     m_queuedTasks.clear();
+}
+
+/// Fits the tools to the size of the scene, unless they were set.
+void PlayController::suggestTools() {
+    std::vector<Id> instances;
+    for (const Instance& instance : m_startProject.instances) instances.push_back(instance.id);
+    const Box3 bounds = boundsOf(m_startProject, instances);
+    const bool areDefault = hasDefaultTools();
+    m_defaultTools = defaultPlayTools(bounds.isEmpty() ? 0.0 : bounds.diagonal());
+    if (areDefault) setToolSettings(m_defaultTools);
 }
 
 void PlayController::applyEdits() {

@@ -76,6 +76,8 @@ public:
     void setOverlays(const PlayOverlays& overlays);
     const PlayToolSettings& toolSettings() const { return m_toolSettings; }
     void setToolSettings(const PlayToolSettings& tools);
+    /// Whether they are those that the size of the scene suggested when the simulation started.
+    bool hasDefaultTools() const { return m_toolSettings == m_defaultTools; }
 
     /// User input along rays from the eye. `charge` in [0, 1]: 0 is a tapped throw, 1 one of kFullCharge times its
     /// speed.
@@ -137,6 +139,7 @@ signals:
 private:
     void prepare(PlayScript script);
     void restart();
+    void suggestTools();
     void forgetAim();
     void startIfBaked();
     void applyEdits();
@@ -162,6 +165,7 @@ private:
     std::optional<std::uint64_t> m_soughtStep;   // not in a frame yet
     PlayOverlays m_overlays;
     PlayToolSettings m_toolSettings;
+    PlayToolSettings m_defaultTools;
     Project m_followedProject;  // whose edits are applied so far
     Project m_startProject;
     PlayScript m_script;  // of the start

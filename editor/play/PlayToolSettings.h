@@ -18,6 +18,10 @@ struct PlayToolSettings {
     bool operator==(const PlayToolSettings&) const = default;
 };
 
+/// The defaults for a scene whose bounding box has a diagonal, m: those above for a wall or a house; in scenes smaller
+/// than 2 m a projectile and forces that suit what is there, rounded to two digits.
+PlayToolSettings defaultPlayTools(double diagonal);
+
 /// What is taken away at a point.
 enum class RemovalExtent { Body, Fragment };
 

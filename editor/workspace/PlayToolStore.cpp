@@ -82,6 +82,7 @@ void keepPlayTools(Workspace& workspace) {
     };
     QObject::connect(&workspace.file(), &DocumentFile::pathChanged, &workspace, read);
     QObject::connect(&workspace.play(), &PlayController::toolSettingsChanged, &workspace, [&workspace] {
+        if (workspace.play().hasDefaultTools()) return;
         QSettings settings;
         writePlayTools(workspace.play().toolSettings(), workspace.file().path(), settings);
     });

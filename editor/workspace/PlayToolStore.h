@@ -15,7 +15,7 @@ PlayToolSettings readPlayTools(const QSettings& settings, const QString& project
 void writePlayTools(const PlayToolSettings& tools, const QString& project, QSettings& settings);
 
 /// Keeps the settings of a workspace's play tools with its project: what suits a pane does not suit a house. A project
-/// that has none keeps those that are set.
+/// that has none keeps those that are set; defaults are not stored, so that they follow the size of the scene.
 void keepPlayTools(Workspace& workspace);
 
 }  // namespace rubble
