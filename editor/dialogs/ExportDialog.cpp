@@ -1,6 +1,7 @@
 #include "editor/dialogs/ExportDialog.h"
 
 #include "core/io/formats/ExportFormat.h"
+#include "core/io/output/ExportIndex.h"
 #include "core/io/pack/SceneFile.h"
 #include "editor/dialogs/ExportTree.h"
 #include "editor/dialogs/OutputPath.h"
@@ -55,6 +56,7 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent) : QDialog(pare
     connect(m_assets, &QListWidget::itemChanged, this, &ExportDialog::refresh);
     connect(m_folder, &QLineEdit::textChanged, this, &ExportDialog::refresh);
     refresh();
+    m_target->setFocus();  // what is usually set; its first letters select a program
 }
 
 void ExportDialog::addFields() {
@@ -230,8 +232,29 @@ void ExportDialog::browse() {
     if (!folder.isEmpty()) m_folder->setText(QDir::toNativeSeparators(folder));
 }
 
-/// Selects the formats that the program reads, and their kind; how the meshes are written otherwise stays.
+/// Whether an export to the folder would replace one for another program. Without a saved project, what a default
+/// folder holds is not known to be for the same program.
+bool ExportDialog::isOfOtherProgram(const QString& folder, const ExportTarget* target) const {
+    const auto known = std::ranges::find(m_targets, folder, &ExportOptions::folder);
+    if (known != m_targets.end()) return known->target != target;
+    return folder.startsWith(defaultExportFolder(m_workspace)) && QFile::exists(folder + '/' + kIndexName);
+}
+
+/// The folder of the last export for a program; else the default, with the program in its name where that is taken.
+QString ExportDialog::folderFor(const ExportTarget* target) const {
+    for (std::size_t k = m_targets.size(); k-- > 0;) {
+        if (m_targets[k].target == target) return m_targets[k].folder;
+    }
+    const QString folder = defaultExportFolder(m_workspace);
+    if (!isOfOtherProgram(folder, target)) return folder;
+    return folder + '-' + QString::fromStdString(std::string(target->word));
+}
+
+/// Selects the formats that the program reads, and their kind, and a folder that holds no export for another program;
+/// how the meshes are written otherwise stays.
 void ExportDialog::applyTarget() {
+    if (const ExportOptions now = options(); isOfOtherProgram(now.folder, now.target))
+        m_folder->setText(QDir::toNativeSeparators(folderFor(now.target)));
     PackOptions pack = options().pack;
     const PackOptions needed = options().target->options();
     pack.meshes.formats = needed.meshes.formats;

@@ -41,6 +41,8 @@ private:
     void showFiles(const PackOptions& pack);
     void browse();
     std::vector<Id> selectedAssets() const;
+    bool isOfOtherProgram(const QString& folder, const ExportTarget* target) const;
+    QString folderFor(const ExportTarget* target) const;
     void applyTarget();
     void refresh();
 

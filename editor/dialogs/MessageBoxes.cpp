@@ -86,11 +86,16 @@ bool confirmLoss(QWidget* parent, const QString& text, const QString& action, co
 }
 
 void offer(QWidget* parent, const QString& text, const QString& action, std::function<void()> perform) {
+    const auto shown =
+        parent ? parent->findChildren<QMessageBox*>("offer", Qt::FindDirectChildrenOnly) : QList<QMessageBox*>();
+    for (QMessageBox* earlier : shown) earlier->close();
     auto* box = new QMessageBox(QMessageBox::Information, QApplication::applicationDisplayName(), text,
                                 QMessageBox::Close, parent);
     box->setTextFormat(Qt::PlainText);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setModal(false);
+    box->setObjectName("offer");
+    box->setAttribute(Qt::WA_ShowWithoutActivating);  // the keys of the window go on working
     const QPushButton* button = box->addButton(action, QMessageBox::ActionRole);
     QObject::connect(button, &QPushButton::clicked, box, std::move(perform));
     box->setDefaultButton(QMessageBox::Close);  // Return is pressed without reading

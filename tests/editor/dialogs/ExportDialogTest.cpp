@@ -191,6 +191,32 @@ private slots:
         ExportDialog later(*m_workspace, nullptr);
         for (const char* name : {"U&SD", "MuJo&Co"}) QVERIFY(boxNamed(later, name).isChecked());
     }
+    void anotherProgramGetsAFolderOfItsOwn() {
+        const auto folderFor = [&](const char* program) {
+            ExportDialog dialog(*m_workspace, nullptr);
+            boxWith(dialog, "Godot").setCurrentText(program);
+            const QString folder = dialog.options().folder;
+            exportProject(*m_workspace, dialog.options(), m_messages, nullptr);
+            return QDir(m_folder->path()).relativeFilePath(folder);
+        };
+        QCOMPARE(folderFor("Unity"), QString("packs"));
+        QCOMPARE(folderFor("Blender"), QString("packs-blender"));
+        QCOMPARE(folderFor("Unity"), QString("packs"));
+        QCOMPARE(folderFor("Blender"), QString("packs-blender"));
+    }
+    void enteredFolderStaysForAnyProgram() {
+        ExportDialog dialog(*m_workspace, nullptr);
+        const QString folder = m_folder->filePath("mine");
+        dialog.findChild<QLineEdit*>()->setText(folder);
+        boxWith(dialog, "Godot").setCurrentText("Blender");
+        QCOMPARE(dialog.options().folder, folder);
+    }
+    void firstLettersSelectAProgram() {
+        ExportDialog dialog(*m_workspace, nullptr);
+        QVERIFY(dialog.focusWidget() == &boxWith(dialog, "Godot"));
+        QTest::keyClicks(dialog.focusWidget(), "bl");
+        QVERIFY(dialog.options().target->word == "blender");
+    }
     void exportsToSeveralFoldersAreRemembered() {
         const auto exportFor = [&](const char* program, const char* folder) {
             exportProject(*m_workspace,

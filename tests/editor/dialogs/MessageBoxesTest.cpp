@@ -74,6 +74,15 @@ private slots:
         QCOMPARE(opened, 1);
         QTRY_VERIFY(!window.findChild<QMessageBox*>());
     }
+    void anOfferReplacesTheOneBefore() {
+        QWidget window;
+        for (const char* sentence : {"Exported for Unity.", "Exported for Blender."}) {
+            offer(&window, sentence, "Open Folder", [] {});
+            QVERIFY(window.findChildren<QMessageBox*>().back()->testAttribute(Qt::WA_ShowWithoutActivating));
+        }
+        QTRY_COMPARE(window.findChildren<QMessageBox*>().size(), 1);
+        QCOMPARE(window.findChild<QMessageBox*>()->text(), QString("Exported for Blender."));
+    }
 
 private:
     static Question saveQuestion() {

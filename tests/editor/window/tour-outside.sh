@@ -164,16 +164,14 @@ key ctrl+e
 shows 'no dialog opens' is_active '^Export'
 key Return
 shows 'no pack is written' has_file "$folder/packs/*/pack.json"
-shows 'the end of the export is not reported' is_active '^Rubble$'
-key Escape
+shows 'the end of the export is not reported' has_title '^Rubble$'
 adopt '^tour\.rubble – Rubble'
 step 'save a picture'
 key ctrl+alt+p
 shows 'no dialog opens' is_active '^Save Picture'
 key Return
 shows 'no picture is written' has_file "$folder/tour.png"
-shows 'the picture is not reported' is_active '^Rubble$'
-key Escape
+shows 'the picture is not reported' has_title '^Rubble$'
 adopt '^tour\.rubble – Rubble'
 step 'quit'
 key ctrl+q
