@@ -181,6 +181,13 @@ QWidget* LayerSection::addOption(const LayerParameter& parameter, const QString&
         [&parameter](PatternLayer& layer, Id entered) {
             parameter.write(layer.parameters, static_cast<double>(entered));
         });
+    if (parameter.options.data() == kDomainOptions.data()) {
+        m_rowUpdates.push_back([this, box, hint = patternText(parameter.hint)](const PatternLayer&) {
+            const bool isPlane = m_space == SeedSpace::Plane;
+            box->setItemText(0, isPlane ? patternText(kDomainOptions[0].caption) : tr("Mesh"));
+            box->setToolTip(isPlane ? hint : tr("Scatter seeds in the mesh or in its bounding box"));
+        });
+    }
     return box;
 }
 

@@ -5,6 +5,7 @@
 #include "editor/panels/inspector/PatternEditor.h"
 #include "editor/widgets/RandomSeedField.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/MeshAsset.h"
 #include "tests/support/editor/InspectorDesk.h"
 
 #include <QPushButton>
@@ -61,6 +62,18 @@ private slots:
         QCOMPARE(std::get<JitteredGrid>(desk.asset().pattern.layers.back().parameters).jitter, 0.5);
         desk.undoAll();
         QCOMPARE(desk.text(), projectText(fullProject()));
+    }
+    void seedsOfMeshesAreScatteredInTheMesh() {
+        const auto domains = [](InspectorDesk& desk, Id asset) {
+            desk.selection.setAsset(asset);
+            const auto& box = desk.control<QComboBox>("Domain");
+            return QStringList{box.itemText(0), box.itemText(1)};
+        };
+        InspectorDesk desk;
+        QCOMPARE(domains(desk, 9), (QStringList{"Outline", "Bounding box"}));
+        InspectorDesk meshes(
+            {.nextId = 9, .materials = {{.id = 1}}, .assets = {test::meshAsset(test::cubes({{0, 0, 0}}), 5)}});
+        QCOMPARE(domains(meshes, 3), (QStringList{"Mesh", "Bounding box"}));
     }
     void countsAreExpressedInThreeWays() {
         InspectorDesk desk;
