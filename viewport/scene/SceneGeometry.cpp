@@ -77,7 +77,11 @@ void setSizeCode(SceneGeometry& geometry, std::size_t first) {
 
 void addSolid(SceneGeometry& geometry, std::span<const SolidPart> parts, const Texture* texture) {
     const std::size_t firstVertex = geometry.vertices.size();
-    SolidBuilder builder(geometry);
+    Box3 box;
+    for (const SolidPart& part : parts) {
+        for (const Vec3& position : part.mesh.positions) box.include(position);
+    }
+    SolidBuilder builder(geometry, box.diagonal());
     for (const auto& [mesh, mortar] : parts) {
         addFaces(mesh, texture, builder);
         for (const PlainFace& face : mortar) {

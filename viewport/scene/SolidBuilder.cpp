@@ -1,5 +1,7 @@
 #include "viewport/scene/SolidBuilder.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 
 namespace rubble {
@@ -11,7 +13,8 @@ constexpr std::uint8_t kOnEdge = 0, kOnOppositeEdge = 255, kAway = 128;
 
 }  // namespace
 
-SolidBuilder::SolidBuilder(SceneGeometry& geometry) : m_geometry(geometry), m_solid(geometry.solidCount()) {
+SolidBuilder::SolidBuilder(SceneGeometry& geometry, double size)
+    : m_geometry(geometry), m_solid(geometry.solidCount()), m_size(static_cast<float>(size)) {
     geometry.boxes.emplace_back();
     m_corners.reserve(kUsualCorners);
     m_isEdge.reserve(kUsualCorners);
@@ -60,14 +63,25 @@ void SolidBuilder::addQuad() {
     addTriangle(first, first + 2, first + 3);
 }
 
+/// The place across of a corner that is opposite to an edge. Lines fade on faces that are narrow on the screen, but what
+/// is narrow here is only a triangle of a wider face.
+std::uint8_t SolidBuilder::away(const glm::vec3& corner, const glm::vec3& from, const glm::vec3& to) const {
+    constexpr float kWidest = 0.25f;  // of the size
+    const float length = glm::distance(from, to);
+    if (m_size <= 0.0f || length <= 0.0f) return kAway;
+    const float height = glm::length(glm::cross(to - from, corner - from)) / length;
+    return static_cast<std::uint8_t>(std::clamp(kAway * height / (kWidest * m_size), 1.0f, float{kAway}));
+}
+
 /// Has at most two visible edges: one per direction of SceneVertex::across.
 void SolidBuilder::addTriangleWithHiddenEdges() {
     const std::size_t hidden = static_cast<std::size_t>(std::ranges::find(m_isEdge, false) - m_isEdge.begin());
     const std::size_t start = (hidden + 1) % 3, middle = (hidden + 2) % 3;
     const std::uint8_t s = m_isEdge[start] ? kOnEdge : kAway, t = m_isEdge[middle] ? kOnEdge : kAway;
-    const std::uint32_t first = add(m_corners[start], s, kAway);
+    const glm::vec3 &a = m_corners[start].position, &b = m_corners[middle].position, &c = m_corners[hidden].position;
+    const std::uint32_t first = add(m_corners[start], s, m_isEdge[middle] ? away(a, b, c) : kAway);
     add(m_corners[middle], s, t);
-    add(m_corners[hidden], kAway, t);
+    add(m_corners[hidden], m_isEdge[start] ? away(c, a, b) : kAway, t);
     addTriangle(first, first + 1, first + 2);
 }
 
@@ -96,9 +110,11 @@ void SolidBuilder::addFanWithHiddenEdges() {
     const SceneVertex middle = centre();
     for (std::size_t k = 0; k < m_corners.size(); ++k) {
         const std::uint8_t s = m_isEdge[k] ? kOnEdge : kAway;
-        const std::uint32_t first = add(middle, kAway, kAway);
-        add(m_corners[k], s, kAway);
-        add(m_corners[(k + 1) % m_corners.size()], s, kAway);
+        const SceneVertex &from = m_corners[k], &to = m_corners[(k + 1) % m_corners.size()];
+        const std::uint8_t far = m_isEdge[k] ? away(middle.position, from.position, to.position) : kAway;
+        const std::uint32_t first = add(middle, far, kAway);
+        add(from, s, kAway);
+        add(to, s, kAway);
         addTriangle(first, first + 1, first + 2);
     }
 }

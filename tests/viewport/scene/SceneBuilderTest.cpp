@@ -288,6 +288,31 @@ private slots:
         const RenderScene broken = sceneOf(project, allBakes(project));
         QVERIFY(edges(broken) > 0);
     }
+    /// Lines fade where faces are narrow on the screen: the fine triangles of a curved surface are as wide as its
+    /// fragments for that, so that cracks are seen from afar.
+    void cracksOfFineMeshesAreAsWideAsTheirFragments() {
+        Project project = test::meshProject();
+        project.assets = {test::meshAsset(test::torus(64, 32), 6)};
+        project.instances = {{.id = 60, .name = "torus", .asset = project.assets[0].id}};
+        const RenderScene scene = sceneOf(project, allBakes(project));
+        const SceneGeometry& geometry = *scene.batches[0].geometry;
+        int fine = 0;
+        for (std::size_t t = 0; t < geometry.indices.size(); t += 3) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const SceneVertex &a = geometry.vertices[geometry.indices[t + k]],
+                                  &b = geometry.vertices[geometry.indices[t + (k + 1) % 3]],
+                                  &c = geometry.vertices[geometry.indices[t + (k + 2) % 3]];
+                if (a.side != VertexSide::Outside || a.across[0] != 0 || b.across[0] != 0) continue;
+                const double height = glm::length(glm::cross(b.position - a.position, c.position - a.position)) /
+                                      glm::distance(a.position, b.position);
+                const double width = geometry.boxes[a.solid].diagonal() / 4.0;
+                const double expected = std::clamp(128.0 * height / width, 1.0, 128.0);
+                QVERIFY(std::abs(c.across[0] - expected) <= 1.0);
+                fine += c.across[0] < 64 ? 1 : 0;
+            }
+        }
+        QVERIFY(fine > 100);
+    }
     void textureIsPartOfScenesColouredByMaterial() {
         Project project = starterProject();
         const AssetBakes bakes = allBakes(project);
