@@ -1,9 +1,10 @@
-"""Breaks a 1 x 1 x 0.5 m box by Blender's Cell Fracture and says how long the operator alone kept the processor busy.
+"""Breaks a box or a mesh by Blender's Cell Fracture and says how long the operator alone kept the processor busy.
 
-blender --background --factory-startup --python cell_fracture.py -- SEEDS.json...
+blender --background --factory-startup --python cell_fracture.py -- INPUT.json...
 
-Each file holds seeds in the box's plane as [[x, y], ...], x and y in [0, 1]. Prints a line "cell_fracture SEEDS SECONDS
-CELLS VOLUME" for each.
+Each file holds seeds in the plane of a 1 x 1 x 0.5 m box as [[x, y], ...], x and y in [0, 1]; or a mesh with seeds in
+space as {"points": [[x, y, z], ...], "triangles": [[a, b, c], ...], "seeds": [[x, y, z], ...]}. Prints a line
+"cell_fracture SEEDS SECONDS CELLS VOLUME" for each.
 """
 import json
 import sys
@@ -27,7 +28,7 @@ def mesh_object(name, vertices, faces):
 def box():
     corners = [(x, y, z) for z in (-DEPTH / 2, DEPTH / 2) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
     faces = [(3, 2, 1, 0), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
-    return mesh_object("box", corners, faces)
+    return mesh_object("whole", corners, faces)
 
 
 def volume_of(thing):
@@ -38,22 +39,23 @@ def volume_of(thing):
     return volume
 
 
-def fracture(seeds):
+def fracture(given):
     bpy.ops.wm.read_homefile(use_empty=True)
     addon_utils.enable("object_fracture_cell")
-    whole = box()
-    points = mesh_object("seeds", [(x, y, 0.0) for x, y in seeds], [])
+    is_mesh = isinstance(given, dict)
+    whole = mesh_object("whole", given["points"], given["triangles"]) if is_mesh else box()
+    seeds = given["seeds"] if is_mesh else [(x, y, 0.0) for x, y in given]
+    points = mesh_object("seeds", seeds, [])
     points.parent = whole
     whole.select_set(True)
     bpy.context.view_layer.objects.active = whole
     start = time.process_time()
     bpy.ops.object.add_fracture_cell_objects(source={"VERT_CHILD"}, source_limit=0, recursion=0)
     seconds = time.process_time() - start
-    cells = [thing for thing in bpy.data.objects if thing.name.startswith("box_cell")]
-    return seconds, len(cells), sum(volume_of(cell) for cell in cells)
+    cells = [thing for thing in bpy.data.objects if thing.name.startswith("whole_cell")]
+    return len(seeds), seconds, len(cells), sum(volume_of(cell) for cell in cells)
 
 
 for path in sys.argv[sys.argv.index("--") + 1:]:
     with open(path, encoding="utf-8") as file:
-        seeds = json.load(file)
-    print("cell_fracture", len(seeds), *fracture(seeds), flush=True)
+        print("cell_fracture", *fracture(json.load(file)), flush=True)

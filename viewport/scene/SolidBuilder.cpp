@@ -63,8 +63,8 @@ void SolidBuilder::addQuad() {
     addTriangle(first, first + 2, first + 3);
 }
 
-/// The place across of a corner that is opposite to an edge. Lines fade on faces that are narrow on the screen, but what
-/// is narrow here is only a triangle of a wider face.
+/// The place across of a corner that is opposite to an edge. Lines fade on faces that are narrow on the screen, but
+/// what is narrow here is only a triangle of a wider face.
 std::uint8_t SolidBuilder::away(const glm::vec3& corner, const glm::vec3& from, const glm::vec3& to) const {
     constexpr float kWidest = 0.25f;  // of the size
     const float length = glm::distance(from, to);
