@@ -24,6 +24,7 @@ set(linux ${PROJECT_SOURCE_DIR}/resources/linux)
 install(FILES ${linux}/${id}.desktop DESTINATION share/applications)
 install(FILES ${linux}/${id}.metainfo.xml DESTINATION share/metainfo)
 install(FILES ${linux}/${id}.mime.xml DESTINATION share/mime/packages RENAME ${id}.xml)
+install(FILES ${linux}/${id}.thumbnailer DESTINATION share/thumbnailers)
 install(FILES ${linux}/rubble.1 ${linux}/rubble-cli.1 DESTINATION share/man/man1)
 # Where the packages of the shells look for the completions of others.
 set(completions ${PROJECT_BINARY_DIR}/completions)

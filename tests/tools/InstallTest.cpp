@@ -4,7 +4,9 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QImage>
 #include <QMimeDatabase>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -28,6 +30,7 @@ private slots:
                                  "share/applications/io.github.rubble.Rubble.desktop",
                                  "share/metainfo/io.github.rubble.Rubble.metainfo.xml",
                                  "share/mime/packages/io.github.rubble.Rubble.xml",
+                                 "share/thumbnailers/io.github.rubble.Rubble.thumbnailer",
                                  "share/icons/hicolor/scalable/apps/io.github.rubble.Rubble.svg",
                                  "share/icons/hicolor/scalable/mimetypes/application-x-rubble.svg",
                                  "share/icons/hicolor/16x16/apps/io.github.rubble.Rubble.png",
@@ -92,6 +95,24 @@ private slots:
         QVERIFY(house.open(QIODevice::ReadOnly));
         QCOMPARE(QMimeDatabase().mimeTypeForData(house.readAll()).name(), QString("application/x-rubble"));
         QCOMPARE(QMimeDatabase().mimeTypeForData("{\n  \"format\": \"other\"").inherits("application/x-rubble"), false);
+    }
+
+    /// File managers run the command of the thumbnailer, with the paths and the size in place of %i, %o and %s.
+    void projectsHaveThumbnails() {
+        QSettings entry(m_root.filePath("share/thumbnailers/io.github.rubble.Rubble.thumbnailer"),
+                        QSettings::IniFormat);
+        entry.beginGroup("Thumbnailer Entry");
+        QCOMPARE(entry.value("MimeType").toString(), QString("application/x-rubble"));
+        const QString picture = m_root.filePath("thumbnail.png");
+        QStringList words = entry.value("Exec").toString().split(' ');
+        QCOMPARE(words.takeFirst(), entry.value("TryExec").toString());
+        words.replaceInStrings("%i", m_root.filePath("share/rubble/projects/pane.rubble"));
+        words.replaceInStrings("%o", picture);
+        words.replaceInStrings("%s", "128");
+        const ProgramOutcome drawn = runCli(words);
+        QCOMPARE(drawn.error, QString());
+        QCOMPARE(drawn.exit, 0);
+        QCOMPARE(QImage(picture).size(), QSize(128, 128));
     }
 
 private:

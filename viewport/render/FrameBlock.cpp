@@ -45,6 +45,12 @@ void setSurroundings(FrameBlock& frame, const Environment& environment, const Ca
     frame.soil = glm::vec4(environment.soil, 1.0f);
 }
 
+void setPlainBackground(FrameBlock& frame, const Colour& colour) {
+    frame.backgroundTop = frame.backgroundBottom = glm::vec4(colour.red, colour.green, colour.blue, 1.0);
+    frame.zenith.w = 0.0f;
+    frame.spacing.z = 0.0f;
+}
+
 void setCamera(FrameBlock& frame, const RenderView& view, const RenderScene& scene, const Box3& bounds, Vec2 offset) {
     const Camera& camera = view.camera;
     const CameraMatrices matrices = matricesOf(camera, view.size, scene.origin, bounds);
@@ -80,6 +86,7 @@ FrameBlock frameBlock(const RenderView& view, const RenderScene& scene, const Sc
     const glm::vec2 step = gridStep(camera);
     frame.spacing = glm::vec4(step, scene.hasGround ? 1.0f : 0.0f, settings.hasGrid ? 1.0f : 0.0f);
     frame.gridOrigin = gridOrigin(static_cast<double>(step.x), scene);
+    if (settings.background) setPlainBackground(frame, *settings.background);
     const std::uint32_t accent = packed(settings.accent);
     frame.accent = glm::vec4(accent >> 16, accent >> 8 & 255, accent & 255, 255) / 255.0f;
     frame.edges = {static_cast<float>(settings.scale), settings.hasEdges ? 0.85f : 0.0f,

@@ -4,6 +4,7 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <csetjmp>
 #include <exception>
 
@@ -25,15 +26,20 @@ public:
         if (m_info == nullptr || setjmp(png_jmpbuf(m_png)) != 0) return false;
         png_set_write_fn(m_png, &bytes, append, nullptr);
         png_set_IHDR(m_png, m_info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
-                     PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+                     image.opacities.empty() ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
+                     PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         if (effort == PngEffort::Quick) {
             png_set_compression_level(m_png, kQuickLevel);
             png_set_filter(m_png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
         }
         png_write_info(m_png, m_info);
-        const std::size_t row = 3 * static_cast<std::size_t>(image.width);
-        for (int y = 0; y < image.height; ++y) {
-            png_write_row(m_png, image.pixels.data() + row * static_cast<std::size_t>(y));
+        const std::size_t width = static_cast<std::size_t>(image.width);
+        if (!image.opacities.empty()) m_row.resize(4 * width);
+        for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
+            const std::uint8_t* pixels = image.pixels.data() + 3 * width * y;
+            for (std::size_t k = 0; k < m_row.size(); ++k)
+                m_row[k] = k % 4 == 3 ? image.opacities[width * y + k / 4] : pixels[k / 4 * 3 + k % 4];
+            png_write_row(m_png, m_row.empty() ? pixels : m_row.data());
         }
         png_write_end(m_png, m_info);
         return true;
@@ -60,9 +66,26 @@ private:
     png_structp m_png;
     png_infop m_info = nullptr;
     std::string m_message;
+    std::vector<std::uint8_t> m_row;  // of an image with opacities
 };
 
 }  // namespace
+
+Image cutOut(const Image& onBlack, const Image& onWhite) {
+    RUBBLE_ASSERT(onBlack.width == onWhite.width && onBlack.height == onWhite.height);
+    Image image = onBlack;
+    image.opacities.resize(image.pixels.size() / 3);
+    for (std::size_t k = 0; k < image.opacities.size(); ++k) {
+        int shining = 0;  // of the white background, summed over the colours
+        for (std::size_t c = 3 * k; c < 3 * k + 3; ++c) shining += onWhite.pixels[c] - onBlack.pixels[c];
+        const int opacity = std::clamp(255 - (shining + 1) / 3, 0, 255);
+        image.opacities[k] = static_cast<std::uint8_t>(opacity);
+        for (std::size_t c = 3 * k; c < 3 * k + 3 && opacity > 0; ++c)
+            image.pixels[c] =
+                static_cast<std::uint8_t>(std::min(255, (255 * onBlack.pixels[c] + opacity / 2) / opacity));
+    }
+    return image;
+}
 
 Image besideEachOther(const Image& left, const Image& right, int gap) {
     RUBBLE_ASSERT(left.height == right.height);

@@ -13,9 +13,15 @@ struct Image {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> pixels;
+    std::vector<std::uint8_t> opacities;  // one byte a pixel; none: all are opaque
 };
 
-/// Two images of equal height side by side, with a white gap of `gap` pixels.
+/// What two images of equal size show in front of black and in front of white, with its opacities: glass and the edges
+/// of things let some of the background through.
+/// Source: Smith, Blinn, Blue screen matting, 1996.
+Image cutOut(const Image& onBlack, const Image& onWhite);
+
+/// Two opaque images of equal height side by side, with a white gap of `gap` pixels.
 Image besideEachOther(const Image& left, const Image& right, int gap);
 
 /// How a PNG file is compressed: as well as possible, or in a fifth of the time, a fifth larger.

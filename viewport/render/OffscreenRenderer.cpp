@@ -57,6 +57,17 @@ Result<Image> OffscreenRenderer::renderImage(std::shared_ptr<const RenderScene> 
     return imageOf(target, view.size);
 }
 
+Result<Image> OffscreenRenderer::renderCutOut(const std::shared_ptr<const RenderScene>& scene, RenderView view,
+                                              int samples, const TaskContext& task) {
+    view.settings.background = Colour{0.0, 0.0, 0.0};
+    const Result<Image> onBlack = renderImage(scene, view, samples, task.stage(0.0, 0.5));
+    if (!onBlack) return onBlack.error();
+    view.settings.background = Colour{1.0, 1.0, 1.0};
+    const Result<Image> onWhite = renderImage(scene, view, samples, task.stage(0.5, 1.0));
+    if (!onWhite) return onWhite.error();
+    return cutOut(*onBlack, *onWhite);
+}
+
 Result<Image> renderImage(std::shared_ptr<const RenderScene> scene, const RenderView& view, int samples,
                           const TaskContext& task) {
     Result<OffscreenRenderer> maker = OffscreenRenderer::create();

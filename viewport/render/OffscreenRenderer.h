@@ -20,6 +20,9 @@ public:
     /// See renderImage() below.
     Result<Image> renderImage(std::shared_ptr<const RenderScene> scene, const RenderView& view, int samples,
                               const TaskContext& task = {});
+    /// The bodies alone, with opacities, without sky and ground: see cutOut().
+    Result<Image> renderCutOut(const std::shared_ptr<const RenderScene>& scene, RenderView view, int samples,
+                               const TaskContext& task = {});
 
 private:
     OffscreenRenderer(std::unique_ptr<SurfacelessContext> context, std::unique_ptr<Renderer> renderer);

@@ -2,6 +2,8 @@
 
 #include "core/asset/project/Project.h"
 
+#include <optional>
+
 namespace rubble {
 
 enum class Theme { Light, Dark };
@@ -19,7 +21,8 @@ struct RenderSettings {
     bool hasOverlays = true;  // axes, scale bar, outlines of selected bodies, hulls and lines; false: the scene alone
     int msaa = 0;        // samples per pixel: 1, 2, 4 or 8, clamped to what the GPU supports; 0: 4, or 1 in software
     double scale = 1.0;  // device pixels per point: scales lines and the axes indicator
-    Colour accent{1.0, 0.55, 0.1};  // of selected bodies
+    Colour accent{1.0, 0.55, 0.1};     // of selected bodies
+    std::optional<Colour> background;  // in place of sky and ground; none: these
     bool operator==(const RenderSettings&) const = default;
 };
 

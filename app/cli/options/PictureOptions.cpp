@@ -68,6 +68,7 @@ void addStyleOptions(Command& command, PictureOptions& options) {
     command.flag("--hulls", options.hasHulls, "Draw the convex hulls of the fragments");
     command.flag("--bonds", options.hasBonds,
                  "Draw lines between neighbouring fragments, as wide as their contact areas");
+    command.flag("--no-overlays", options.hasNoOverlays, "Draw the scene alone: no axes, scale bar or lines");
 }
 
 void addOverlayOption(Command& command, PictureOptions& options) {
@@ -117,6 +118,7 @@ RenderView pictureView(const PictureOptions& options, const Box3& framed) {
     RenderView view{.camera = *parseCamera(options.view), .size = *parsePictureSize(options.size)};
     view.settings.theme = options.theme == "dark" ? Theme::Dark : Theme::Light;
     view.settings.shading = options.isWireframe ? Shading::Wireframe : Shading::Faces;
+    view.settings.hasOverlays = !options.hasNoOverlays;
     view.camera = framing(view.camera, framed, view.size);
     return view;
 }

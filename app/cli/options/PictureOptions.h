@@ -20,13 +20,14 @@ struct PictureOptions {
     bool isWireframe = false;
     bool hasHulls = false;
     bool hasBonds = false;
+    bool hasNoOverlays = false;
     std::vector<std::string> overlays;  // of a simulation
     int samples = 32;
 };
 
 /// Adds --size and --view.
 void addViewOptions(Command& command, PictureOptions& options);
-/// Adds --colour, --theme, --wireframe, --hulls and --bonds.
+/// Adds --colour, --theme, --wireframe, --hulls, --bonds and --no-overlays.
 void addStyleOptions(Command& command, PictureOptions& options);
 /// Adds --overlay, for data of a simulation.
 void addOverlayOption(Command& command, PictureOptions& options);

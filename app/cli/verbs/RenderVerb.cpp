@@ -25,6 +25,7 @@ Examples:
   rubble-cli render house.rubble --out house.png
   rubble-cli render house.rubble --out apart.png --explode 0.4 --colour fragment --size 1920x1080
   rubble-cli render house.rubble --out wall.png --asset wall --view 30,15 --hulls --theme dark
+  rubble-cli render house.rubble --out cut-out.png --asset wall --transparent-background
   rubble-cli render house.rubble --out hit.png --at 60 --shot "box at the door")";
 
 struct RenderOptions {
@@ -33,6 +34,7 @@ struct RenderOptions {
     std::vector<std::string> assets;
     double explodeFactor = 0.0;
     bool isWhole = false;
+    bool isCutOut = false;
     PictureOptions picture;
     std::optional<int> step;  // of the simulation; none: before it
     PlayOptions play;
@@ -98,6 +100,15 @@ Result<Subject> simulatedScene(const RenderOptions& options, const CliContext& c
     return Subject{*scene, framed};
 }
 
+Result<Image> imageOf(const Subject& subject, const RenderOptions& options, const TaskContext& task) {
+    RenderView view = pictureView(options.picture, subject.framed);
+    if (!options.isCutOut) return renderImage(subject.scene, view, options.picture.samples, task);
+    view.settings.hasOverlays = false;
+    Result<OffscreenRenderer> renderer = OffscreenRenderer::create();
+    if (!renderer) return renderer.error();
+    return renderer->renderCutOut(subject.scene, view, options.picture.samples, task);
+}
+
 Status render(const RenderOptions& options, const CliContext& context) {
     TaskContext task{.cancel = context.cancel, .threads = options.threads};
     const Result<Subject> subject =
@@ -105,8 +116,7 @@ Status render(const RenderOptions& options, const CliContext& context) {
     if (!subject) return subject.error();
     ProgressLine line(context, "Rendering");
     task.progress = [&line](double fraction) { line.show(fraction); };
-    const RenderView view = pictureView(options.picture, subject->framed);
-    const Result<Image> image = renderImage(subject->scene, view, options.picture.samples, task);
+    const Result<Image> image = imageOf(*subject, options, task);
     line.clear();
     if (!image) return image.error();
     const Result<std::string> png = pngOf(*image);
@@ -143,6 +153,7 @@ Verb addRender(CLI::App& program) {
         .inRange(ProjectNumber::ExplodeFactor)
         .valueName("F");
     addStyleOptions(command, options->picture);
+    command.flag("--transparent-background", options->isCutOut, "Draw the bodies alone, without sky and ground");
     command.flag("--whole", options->isWhole, "Show whole assets instead of their fragments");
     addSimulationOptions(command, *options);
     addSamplesOption(command, options->picture);

@@ -4,6 +4,9 @@
 
 #include <QImage>
 
+#include <array>
+#include <cmath>
+
 using namespace rubble;
 
 namespace {
@@ -28,6 +31,29 @@ private slots:
             QCOMPARE(read.size(), QSize(5, 3));
             QCOMPARE(read.pixelColor(4, 2), QColor(255, 100, 100));
             QCOMPARE(read.pixelColor(0, 0), QColor(100, 100, 100));
+        }
+    }
+    /// Colours and opacities come back from pictures of them in front of black and white, also in the PNG.
+    void cutOutsHaveOpacities() {
+        const std::vector<std::array<int, 4>> seen = {
+            {200, 100, 50, 255}, {30, 60, 90, 128}, {250, 5, 128, 51}, {0, 0, 0, 0}};
+        Image black{2, 2, {}}, white{2, 2, {}};
+        for (const auto& [r, g, b, a] : seen) {
+            for (const int colour : {r, g, b}) {
+                black.pixels.push_back(static_cast<std::uint8_t>((colour * a + 127) / 255));
+                white.pixels.push_back(static_cast<std::uint8_t>((colour * a + 127) / 255 + 255 - a));
+            }
+        }
+        const Image image = cutOut(black, white);
+        const QImage read = QImage::fromData(QByteArray::fromStdString(*pngOf(image)));
+        QVERIFY(read.hasAlphaChannel());
+        for (int k = 0; k < 4; ++k) {
+            const auto& [r, g, b, a] = seen[static_cast<std::size_t>(k)];
+            const QColor colour = read.pixelColor(k % 2, k / 2);
+            QCOMPARE(colour.alpha(), a);
+            const int tolerance = a == 0 ? 0 : 255 / a;  // of what rounding leaves of faint colours
+            QVERIFY(std::abs(colour.red() - r) <= tolerance && std::abs(colour.green() - g) <= tolerance);
+            QVERIFY(std::abs(colour.blue() - b) <= tolerance);
         }
     }
     void imagesLieBesideEachOther() {

@@ -7,6 +7,8 @@
 #include <QDir>
 #include <QTest>
 
+#include <algorithm>
+
 using namespace rubble;
 using test::meanDifference;
 
@@ -49,6 +51,24 @@ QImage shown(const std::shared_ptr<const RenderScene>& scene, const RenderSettin
 class OffscreenRendererTest : public QObject {
     Q_OBJECT
 private slots:
+    /// Bodies are opaque, and sky and ground are not there.
+    void cutOutsShowTheBodiesAlone() {
+        const auto scene = houseScene({});
+        Result<OffscreenRenderer> renderer = OffscreenRenderer::create();
+        QVERIFY(renderer);
+        for (const int samples : {0, 4}) {
+            const Image image =
+                renderer->renderCutOut(scene, viewOf(*scene, {.hasOverlays = false, .msaa = 4}), samples).value();
+            const auto opacity = [&](int x, int y) {
+                return image.opacities[static_cast<std::size_t>(y * image.width + x)];
+            };
+            QCOMPARE(opacity(0, 0), std::uint8_t{0});
+            QCOMPARE(opacity(image.width - 1, image.height - 1), std::uint8_t{0});
+            QCOMPARE(opacity(image.width / 2, image.height / 2), std::uint8_t{255});
+            const auto seen = std::ranges::count(image.opacities, std::uint8_t{255});
+            QVERIFY(seen > 4000 && seen < 20'000);
+        }
+    }
     void matchesReferenceImage_data() {
         QTest::addColumn<SceneOptions>("options");
         QTest::addColumn<RenderSettings>("settings");
