@@ -127,13 +127,13 @@ void rotateFriction(ContactBlock& block, std::size_t lane, Vec3f normal) {
 }
 
 /// The overlap, m, up to which a contact is as soft as all; at twice of it, it is rigid. Thin bodies under many others
-/// would sink into each other by much of their width. Relative to the width, since rigid contacts of a stack do not
-/// come to rest.
+/// would sink into each other or into the ground by much of their width. Relative to the width, since rigid contacts
+/// of a stack do not come to rest.
 float softDepth(const WorldState& state, const Contact& contact) {
-    constexpr float kMinDepth = 0.003f, kWidthFraction = 0.2f;
+    constexpr float kMinDepth = 0.003f, kWidthFraction = 0.2f, kMaxFraction = 0.4f;
     const float width = std::min(hullOf(state, state.proxies[contact.proxies[0]]).minWidth,
                                  hullOf(state, state.proxies[contact.proxies[1]]).minWidth);
-    return std::max(kMinDepth, kWidthFraction * width);
+    return std::max(std::min(kMinDepth, kMaxFraction * width), kWidthFraction * width);
 }
 
 /// How far the bodies of a contact may move relative to each other before its manifold is outdated, m.
