@@ -62,6 +62,13 @@ GlTexture textureOf(const DecodedImage& image) {
 
 const void* at(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
 
+/// For the instances of the bound vertex array from `first` on.
+void describeInstances(const GlBuffer& firstBodies, std::size_t first) {
+    glBindBuffer(GL_ARRAY_BUFFER, firstBodies.id());
+    glVertexAttribIPointer(6, 1, GL_UNSIGNED_INT, sizeof(std::uint32_t), at(first * sizeof(std::uint32_t)));
+    glVertexAttribDivisor(6, 1);
+}
+
 void describeVertices(const GlBuffer& vertices, const GlBuffer& indices, const GlBuffer& firstBodies) {
     constexpr GLsizei kStride = sizeof(SceneVertex);
     glBindBuffer(GL_ARRAY_BUFFER, vertices.id());
@@ -72,9 +79,7 @@ void describeVertices(const GlBuffer& vertices, const GlBuffer& indices, const G
     glVertexAttribPointer(4, 2, GL_UNSIGNED_BYTE, GL_TRUE, kStride, at(offsetof(SceneVertex, across)));
     glVertexAttribIPointer(5, 1, GL_UNSIGNED_BYTE, kStride, at(offsetof(SceneVertex, side)));
     glVertexAttribPointer(7, 1, GL_UNSIGNED_BYTE, GL_FALSE, kStride, at(offsetof(SceneVertex, sizeCode)));
-    glBindBuffer(GL_ARRAY_BUFFER, firstBodies.id());
-    glVertexAttribIPointer(6, 1, GL_UNSIGNED_INT, sizeof(std::uint32_t), nullptr);
-    glVertexAttribDivisor(6, 1);
+    describeInstances(firstBodies, 0);
     for (GLuint attribute = 0; attribute <= 7; ++attribute) glEnableVertexAttribArray(attribute);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
 }
@@ -110,11 +115,18 @@ std::uint32_t SceneBuffers::uploaded(const std::shared_ptr<const EncodedImage>& 
 
 SceneBuffers::Batch SceneBuffers::batchOf(const SceneBatch& batch) {
     m_counts.geometryBytes += std::span(batch.firstBodies).size_bytes();
-    Batch made{bufferOf(GL_ARRAY_BUFFER, batch.firstBodies), GlVertexArray::create(), {}};
+    Batch made{.firstBodies = bufferOf(GL_ARRAY_BUFFER, batch.firstBodies),
+               .bodies = GlVertexArray::create(),
+               .inParts = batch.firstBodies.size()};
     if (batch.texture) made.texture = uploaded(batch.texture);
     const Geometry& geometry = uploaded(batch.geometry);
     glBindVertexArray(made.bodies.id());
     describeVertices(geometry.vertices, geometry.indices, made.firstBodies);
+    if (batch.geometry->wholeIndices > 0) {
+        made.wholeBodies = GlVertexArray::create();
+        glBindVertexArray(made.wholeBodies.id());
+        describeVertices(geometry.vertices, geometry.indices, made.firstBodies);
+    }
     if (batch.hulls) {
         const Geometry& hulls = uploaded(batch.hulls);
         made.hulls = GlVertexArray::create();
@@ -139,6 +151,33 @@ void SceneBuffers::uploadBatches() {
     for (const SceneBatch& batch : m_scene->batches) m_batches.push_back(batchOf(batch));
 }
 
+/// Puts the instances that are whole last: all their solids but the first are hidden.
+void SceneBuffers::sortInstances(const SceneBatch& source, Batch& batch) {
+    if (source.geometry->wholeIndices == 0) return;
+    const auto isPartHidden = [](const BodyAppearance& part) { return (part.marks & kHidden) != 0; };
+    std::vector<std::uint8_t> isWhole;
+    for (const std::uint32_t first : source.firstBodies) {
+        const auto parts =
+            std::span(m_scene->appearances).subspan(first + std::size_t{1}, source.geometry->solidCount() - 1);
+        isWhole.push_back(std::ranges::all_of(parts, isPartHidden) ? 1 : 0);
+    }
+    if (isWhole == batch.isWhole) return;
+    std::vector<std::uint32_t> sorted;
+    const auto add = [&](bool whole) {
+        for (std::size_t k = 0; k < isWhole.size(); ++k)
+            if ((isWhole[k] != 0) == whole) sorted.push_back(source.firstBodies[k]);
+    };
+    add(false);
+    batch.inParts = sorted.size();
+    add(true);
+    batch.isWhole = std::move(isWhole);
+    glBindBuffer(GL_ARRAY_BUFFER, batch.firstBodies.id());
+    glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(std::span(sorted).size_bytes()), sorted.data());
+    glBindVertexArray(batch.wholeBodies.id());
+    describeInstances(batch.firstBodies, batch.inParts);
+    glBindVertexArray(0);
+}
+
 void SceneBuffers::upload(std::shared_ptr<const RenderScene> scene) {
     if (scene == m_scene) return;
     const bool isNew = m_scene == nullptr || m_scene->batches != scene->batches;
@@ -154,6 +193,7 @@ void SceneBuffers::upload(std::shared_ptr<const RenderScene> scene) {
     write(m_previousPoses, m_scene->previousPoses);
     write(m_explodeOffsets, m_scene->explodeOffsets);
     write(m_appearances, m_scene->appearances);
+    for (std::size_t k = 0; k < m_batches.size(); ++k) sortInstances(m_scene->batches[k], m_batches[k]);
 }
 
 void SceneBuffers::draw(Part part, Batches batches) const {
@@ -165,10 +205,21 @@ void SceneBuffers::draw(Part part, Batches batches) const {
         const bool isOther = batches != Batches::All && (texture != 0) != (batches == Batches::Textured);
         if (geometry == nullptr || batch.firstBodies.empty() || isOther) continue;
         if (batches == Batches::Textured) bindTexture(texture);
-        glBindVertexArray((part == Part::Hulls ? m_batches[k].hulls : m_batches[k].bodies).id());
-        glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(geometry->indices.size()), GL_UNSIGNED_INT, nullptr,
-                                static_cast<GLsizei>(batch.firstBodies.size()));
-        ++m_counts.drawCalls;
+        const auto drawInstances = [&](const GlVertexArray& bodies, std::size_t indices, std::size_t instances) {
+            if (instances == 0) return;
+            glBindVertexArray(bodies.id());
+            glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(indices), GL_UNSIGNED_INT, nullptr,
+                                    static_cast<GLsizei>(instances));
+            ++m_counts.drawCalls;
+            m_counts.triangles += indices / 3 * instances;
+        };
+        const std::size_t all = batch.firstBodies.size(), inParts = m_batches[k].inParts;
+        if (part == Part::Hulls) {
+            drawInstances(m_batches[k].hulls, geometry->indices.size(), all);
+            continue;
+        }
+        drawInstances(m_batches[k].bodies, geometry->indices.size(), inParts);
+        drawInstances(m_batches[k].wholeBodies, geometry->wholeIndices, all - inParts);
     }
     glBindVertexArray(0);
 }

@@ -26,7 +26,8 @@ public:
     enum class Part { Bodies, Hulls };
     /// Plain: those without an image, or with one that cannot be decoded.
     enum class Batches { All, Plain, Textured };
-    /// Draws all triangles with the current program: one call per batch.
+    /// Draws all triangles with the current program: one call per batch, or two where some of its instances are whole
+    /// and others are not. Of whole instances, only the whole is drawn.
     void draw(Part part, Batches batches = Batches::All) const;
     bool hasTextures() const { return !m_textures.empty(); }
     const RenderCounts& counts() const { return m_counts; }
@@ -38,8 +39,11 @@ private:
         GlBuffer indices;
     };
     struct Batch {
-        GlBuffer firstBodies;
+        GlBuffer firstBodies;  // of the instances in parts, then of those that are whole
         GlVertexArray bodies;
+        GlVertexArray wholeBodies;          // the same, beginning with the first whole instance
+        std::vector<std::uint8_t> isWhole;  // of the instances, in the order of the scene
+        std::size_t inParts = 0;            // how many are not whole
         GlVertexArray hulls;
         std::uint32_t texture = 0;  // 0: none
     };
@@ -48,6 +52,7 @@ private:
         GlTexture texels;  // none: it cannot be decoded
     };
     void uploadBatches();
+    void sortInstances(const SceneBatch& source, Batch& batch);
     const Geometry& uploaded(const std::shared_ptr<const SceneGeometry>& source);
     std::uint32_t uploaded(const std::shared_ptr<const EncodedImage>& source);
     Batch batchOf(const SceneBatch& batch);

@@ -94,6 +94,9 @@ public:
         addSolid(*m_hulls, hulls);
     }
 
+    /// What has been added so far is the whole of what follows.
+    void endWhole() { m_geometry->wholeIndices = m_geometry->indices.size(); }
+
     AssetModel finished() {
         m_model.geometry = std::move(m_geometry);
         m_model.hulls = std::move(m_hulls);
@@ -173,6 +176,7 @@ AssetModel playModelOf(const Asset& asset, std::shared_ptr<const Bake> bake, con
     ModelBuilder builder({.asset = asset, .bake = bake}, options);
     const RoughCuts cuts(*bake, asset);
     builder.addWhole(*bake, Vec3(0.0), &cuts);
+    builder.endWhole();
     for (std::uint32_t k = 0; k < bake->fragmentCount(); ++k) builder.addFragment(k, bake->fragment(k), cuts);
     return builder.finished();
 }

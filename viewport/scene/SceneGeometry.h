@@ -36,6 +36,9 @@ struct SceneGeometry {
     std::vector<SceneVertex> vertices;
     std::vector<std::uint32_t> indices;  // three per triangle, counter-clockwise from outside
     std::vector<Box3> boxes;             // bounding box of each solid, in its own frame
+    // The first indices, of solid 0, if that is the whole of the others: all that is drawn of an instance whose other
+    // solids are hidden. 0: it is not.
+    std::size_t wholeIndices = 0;
 
     std::uint32_t solidCount() const { return static_cast<std::uint32_t>(boxes.size()); }
 };

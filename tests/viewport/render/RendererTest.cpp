@@ -7,6 +7,8 @@
 #include "viewport/render/gl/SurfacelessContext.h"
 #include "viewport/scene/play/SessionSceneBuilder.h"
 
+#include <epoxy/gl.h>
+
 using namespace rubble;
 
 namespace {
@@ -83,6 +85,38 @@ private slots:
         for (const RenderCounts& image : {whole, swap, solids}) QCOMPARE(image.drawCalls, kDrawCalls);
         QVERIFY(whole.bodyBytes > 0 && swap.bodyBytes == whole.bodyBytes && solids.bodyBytes == whole.bodyBytes);
     }
+    /// Of what is not broken only the whole is drawn, of what is broken all; either looks as if all were drawn.
+    void whatIsWholeIsDrawnWhole() {
+        Project project = test::floatingBlock(40);
+        Instance other = project.instances[0];
+        other.id = project.nextId++;
+        other.name = "other";
+        other.pose.position.x += 3.0;
+        project.instances.push_back(other);
+        const auto play = test::playSceneOf(project);
+        Session session = Session::start(play, {}).value();
+        SessionSceneBuilder builder(play);
+        const auto trianglesOf = [&] {
+            const std::uint64_t before = m_renderer->counts().triangles;
+            drawn(builder.sceneOf(session));
+            return m_renderer->counts().triangles - before;
+        };
+        session.step();
+        const std::uint64_t whole = trianglesOf();
+        test::addInput(session, BreakInput{1});
+        session.step();
+        const std::uint64_t half = trianglesOf();
+        const auto scene = builder.sceneOf(session);
+        const std::size_t all = scene->batches[0].geometry->indices.size(),
+                          one = scene->batches[0].geometry->wholeIndices;
+        QVERIFY(one > 0 && 20 * one < all);
+        QCOMPARE(half * 2 * one, whole * (one + all));
+        RenderScene plain = *scene;
+        SceneGeometry geometry = *plain.batches[0].geometry;
+        geometry.wholeIndices = 0;
+        plain.batches[0].geometry = std::make_shared<SceneGeometry>(geometry);
+        QCOMPARE(pictureOf(scene), pictureOf(std::make_shared<RenderScene>(plain)));
+    }
     void secondImageOfAStepUploadsNothing() {
         RenderScene moved = *test::starterScene();
         moved.previousPoses = moved.poses;
@@ -113,6 +147,17 @@ private:
         const RenderCounts& now = m_renderer->counts();
         return {now.drawCalls - before.drawCalls, now.geometryBytes - before.geometryBytes,
                 now.bodyBytes - before.bodyBytes};
+    }
+
+    std::vector<std::uint8_t> pictureOf(const std::shared_ptr<const RenderScene>& scene) {
+        m_renderer->setScene(scene);
+        const RenderTarget target(kViewSize, PixelFormat::Colour, 1);
+        m_renderer->draw(frontView(*scene), target.framebuffer());
+        std::vector<std::uint8_t> pixels(std::size_t{3} * kViewSize.width * kViewSize.height);
+        target.bind();
+        glPixelStorei(GL_PACK_ALIGNMENT, 1);
+        glReadPixels(0, 0, kViewSize.width, kViewSize.height, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
+        return pixels;
     }
 
     /// The body at the centre of the original wall, at a step fraction.
