@@ -32,6 +32,10 @@ void ShapeDrawing::begin(Purpose purpose, DraftShape shape) {
     cancel();
     if (purpose == Purpose::NewAsset) exitToFragment(m_state.selection, {});
     if (purpose != Purpose::NewAsset && (!m_state.asset() || m_state.isInFragment())) return;
+    if (purpose != Purpose::NewAsset && !m_state.asset()->isPrism()) {
+        emit statusMessage(tr("Only prisms have an outline to draw; this asset is a mesh."));
+        return;
+    }
     m_purpose = purpose;
     m_fault.clear();
     m_draft.emplace(shape).movePen(m_state.view.centre);
