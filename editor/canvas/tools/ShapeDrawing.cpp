@@ -32,7 +32,7 @@ void ShapeDrawing::begin(Purpose purpose, DraftShape shape) {
     cancel();
     if (purpose == Purpose::NewAsset) exitToFragment(m_state.selection, {});
     if (purpose != Purpose::NewAsset && (!m_state.asset() || m_state.isInFragment())) return;
-    if (purpose != Purpose::NewAsset && !m_state.asset()->isPrism()) {
+    if (purpose != Purpose::NewAsset && m_state.isMesh()) {
         emit statusMessage(tr("Only prisms have an outline to draw; this asset is a mesh."));
         return;
     }

@@ -2,6 +2,7 @@
 #include "editor/canvas/tools/ShapeDrawing.h"
 #include "tests/support/Closeness.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/MeshProjects.h"
 #include "tests/support/editor/Canvas.h"
 
 #include <QSignalSpy>
@@ -77,6 +78,28 @@ private slots:
         QVERIFY(bench.canvas.hint().startsWith(bench.lastMessage()));  // on the canvas, too
         bench.click({0.6, 0.5});
         QVERIFY(!bench.isDrawing());
+    }
+    /// A mesh has no outline: where one is to be drawn, a sentence says so. A new prism can be drawn beside it.
+    void meshesHaveNoOutlineToDraw() {
+        CanvasBench bench(test::meshProject());
+        bench.selection.setAsset(50);
+        bench.canvas.setTool(CanvasToolKind::Outline);
+        QSignalSpy messages(&bench.canvas, &PatternCanvas::statusMessage);
+        for (const Purpose purpose : {Purpose::Replace, Purpose::Add, Purpose::Cut}) {
+            bench.canvas.outlineTool().beginDrawing(purpose, DraftShape::Rectangle);
+            QVERIFY(!bench.canvas.outlineTool().isDrawing());
+            QVERIFY(!messages.isEmpty());
+            QVERIFY(messages.takeLast()[0].toString().startsWith("Only prisms have an outline"));
+        }
+        bench.canvas.outlineTool().beginDrawing(Purpose::NewAsset, DraftShape::Rectangle);
+        QVERIFY(bench.canvas.outlineTool().isDrawing());
+        const std::size_t before = bench.document.project().assets.size();
+        for (const Vec2 corner : {Vec2(0.1, 0.1), Vec2(0.4, 0.3)}) {
+            bench.moveTo(corner);
+            QTest::mouseClick(&bench.canvas, Qt::LeftButton, {}, bench.pixels(corner));
+        }
+        QCOMPARE(bench.document.project().assets.size(), before + 1);
+        QVERIFY(bench.document.project().assets.back().isPrism());
     }
     void nextStepIsShownOnTheCanvas() {
         DrawingBench bench(Purpose::Cut, DraftShape::Polygon);
