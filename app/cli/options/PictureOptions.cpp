@@ -65,10 +65,16 @@ void addStyleOptions(Command& command, PictureOptions& options) {
         .valueName("BY");
     command.option("--theme", options.theme, "light (default) or dark").oneOf({"light", "dark"}).valueName("THEME");
     command.flag("--wireframe", options.isWireframe, "Draw edges only");
-    command.flag("--hulls", options.hasHulls, "Draw the convex hulls of the fragments");
-    command.flag("--bonds", options.hasBonds,
-                 "Draw lines between neighbouring fragments, as wide as their contact areas");
-    command.flag("--no-overlays", options.hasNoOverlays, "Draw the scene alone: no axes, scale bar or lines");
+    const CommandOption hulls = command.flag("--hulls", options.hasHulls, "Draw the convex hulls of the fragments");
+    const CommandOption bonds = command.flag(
+        "--bonds", options.hasBonds, "Draw lines between neighbouring fragments, as wide as their contact areas");
+    const CommandOption alone =
+        command.flag("--no-overlays", options.hasNoOverlays, "Draw the scene alone: no axes, scale bar or lines");
+    for (const CommandOption& shown : {hulls, bonds}) {
+        alone.excludes(shown);
+        shown.valueName(" ");  // hides CLI11's note on --no-overlays
+    }
+    alone.valueName(" ");
 }
 
 void addOverlayOption(Command& command, PictureOptions& options) {
@@ -79,6 +85,7 @@ void addOverlayOption(Command& command, PictureOptions& options) {
                 "Draw contacts, normals, impulses, boxes, islands, sleep, heat, bodies or bonds; repeatable")
         .repeatable()
         .oneOf(words)
+        .excludes(command["--no-overlays"])
         .valueName("NAME");
 }
 

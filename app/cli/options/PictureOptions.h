@@ -29,7 +29,7 @@ struct PictureOptions {
 void addViewOptions(Command& command, PictureOptions& options);
 /// Adds --colour, --theme, --wireframe, --hulls, --bonds and --no-overlays.
 void addStyleOptions(Command& command, PictureOptions& options);
-/// Adds --overlay, for data of a simulation.
+/// Adds --overlay, for data of a simulation, after --no-overlays.
 void addOverlayOption(Command& command, PictureOptions& options);
 /// Adds --samples; the default is that of `options`.
 void addSamplesOption(Command& command, PictureOptions& options);

@@ -153,9 +153,12 @@ Verb addRender(CLI::App& program) {
         .inRange(ProjectNumber::ExplodeFactor)
         .valueName("F");
     addStyleOptions(command, options->picture);
-    command.flag("--transparent-background", options->isCutOut, "Draw the bodies alone, without sky and ground");
+    const CommandOption cutOut =
+        command.flag("--transparent-background", options->isCutOut, "Draw the bodies alone, without sky and ground");
     command.flag("--whole", options->isWhole, "Show whole assets instead of their fragments");
     addSimulationOptions(command, *options);
+    for (const char* name : {"--hulls", "--bonds", "--overlay"}) cutOut.excludes(command[name]);
+    cutOut.valueName(" ");
     addSamplesOption(command, options->picture);
     addThreadsOption(command, options->threads);
     return {command, [options](VerbReport&, const CliContext& context) { return render(*options, context); }};

@@ -1,4 +1,0 @@
-flat in uint body;
-out uint pixel;
-
-void main() { pixel = body; }
