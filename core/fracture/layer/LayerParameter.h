@@ -35,8 +35,9 @@ struct SliderRange {
 
 /// One of the values of an enumerated parameter.
 struct ParameterOption {
-    std::string_view name;  // in files
-    const char* caption;    // for users
+    std::string_view name;               // in files
+    const char* caption;                 // for users
+    const char* solidCaption = nullptr;  // of a layer in a closed mesh; null: the same
 };
 
 /// The type of a parameter's value.
@@ -58,6 +59,7 @@ struct LayerParameter {
     bool (*usedIf)(const void* kind) = nullptr;     // null: always; else depends on other parameters, see usedIf<>()
     bool isSpatial = false;                         // has an effect on closed meshes only: see isShown()
     bool isHeight = false;                          // the z of a point in space
+    const char* solidHint = nullptr;                // of a layer in a closed mesh; null: the same
     ParameterType type = ParameterType::Real;       // set by parameter<>(), as are the next two
     ParameterValue (*readFrom)(const void* kind) = nullptr;  // of a struct of that kind
     void (*writeTo)(void* kind, const ParameterValue&) = nullptr;
@@ -140,11 +142,12 @@ inline constexpr LayerParameter kCountParameter{.name = "count",
                                                 .sliderRange = {1.0, 2000.0, true}};
 
 inline constexpr std::array<ParameterOption, 2> kDomainOptions{
-    {{"outline", "Outline"}, {"boundingBox", "Bounding box"}}};
+    {{"outline", "Outline", "Mesh"}, {"boundingBox", "Bounding box"}}};
 inline constexpr LayerParameter kDomainParameter{.name = "domain",
                                                  .caption = "Domain",
                                                  .hint = "Scatter seeds in the outline or in its bounding box",
-                                                 .options = kDomainOptions};
+                                                 .options = kDomainOptions,
+                                                 .solidHint = "Scatter seeds in the mesh or in its bounding box"};
 
 inline constexpr LayerParameter kRingSpacingParameter{
     .name = "exponent",

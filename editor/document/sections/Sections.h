@@ -1,7 +1,8 @@
 #pragma once
 
-#include <QObject>
 #include "core/asset/project/Project.h"
+
+#include <QObject>
 
 #include <map>
 

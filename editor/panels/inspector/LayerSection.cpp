@@ -181,13 +181,16 @@ QWidget* LayerSection::addOption(const LayerParameter& parameter, const QString&
         [&parameter](PatternLayer& layer, Id entered) {
             parameter.write(layer.parameters, static_cast<double>(entered));
         });
-    if (parameter.options.data() == kDomainOptions.data()) {
-        m_rowUpdates.push_back([this, box, hint = patternText(parameter.hint)](const PatternLayer&) {
-            const bool isPlane = m_space == SeedSpace::Plane;
-            box->setItemText(0, isPlane ? patternText(kDomainOptions[0].caption) : tr("Mesh"));
-            box->setToolTip(isPlane ? hint : tr("Scatter seeds in the mesh or in its bounding box"));
-        });
-    }
+    m_rowUpdates.push_back([this, box, &parameter](const PatternLayer&) {
+        const auto text = [this](const char* plane, const char* solid) {
+            return patternText(m_space == SeedSpace::Solid && solid != nullptr ? solid : plane);
+        };
+        box->setToolTip(text(parameter.hint, parameter.solidHint));
+        for (std::size_t k = 0; k < parameter.options.size(); ++k) {
+            const ParameterOption& option = parameter.options[k];
+            box->setItemText(static_cast<int>(k), text(option.caption, option.solidCaption));
+        }
+    });
     return box;
 }
 
