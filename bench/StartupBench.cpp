@@ -2,10 +2,10 @@
 // display.
 #include "editor/window/MainWindow.h"
 #include "editor/window/Program.h"
+#include "viewport/widget/ViewportWidget.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
-#include <QOpenGLWidget>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTimer>
@@ -62,19 +62,17 @@ int showEmpty() {
 
 /// Waits until all assets are baked and the 3D view has drawn them.
 void tellWhenComplete(rubble::MainWindow& window) {
-    auto* view = window.findChild<QOpenGLWidget*>();
+    auto* view = window.findChild<rubble::ViewportWidget*>();
     const auto finish = [&window, view] {
         if (window.workspace().baker().isBusy()) return;
         // The scene is updated before the next frame.
         QTimer::singleShot(0, view, [view] {
-            QObject::connect(view, &QOpenGLWidget::frameSwapped, view, [] {
-                report(Stage::Complete);
-                QCoreApplication::exit();
-            });
-            view->update();
+            while (!view->isPictureCurrent()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+            report(Stage::Complete);
+            QCoreApplication::exit();
         });
     };
-    if (!view) {
+    if (!view->errorText().isEmpty()) {
         std::fputs("StartupBench: there is no OpenGL on this display.\n", stderr);
         return QCoreApplication::exit(1);
     }

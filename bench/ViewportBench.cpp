@@ -7,6 +7,7 @@
 #include "viewport/render/Renderer.h"
 #include "viewport/render/gl/RenderTarget.h"
 #include "viewport/render/gl/SurfacelessContext.h"
+#include "viewport/scene/SurfacePicking.h"
 #include "viewport/scene/play/SessionSceneBuilder.h"
 
 #include <epoxy/gl.h>
@@ -102,16 +103,14 @@ void drawOrbiting(benchmark::State& state, int msaa) {
 void drawPlain(benchmark::State& state) { drawOrbiting(state, 1); }
 void drawMsaa(benchmark::State& state) { drawOrbiting(state, 4); }
 
-/// The first pick after a camera change; later ones only read a pixel.
 void pick(benchmark::State& state) {
     const Boxes made = boxes(static_cast<std::size_t>(state.range(0)));
     const auto scene = std::make_shared<const RenderScene>(sceneOf(made.project, made.bakes[0]));
-    Stage stage;
-    stage.renderer->setScene(scene);
     RenderView view = viewOf(*scene, 1);
+    const Vec2 middle(kSize.width / 2, kSize.height / 2);
     for (auto _ : state) {
         view.camera = orbited(view.camera, 0.01, 0.0);
-        benchmark::DoNotOptimize(stage.renderer->bodyAt(view, kSize.width / 2, kSize.height / 2));
+        benchmark::DoNotOptimize(surfaceHit(*scene, rayThrough(view.camera, middle, kSize)));
     }
 }
 

@@ -16,7 +16,7 @@ class ViewportWidget;
 
 /// Turns picks in the 3D view into selections of instances and fragments, and selections into marks of the scene.
 ///
-/// The body under a pixel is found by ViewportWidget::pickAt() and Renderer::bodyAt(); points on surfaces by
+/// The body under a pixel is found by ViewportWidget::pickAt(); points on surfaces by
 /// SurfacePicking.h.
 class ScenePicker : public QObject {
     Q_OBJECT

@@ -57,7 +57,7 @@ void LightBuffer::draw(const SceneBuffers& scene, const RenderPrograms& programs
     glEnable(GL_CULL_FACE);
     programs.surfaces.use();
     programs.surfaces.set("surfaces", kOpaqueSurfaces);
-    scene.draw(SceneBuffers::Part::Bodies);
+    scene.draw(SceneBuffers::Part::Silhouettes);
     glDisable(GL_CULL_FACE);
 
     glDisable(GL_DEPTH_TEST);

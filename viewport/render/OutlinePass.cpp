@@ -47,7 +47,7 @@ void OutlinePass::draw(const SceneBuffers& scene, const RenderView& view, const 
     // A line looks at the mask around it, where it would find what was outlined before if that was not cleared.
     setScissor(view, target.outlined, kAreaMargin + kLineWidth + kMaskMargin);
     glEnable(GL_SCISSOR_TEST);
-    if (!m_mask.matches(size, 1)) m_mask = RenderTarget(size, PixelFormat::BodyIndex, 1);
+    if (!m_mask.matches(size, 1)) m_mask = RenderTarget(size, PixelFormat::Number, 1);
     m_mask.bind();
     m_depths.bind();
     constexpr std::uint32_t kNothing[4] = {0, 0, 0, 0};
@@ -58,7 +58,10 @@ void OutlinePass::draw(const SceneBuffers& scene, const RenderView& view, const 
     glDisable(GL_BLEND);
     glClear(GL_DEPTH_BUFFER_BIT);
     m_maskProgram.use();
-    scene.draw(SceneBuffers::Part::Bodies);
+    if (view.hovered && target.isHovered)
+        scene.drawBody(*view.hovered);
+    else
+        scene.draw(SceneBuffers::Part::Silhouettes);
 
     setScissor(view, target.outlined, kAreaMargin);
     glBindFramebuffer(GL_FRAMEBUFFER, target.image);

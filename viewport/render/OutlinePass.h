@@ -12,6 +12,7 @@ struct OutlineTarget {
     Box3 outlined;             // bounds of the bodies, in the world; nothing beyond their pixels is touched
     std::uint32_t depths = 0;  // framebuffer with the depths of the solid surfaces
     std::uint32_t image = 0;   // framebuffer to draw to
+    bool isHovered = false;    // of the hovered body, not of the selected ones
 };
 
 /// Draws the silhouettes of the selected bodies, or of the hovered one, over an image, fainter where something occludes

@@ -62,6 +62,10 @@ void RenderPasses::setShadows(const RenderView& view, const LightSample& sample,
     const bool isDrawn = view.settings.hasShadows && view.settings.shading == Shading::Faces;
     hasShadows = isDrawn && !summary.bounds.isEmpty();
     setFrame(frame);
+    scene.setView({.clipFromScene = frame.clipFromScene,
+                   .eye = frame.eye,
+                   .pixelsOfMetre = frame.viewport.z,
+                   .minFragmentPixels = static_cast<float>(view.minFragmentPixels * view.resolution)});
     if (!hasShadows) return;
     key = isSingle && view.resolution == 1.0 ? &singleKey : &smallKey;
     sky = isSingle ? &singleSky : &sampledSky;
@@ -77,6 +81,12 @@ void RenderPasses::setShadows(const RenderView& view, const LightSample& sample,
     sky->draw(scene, programs, sample.sky, content.region, view.skyMaps);
     frame.keyFromScene = key->textureFromScene();
     setFrame(frame);
+}
+
+void RenderPasses::invalidateShadows() {
+    keyContent = {};
+    singleSky.invalidate();
+    sampledSky.invalidate();
 }
 
 void RenderPasses::setLight(const RenderView& view) {
@@ -258,24 +268,6 @@ void RenderPasses::drawImage(const RenderView& view) {
     if (!hasOverlays) return;
     drawOutlines(view);
     drawAxes(view);
-}
-
-void RenderPasses::drawBodies(const RenderView& view, const PixelBox& part) {
-    setFrame(frameBlock(view, *scene.scene(), summary, singleSample()));
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(part.x, part.y, part.width, part.height);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
-    glEnable(GL_CULL_FACE);
-    constexpr std::uint32_t kNothing[4] = {0, 0, 0, 0};
-    glClearBufferuiv(GL_COLOR, 0, kNothing);
-    glClear(GL_DEPTH_BUFFER_BIT);
-    programs.pick.use();
-    scene.draw(SceneBuffers::Part::Bodies);
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_SCISSOR_TEST);
 }
 
 }  // namespace rubble

@@ -13,12 +13,6 @@
 
 namespace rubble {
 
-/// A rectangle of an image, pixels from the lower left corner.
-struct PixelBox {
-    int x = 0, y = 0, width = 0, height = 0;
-    bool contains(int px, int py) const { return px >= x && py >= y && px < x + width && py < y + height; }
-};
-
 // Texels of shadow maps on each side: about 5 mm, 9 mm and 4 cm for a house.
 inline constexpr int kKeyWidth = 2048, kSmallKeyWidth = 1024, kSkyWidth = 256;
 
@@ -33,6 +27,8 @@ struct RenderPasses {
     void setFrame(const FrameBlock& block);
     /// Begins an image: sets its frame and renders its shadow maps. For one by itself, they stay as long as the scene.
     void setShadows(const RenderView& view, const LightSample& sample, bool isSingle);
+    /// Shadow maps may be incomplete: those of the next image are rendered anew.
+    void invalidateShadows();
     /// Fills the light buffer for it.
     void setLight(const RenderView& view);
     void drawImage(const RenderView& view);
@@ -49,7 +45,6 @@ struct RenderPasses {
     void drawOutlines(const RenderView& view);
     void drawAxes(const RenderView& view);
     void drawScreenLines(const std::vector<ScreenLine>& lines);
-    void drawBodies(const RenderView& view, const PixelBox& part);
     void drawFullscreen() const;
     void drawScaled(const RenderTarget& source, float weight) const;
 

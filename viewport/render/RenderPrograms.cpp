@@ -50,7 +50,6 @@ Result<RenderPrograms> compilePrograms() {
         .wires = compiler.compile({"bodies.glsl", "solid.vert"}, {"edge.glsl", "wires.frag"}),
         .depth = compiler.compile({"bodies.glsl", "depth.vert"}, {"depth.frag"}),
         .glassShadow = compiler.compile({"bodies.glsl", "glass_shadow.vert"}, {"glass_shadow.frag"}),
-        .pick = compiler.compile({"bodies.glsl", "pick.vert"}, {"pick.frag"}),
         .screenLines = compiler.compile({"screen_lines.vert"}, {"line.frag"}),
         .sceneLines = compiler.compile({"scene_lines.vert"}, {"line.frag"}),
         .particles = compiler.compile({"particles.vert"}, {"camera.glsl", "particles.frag"}),

@@ -14,7 +14,7 @@ struct RenderPrograms {
     LitPrograms solid, transparent, ground;
     LitPrograms texturedSolid, texturedTransparent;  // of batches with an image
     ShaderProgram surfaces, light, lightBlur;        // of the light buffer
-    ShaderProgram wires, depth, glassShadow, pick, screenLines, sceneLines, particles, mean;
+    ShaderProgram wires, depth, glassShadow, screenLines, sceneLines, particles, mean;
 };
 
 /// Errors: see ShaderProgram::create(), for the first program that fails.

@@ -10,8 +10,6 @@
 namespace rubble {
 namespace {
 
-constexpr int kPickMargin = 64;  // pixels around the pointer that are drawn at once, since it will move on
-
 /// The view of the image that is scaled up.
 RenderView atResolution(RenderView view) {
     const auto scaled = [&](int side) {
@@ -34,21 +32,12 @@ struct Renderer::State : RenderPasses {
         return cached;
     }
 
-    void drawSampleImage(const RenderView& view);
+    bool drawPicture(const RenderView& view, const LightSample& light, bool isSingle, RenderTarget& target);
     void drawHovered(const RenderView& view, std::uint32_t framebuffer);
 
-    RenderTarget image, sample, sum, bodies, depths;
+    RenderTarget image, sample, sum, depths;
     int samplesInSum = 0;
-    /// The sample that continueSample() has begun.
-    struct BegunSample {
-        int index = 0;
-        int steps = 0;  // done
-        FrameBlock frame;
-    };
-    std::optional<BegunSample> begun;
-    std::optional<Camera> bodiesCamera;  // of the content of `bodies`, as are the following two
-    double bodiesStepFraction = 1.0;
-    PixelBox bodiesPart;
+    std::optional<RenderView> depthsView;  // of the content of `depths`
 };
 
 Result<std::unique_ptr<Renderer>> Renderer::create() {
@@ -73,20 +62,37 @@ Renderer::~Renderer() = default;
 
 void Renderer::setScene(std::shared_ptr<const RenderScene> scene) {
     m_state->setScene(std::move(scene));
-    m_state->bodiesCamera.reset();
+    m_state->depthsView.reset();
 }
 
-void Renderer::draw(const RenderView& view, std::uint32_t framebuffer) {
+void Renderer::setInterruption(std::function<bool()> isInterrupted) {
+    m_state->scene.setInterruption(std::move(isInterrupted));
+}
+
+/// Shadows, light and the image itself; false if it was interrupted.
+bool Renderer::State::drawPicture(const RenderView& view, const LightSample& light, bool isSingle,
+                                  RenderTarget& target) {
+    scene.restart();
+    setShadows(view, light, isSingle);
+    if (!scene.isInterrupted()) setLight(view);
+    if (!scene.isInterrupted()) {
+        target.bind();
+        drawImage(view);
+    }
+    if (!scene.isInterrupted()) return true;
+    invalidateShadows();
+    return false;
+}
+
+bool Renderer::draw(const RenderView& view, std::uint32_t framebuffer) {
     State& state = *m_state;
-    state.begun.reset();
     const RenderView drawn = atResolution(view);
-    state.setShadows(drawn, singleSample(), true);
-    state.setLight(drawn);
     const int wanted = view.settings.msaa > 0 ? view.settings.msaa : isSoftware() ? 1 : 4;
     const int samples = drawn.size == view.size ? wanted : 1;  // several cannot be scaled
-    state.target(state.image, drawn.size, PixelFormat::Colour, samples).bind();
-    state.drawImage(drawn);
+    RenderTarget& target = state.target(state.image, drawn.size, PixelFormat::Colour, samples);
+    if (!state.drawPicture(drawn, singleSample(), true, target)) return false;
     drawAgain(view, framebuffer);
+    return true;
 }
 
 void Renderer::drawAgain(const RenderView& view, std::uint32_t framebuffer) {
@@ -94,39 +100,17 @@ void Renderer::drawAgain(const RenderView& view, std::uint32_t framebuffer) {
     m_state->drawHovered(view, framebuffer);
 }
 
-void Renderer::addSample(const RenderView& view, int index) {
-    m_state->begun.reset();
-    while (!continueSample(view, index)) {
-    }
-}
-
-bool Renderer::continueSample(const RenderView& view, int index) {
+bool Renderer::addSample(const RenderView& view, int index) {
     State& state = *m_state;
-    if (state.begun && state.begun->index == index)
-        state.setFrame(state.begun->frame);
-    else
-        state.begun = {.index = index};
-    switch (state.begun->steps++) {
-        case 0: state.setShadows(view, lightSample(index), false); break;
-        case 1: state.setLight(view); break;
-        default:
-            state.begun.reset();
-            state.drawSampleImage(view);
-            state.target(state.sum, view.size, PixelFormat::Float, 1).bind();
-            if (index > 0) glEnable(GL_BLEND);
-            glBlendFunc(GL_ONE, GL_ONE);
-            state.drawScaled(state.sample, 1.0f);
-            glDisable(GL_BLEND);
-            state.samplesInSum = index + 1;
-            return true;
-    }
-    state.begun->frame = state.frame;
-    return false;
-}
-
-void Renderer::State::drawSampleImage(const RenderView& view) {
-    target(sample, view.size, PixelFormat::Colour, 1).bind();
-    drawImage(view);
+    RenderTarget& target = state.target(state.sample, view.size, PixelFormat::Colour, 1);
+    if (!state.drawPicture(view, lightSample(index), false, target)) return false;
+    state.target(state.sum, view.size, PixelFormat::Float, 1).bind();
+    if (index > 0) glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    state.drawScaled(state.sample, 1.0f);
+    glDisable(GL_BLEND);
+    state.samplesInSum = index + 1;
+    return true;
 }
 
 void Renderer::drawMean(const RenderView& view, std::uint32_t framebuffer) {
@@ -143,13 +127,20 @@ void Renderer::State::drawHovered(const RenderView& view, std::uint32_t framebuf
     if (!view.hovered) return;
     const Box3 box = boundsOfBody(*scene.scene(), *view.hovered);
     if (box.isEmpty()) return;
+    scene.restart();
     const FrameBlock before = frame;
     setFrame(frameBlock(view, *scene.scene(), summary, singleSample()));
     frame.hovered.x = *view.hovered + 1;
     setFrame(frame);
-    target(depths, view.size, PixelFormat::Colour, 1).bind();
-    drawDepths();
-    outlines.draw(scene, view, {.outlined = box, .depths = depths.framebuffer(), .image = framebuffer});
+    RenderView same = view;
+    same.hovered.reset();
+    if (depthsView != same) {
+        target(depths, view.size, PixelFormat::Colour, 1).bind();
+        drawDepths();
+        depthsView = same;
+    }
+    outlines.draw(scene, view,
+                  {.outlined = box, .depths = depths.framebuffer(), .image = framebuffer, .isHovered = true});
     setFrame(before);
 }
 
@@ -160,25 +151,6 @@ const RenderCounts& Renderer::counts() const { return m_state->scene.counts(); }
 bool Renderer::isSoftware() const {
     const std::string_view name(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
     return name.find("llvmpipe") != name.npos || name.find("softpipe") != name.npos;
-}
-
-std::optional<std::uint32_t> Renderer::bodyAt(const RenderView& view, int x, int y) {
-    State& state = *m_state;
-    if (x < 0 || y < 0 || x >= view.size.width || y >= view.size.height) return std::nullopt;
-    const int up = view.size.height - 1 - y;
-    const bool isCached = state.bodies.matches(view.size, 1) && state.bodiesCamera == view.camera &&
-                          state.bodiesStepFraction == view.stepFraction && state.bodiesPart.contains(x, up);
-    state.target(state.bodies, view.size, PixelFormat::BodyIndex, 1).bind();
-    if (!isCached) {
-        state.bodiesPart = {x - kPickMargin, up - kPickMargin, 2 * kPickMargin + 1, 2 * kPickMargin + 1};
-        state.drawBodies(view, state.bodiesPart);
-        state.bodiesCamera = view.camera;
-        state.bodiesStepFraction = view.stepFraction;
-    }
-    std::uint32_t body = 0;
-    glReadPixels(x, up, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, &body);
-    if (body == 0) return std::nullopt;
-    return body - 1;
 }
 
 }  // namespace rubble

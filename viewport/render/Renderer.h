@@ -8,10 +8,14 @@
 #include "viewport/scene/RenderScene.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 
 namespace rubble {
+
+/// Cracks between smaller fragments cannot be told apart.
+inline constexpr double kMinFragmentPixels = 2.5;
 
 /// The camera, the size and the settings of an image.
 struct RenderView {
@@ -22,6 +26,8 @@ struct RenderView {
     double stepFraction = 1.0;             // in [0, 1]: interpolates from the previous poses to the current ones
     int skyMaps = kSkyDirections;          // that may be rendered for this image; others stay as they were before
     double resolution = 1.0;               // in (0, 1]: of the image that is drawn and scaled up to `size`
+    // Intact instances whose fragments are smaller on average are drawn as a whole, without cracks.
+    double minFragmentPixels = kMinFragmentPixels;
     bool operator==(const RenderView&) const = default;
 };
 
@@ -37,17 +43,18 @@ public:
     /// independent of the number of bodies if the scene has a summary.
     void setScene(std::shared_ptr<const RenderScene> scene);
 
-    /// Draws to a framebuffer in one pass.
-    void draw(const RenderView& view, std::uint32_t framebuffer);
+    /// Sets a function that is called between draw calls of draw() and addSample(): once it returns true, these stop,
+    /// return false and leave the framebuffer, or the sum of samples, as it was. Never by default.
+    void setInterruption(std::function<bool()> isInterrupted);
+
+    /// Draws to a framebuffer in one pass; false if it was interrupted.
+    bool draw(const RenderView& view, std::uint32_t framebuffer);
     /// Draws the last image again; the view may differ in the hovered body alone.
     void drawAgain(const RenderView& view, std::uint32_t framebuffer);
 
     /// Accumulates sample `index` (0 restarts) of a view, each with light from other points of the sky and of the lamp:
-    /// more samples give softer light and smoother edges.
-    void addSample(const RenderView& view, int index);
-    /// The same in several short steps, between which the last image may be drawn again and bodies be picked; true
-    /// after the last one. A sample that was begun is dropped by draw() and by one with another index.
-    bool continueSample(const RenderView& view, int index);
+    /// more samples give softer light and smoother edges. False if it was interrupted.
+    bool addSample(const RenderView& view, int index);
     /// Draws the mean of the accumulated samples.
     void drawMean(const RenderView& view, std::uint32_t framebuffer);
 
@@ -58,10 +65,6 @@ public:
 
     /// Whether a software rasterizer is used.
     bool isSoftware() const;
-
-    /// The body at a pixel (from the top left corner), an index in RenderScene::picks. Fast for nearby pixels of the
-    /// same view and scene.
-    std::optional<std::uint32_t> bodyAt(const RenderView& view, int x, int y);
 
 private:
     struct State;

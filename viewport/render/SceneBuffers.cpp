@@ -1,14 +1,17 @@
 #include "viewport/render/SceneBuffers.h"
 
-#include "core/base/limits/SoftwareRendererNeeds.h"
 #include "viewport/render/ImageDecoding.h"
+#include "viewport/render/InstanceFilter.h"
+#include "viewport/render/SceneMemory.h"
 
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <new>
 #include <span>
+#include <unordered_set>
 #include <utility>
 
 namespace rubble {
@@ -22,21 +25,6 @@ GlBuffer bufferOf(std::uint32_t target, const std::vector<T>& values) {
     glBindBuffer(target, buffer.id());
     glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), GL_STATIC_DRAW);
     return buffer;
-}
-
-std::size_t bytesOf(const SceneGeometry& geometry) {
-    return std::span(geometry.vertices).size_bytes() + std::span(geometry.indices).size_bytes();
-}
-
-/// What is uploaded of a scene, bytes, counting what several batches share once for each.
-std::size_t geometryBytes(const RenderScene& scene) {
-    std::size_t bytes = 0;
-    for (const SceneBatch& batch : scene.batches) {
-        bytes += bytesOf(*batch.geometry) + (batch.hulls ? bytesOf(*batch.hulls) : 0);
-        if (batch.texture)
-            bytes += std::size_t{8} * batch.texture->width() * batch.texture->height();  // decoded, twice
-    }
-    return bytes;
 }
 
 void bindTexture(std::uint32_t texture) {
@@ -93,13 +81,12 @@ SceneBuffers::SceneBuffers()
       m_appearances(TextureUnit::Appearances, GL_RGBA32UI) {}
 
 const SceneBuffers::Geometry& SceneBuffers::uploaded(const std::shared_ptr<const SceneGeometry>& source) {
-    const auto known = std::ranges::find(m_geometries, source, &Geometry::source);
-    if (known != m_geometries.end()) return *known;
+    const auto known = m_geometries.find(source.get());
+    if (known != m_geometries.end()) return known->second;
     m_counts.geometryBytes += std::span(source->vertices).size_bytes() + std::span(source->indices).size_bytes();
     // The index buffer is created as an array buffer: an element buffer would become part of the bound vertex array.
-    m_geometries.push_back(
-        {source, bufferOf(GL_ARRAY_BUFFER, source->vertices), bufferOf(GL_ARRAY_BUFFER, source->indices)});
-    return m_geometries.back();
+    Geometry made{source, bufferOf(GL_ARRAY_BUFFER, source->vertices), bufferOf(GL_ARRAY_BUFFER, source->indices)};
+    return m_geometries.emplace(source.get(), std::move(made)).first->second;
 }
 
 std::uint32_t SceneBuffers::uploaded(const std::shared_ptr<const EncodedImage>& source) {
@@ -115,18 +102,12 @@ std::uint32_t SceneBuffers::uploaded(const std::shared_ptr<const EncodedImage>& 
 
 SceneBuffers::Batch SceneBuffers::batchOf(const SceneBatch& batch) {
     m_counts.geometryBytes += std::span(batch.firstBodies).size_bytes();
-    Batch made{.firstBodies = bufferOf(GL_ARRAY_BUFFER, batch.firstBodies),
-               .bodies = GlVertexArray::create(),
-               .inParts = batch.firstBodies.size()};
+    Batch made{.firstBodies = bufferOf(GL_ARRAY_BUFFER, batch.firstBodies), .bodies = GlVertexArray::create()};
     if (batch.texture) made.texture = uploaded(batch.texture);
     const Geometry& geometry = uploaded(batch.geometry);
+    made.meanPartSize = batch.geometry->meanPartSize();
     glBindVertexArray(made.bodies.id());
     describeVertices(geometry.vertices, geometry.indices, made.firstBodies);
-    if (batch.geometry->wholeIndices > 0) {
-        made.wholeBodies = GlVertexArray::create();
-        glBindVertexArray(made.wholeBodies.id());
-        describeVertices(geometry.vertices, geometry.indices, made.firstBodies);
-    }
     if (batch.hulls) {
         const Geometry& hulls = uploaded(batch.hulls);
         made.hulls = GlVertexArray::create();
@@ -139,49 +120,35 @@ SceneBuffers::Batch SceneBuffers::batchOf(const SceneBatch& batch) {
 
 void SceneBuffers::uploadBatches() {
     m_batches.clear();
-    const auto isUsed = [&](const Geometry& geometry) {
-        return std::ranges::any_of(m_scene->batches, [&](const SceneBatch& batch) {
-            return batch.geometry == geometry.source || batch.hulls == geometry.source;
-        });
-    };
-    std::erase_if(m_geometries, [&](const Geometry& geometry) { return !isUsed(geometry); });
+    std::unordered_set<const SceneGeometry*> used;
+    for (const SceneBatch& batch : m_scene->batches) used.insert({batch.geometry.get(), batch.hulls.get()});
+    std::erase_if(m_geometries, [&](const auto& geometry) { return !used.contains(geometry.first); });
     std::erase_if(m_textures, [&](const Texture& texture) {
         return std::ranges::find(m_scene->batches, texture.source, &SceneBatch::texture) == m_scene->batches.end();
     });
     for (const SceneBatch& batch : m_scene->batches) m_batches.push_back(batchOf(batch));
 }
 
-/// Puts the instances that are whole last: all their solids but the first are hidden.
-void SceneBuffers::sortInstances(const SceneBatch& source, Batch& batch) {
-    if (source.geometry->wholeIndices == 0) return;
-    const auto isPartHidden = [](const BodyAppearance& part) { return (part.marks & kHidden) != 0; };
-    std::vector<std::uint8_t> isWhole;
-    for (const std::uint32_t first : source.firstBodies) {
-        const auto parts =
-            std::span(m_scene->appearances).subspan(first + std::size_t{1}, source.geometry->solidCount() - 1);
-        isWhole.push_back(std::ranges::all_of(parts, isPartHidden) ? 1 : 0);
+void SceneBuffers::findWholes(const SceneBatch& source, Batch& batch) const {
+    batch.wholes.assign(source.firstBodies.size(), Whole::Never);
+    const SceneGeometry& geometry = *source.geometry;
+    const bool isExploded = !m_scene->explodeOffsets.empty() && m_scene->explodeFactor != 0.0;
+    if (geometry.whole == SceneGeometry::Whole::None) return;
+    for (std::size_t k = 0; k < batch.wholes.size(); ++k) {
+        const auto bodies = std::span(m_scene->appearances).subspan(source.firstBodies[k], geometry.solidCount());
+        const auto isHidden = [](const BodyAppearance& body) { return (body.marks & kHidden) != 0; };
+        if (geometry.whole == SceneGeometry::Whole::Solid) {
+            if (std::ranges::all_of(bodies.subspan(1), isHidden)) batch.wholes[k] = Whole::Always;
+        } else if (!isExploded && std::ranges::all_of(bodies, [&](const auto& body) { return body == bodies[0]; })) {
+            batch.wholes[k] = Whole::Equal;
+        }
     }
-    if (isWhole == batch.isWhole) return;
-    std::vector<std::uint32_t> sorted;
-    const auto add = [&](bool whole) {
-        for (std::size_t k = 0; k < isWhole.size(); ++k)
-            if ((isWhole[k] != 0) == whole) sorted.push_back(source.firstBodies[k]);
-    };
-    add(false);
-    batch.inParts = sorted.size();
-    add(true);
-    batch.isWhole = std::move(isWhole);
-    glBindBuffer(GL_ARRAY_BUFFER, batch.firstBodies.id());
-    glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(std::span(sorted).size_bytes()), sorted.data());
-    glBindVertexArray(batch.wholeBodies.id());
-    describeInstances(batch.firstBodies, batch.inParts);
-    glBindVertexArray(0);
 }
 
 void SceneBuffers::upload(std::shared_ptr<const RenderScene> scene) {
     if (scene == m_scene) return;
     const bool isNew = m_scene == nullptr || m_scene->batches != scene->batches;
-    if (isNew && !isRendererMemoryLeft(geometryBytes(*scene))) throw std::bad_alloc();
+    if (isNew && !isMemoryLeftFor(*scene)) throw std::bad_alloc();
     m_scene = std::move(scene);
     if (isNew) uploadBatches();
     const auto write = [&](TexelBuffer& texels, const auto& values) {
@@ -193,33 +160,113 @@ void SceneBuffers::upload(std::shared_ptr<const RenderScene> scene) {
     write(m_previousPoses, m_scene->previousPoses);
     write(m_explodeOffsets, m_scene->explodeOffsets);
     write(m_appearances, m_scene->appearances);
-    for (std::size_t k = 0; k < m_batches.size(); ++k) sortInstances(m_scene->batches[k], m_batches[k]);
+    for (std::size_t k = 0; k < m_batches.size(); ++k) findWholes(m_scene->batches[k], m_batches[k]);
+    sortInstances();
+}
+
+void SceneBuffers::setView(const InstanceView& view) {
+    if (view == m_view) return;
+    m_view = view;
+    sortInstances();
+}
+
+void SceneBuffers::sortInstances() {
+    const InstanceFilter filter(*m_scene, m_view);
+    for (std::size_t k = 0; k < m_batches.size(); ++k) sortInstances(m_scene->batches[k], filter, m_batches[k]);
+}
+
+/// Only instances that move as one are tested for visibility.
+void SceneBuffers::sortInstances(const SceneBatch& source, const InstanceFilter& filter, Batch& batch) {
+    enum Group { kParts, kEqual, kWhole, kUnseen, kGroups };
+    std::array<std::vector<std::uint32_t>, kGroups> groups;
+    for (std::size_t k = 0; k < batch.wholes.size(); ++k) {
+        const std::uint32_t first = source.firstBodies[k];
+        Group group = kParts;
+        if (batch.wholes[k] != Whole::Never) {
+            const InstanceFilter::Sphere sphere = filter.sphereOf(first, source.geometry->wholeBox);
+            const bool isSmall = filter.pixelsOf(batch.meanPartSize, sphere) < m_view.minFragmentPixels;
+            group = !filter.isSeen(sphere) ? kUnseen : batch.wholes[k] == Whole::Always || isSmall ? kWhole : kEqual;
+        }
+        groups[group].push_back(first);
+    }
+    std::vector<std::uint32_t> order;
+    for (int group = 0; group < kGroups; ++group) {
+        if (group == kEqual) batch.equalBegin = order.size();
+        if (group == kWhole) batch.wholeBegin = order.size();
+        if (group == kUnseen) batch.unseenBegin = order.size();
+        order.insert(order.end(), groups[group].begin(), groups[group].end());
+    }
+    if (order == batch.order) return;
+    batch.order = std::move(order);
+    glBindBuffer(GL_ARRAY_BUFFER, batch.firstBodies.id());
+    glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(std::span(batch.order).size_bytes()),
+                    batch.order.data());
+}
+
+/// Draws instances [begin, end) of the order, in calls that do not last long.
+void SceneBuffers::drawInstances(const Batch& batch, const GlVertexArray& array, TriangleRange indices,
+                                 std::size_t begin, std::size_t end) const {
+    constexpr std::size_t kMaxIndices = 3 * 400'000;  // of a call: in software, a tenth of a second
+    if (begin == end || indices.size() == 0) return;
+    glBindVertexArray(array.id());
+    const std::size_t instances = std::max<std::size_t>(1, kMaxIndices / indices.size());
+    const std::size_t indexStep = instances > 1 ? indices.size() : kMaxIndices;
+    for (std::size_t first = begin; first < end; first += instances) {
+        describeInstances(batch.firstBodies, first);
+        const std::size_t count = std::min(instances, end - first);
+        for (std::size_t index = indices.begin; index < indices.end; index += indexStep) {
+            if (m_interruption && !m_isInterrupted) m_isInterrupted = m_interruption();
+            if (m_isInterrupted) return;
+            const std::size_t drawn = std::min(indexStep, indices.end - index);
+            glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(drawn), GL_UNSIGNED_INT,
+                                    at(index * sizeof(std::uint32_t)), static_cast<GLsizei>(count));
+            ++m_counts.drawCalls;
+            m_counts.triangles += drawn / 3 * count;
+        }
+    }
+}
+
+void SceneBuffers::bindTexels() const {
+    for (const TexelBuffer* texels : {&m_poses, &m_previousPoses, &m_explodeOffsets, &m_appearances}) texels->bind();
 }
 
 void SceneBuffers::draw(Part part, Batches batches) const {
-    for (const TexelBuffer* texels : {&m_poses, &m_previousPoses, &m_explodeOffsets, &m_appearances}) texels->bind();
+    bindTexels();
     for (std::size_t k = 0; k < m_batches.size(); ++k) {
-        const SceneBatch& batch = m_scene->batches[k];
-        const SceneGeometry* geometry = (part == Part::Hulls ? batch.hulls : batch.geometry).get();
-        const std::uint32_t texture = m_batches[k].texture;
-        const bool isOther = batches != Batches::All && (texture != 0) != (batches == Batches::Textured);
-        if (geometry == nullptr || batch.firstBodies.empty() || isOther) continue;
-        if (batches == Batches::Textured) bindTexture(texture);
-        const auto drawInstances = [&](const GlVertexArray& bodies, std::size_t indices, std::size_t instances) {
-            if (instances == 0) return;
-            glBindVertexArray(bodies.id());
-            glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(indices), GL_UNSIGNED_INT, nullptr,
-                                    static_cast<GLsizei>(instances));
-            ++m_counts.drawCalls;
-            m_counts.triangles += indices / 3 * instances;
-        };
-        const std::size_t all = batch.firstBodies.size(), inParts = m_batches[k].inParts;
-        if (part == Part::Hulls) {
-            drawInstances(m_batches[k].hulls, geometry->indices.size(), all);
-            continue;
+        const SceneBatch& source = m_scene->batches[k];
+        const Batch& batch = m_batches[k];
+        const bool isOther = batches != Batches::All && (batch.texture != 0) != (batches == Batches::Textured);
+        if (isOther) continue;
+        if (batches == Batches::Textured) bindTexture(batch.texture);
+        const SceneGeometry& geometry = *source.geometry;
+        const std::size_t all = batch.order.size();
+        switch (part) {
+            case Part::Hulls:
+                if (source.hulls) drawInstances(batch, batch.hulls, {0, source.hulls->indices.size()}, 0, all);
+                break;
+            case Part::Silhouettes:
+                drawInstances(batch, batch.bodies, geometry.partIndices(), 0, batch.equalBegin);
+                drawInstances(batch, batch.bodies, geometry.silhouetteIndices, batch.equalBegin, all);
+                break;
+            case Part::Bodies:
+                drawInstances(batch, batch.bodies, geometry.partIndices(), 0, batch.wholeBegin);
+                drawInstances(batch, batch.bodies, geometry.wholeIndices, batch.wholeBegin, batch.unseenBegin);
         }
-        drawInstances(m_batches[k].bodies, geometry->indices.size(), inParts);
-        drawInstances(m_batches[k].wholeBodies, geometry->wholeIndices, all - inParts);
+    }
+    glBindVertexArray(0);
+}
+
+void SceneBuffers::drawBody(std::uint32_t body) const {
+    bindTexels();
+    for (std::size_t k = 0; k < m_batches.size(); ++k) {
+        const SceneBatch& source = m_scene->batches[k];
+        const std::vector<std::uint32_t>& order = m_batches[k].order;
+        const auto isIts = [&](std::uint32_t first) { return body - first < source.geometry->solidCount(); };
+        const auto found = std::ranges::find_if(order, isIts);
+        if (found == order.end()) continue;
+        const auto instance = static_cast<std::size_t>(found - order.begin());
+        drawInstances(m_batches[k], m_batches[k].bodies, source.geometry->indicesOf(body - *found), instance,
+                      instance + 1);
     }
     glBindVertexArray(0);
 }

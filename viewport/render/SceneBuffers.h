@@ -1,10 +1,13 @@
 #pragma once
 
+#include "viewport/render/InstanceFilter.h"
 #include "viewport/render/RenderCounts.h"
 #include "viewport/render/gl/TexelBuffer.h"
 #include "viewport/scene/RenderScene.h"
 
+#include <functional>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 namespace rubble {
@@ -23,12 +26,24 @@ public:
     void upload(std::shared_ptr<const RenderScene> scene);
     const std::shared_ptr<const RenderScene>& scene() const { return m_scene; }
 
-    enum class Part { Bodies, Hulls };
+    /// Sets the view of Part::Bodies.
+    void setView(const InstanceView& view);
+
+    /// See Renderer::setInterruption(). From an interruption to the next restart(), nothing is drawn.
+    void setInterruption(std::function<bool()> isInterrupted) { m_interruption = std::move(isInterrupted); }
+    void restart() { m_isInterrupted = false; }
+    bool isInterrupted() const { return m_isInterrupted; }
+
+    /// Bodies: as the view that was set shows them. Silhouettes: an instance whose solids look alike and are where they
+    /// were cut is drawn as a whole, which covers the same pixels from all sides.
+    enum class Part { Bodies, Silhouettes, Hulls };
     /// Plain: those without an image, or with one that cannot be decoded.
     enum class Batches { All, Plain, Textured };
     /// Draws all triangles with the current program: one call per batch, or two where some of its instances are whole
-    /// and others are not. Of whole instances, only the whole is drawn.
+    /// and others are not, and one more for every few hundred thousand triangles.
     void draw(Part part, Batches batches = Batches::All) const;
+    /// Draws one body.
+    void drawBody(std::uint32_t body) const;
     bool hasTextures() const { return !m_textures.empty(); }
     const RenderCounts& counts() const { return m_counts; }
 
@@ -38,30 +53,48 @@ private:
         GlBuffer vertices;
         GlBuffer indices;
     };
+    /// How an instance can be drawn.
+    enum class Whole : std::uint8_t {
+        Never,   // its solids differ
+        Always,  // its whole is a solid of its own, and the only one shown
+        Equal,   // its solids look alike, so that either will do
+    };
     struct Batch {
-        GlBuffer firstBodies;  // of the instances in parts, then of those that are whole
+        GlBuffer firstBodies;  // of the instances, in the order of `order`
         GlVertexArray bodies;
-        GlVertexArray wholeBodies;          // the same, beginning with the first whole instance
-        std::vector<std::uint8_t> isWhole;  // of the instances, in the order of the scene
-        std::size_t inParts = 0;            // how many are not whole
         GlVertexArray hulls;
         std::uint32_t texture = 0;  // 0: none
+        double meanPartSize = 0.0;  // m
+        std::vector<Whole> wholes;  // of the instances, in the order of the scene
+        // The first bodies as uploaded: of instances in parts, then
+        std::vector<std::uint32_t> order;
+        std::size_t equalBegin = 0;   // of those whose silhouettes are whole,
+        std::size_t wholeBegin = 0;   // of those that are drawn whole,
+        std::size_t unseenBegin = 0;  // and of others of these two kinds that the view does not show
     };
     struct Texture {
         std::shared_ptr<const EncodedImage> source;
         GlTexture texels;  // none: it cannot be decoded
     };
     void uploadBatches();
-    void sortInstances(const SceneBatch& source, Batch& batch);
+    void findWholes(const SceneBatch& source, Batch& batch) const;
+    void sortInstances();
+    void sortInstances(const SceneBatch& source, const InstanceFilter& filter, Batch& batch);
     const Geometry& uploaded(const std::shared_ptr<const SceneGeometry>& source);
     std::uint32_t uploaded(const std::shared_ptr<const EncodedImage>& source);
     Batch batchOf(const SceneBatch& batch);
+    void bindTexels() const;
+    void drawInstances(const Batch& batch, const GlVertexArray& array, TriangleRange indices, std::size_t begin,
+                       std::size_t end) const;
 
     std::shared_ptr<const RenderScene> m_scene;
-    std::vector<Geometry> m_geometries;
+    InstanceView m_view;
+    std::unordered_map<const SceneGeometry*, Geometry> m_geometries;
     std::vector<Texture> m_textures;
     std::vector<Batch> m_batches;
     TexelBuffer m_poses, m_previousPoses, m_explodeOffsets, m_appearances;
+    std::function<bool()> m_interruption;
+    mutable bool m_isInterrupted = false;
     mutable RenderCounts m_counts;
 };
 

@@ -95,7 +95,7 @@ void ShadowMap::draw(const SceneBuffers& scene, const RenderPrograms& programs, 
     programs.depth.set("clipFromSceneOfLight", clip);
     programs.depth.set("surfaces", kOpaqueSurfaces);
     programs.depth.set("pattern", 0u);
-    scene.draw(SceneBuffers::Part::Bodies);
+    scene.draw(SceneBuffers::Part::Silhouettes);
     if (hasTransparent) drawGlass(scene, programs, clip);
 }
 
@@ -124,13 +124,13 @@ void ShadowMap::drawGlass(const SceneBuffers& scene, const RenderPrograms& progr
     glEnable(GL_BLEND);
     glBlendEquationSeparate(GL_FUNC_ADD, GL_MIN);
     glBlendFunc(GL_ZERO, GL_SRC_COLOR);
-    scene.draw(SceneBuffers::Part::Bodies);
+    scene.draw(SceneBuffers::Part::Silhouettes);
     glBlendEquation(GL_FUNC_ADD);
     glDisable(GL_BLEND);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
-    scene.draw(SceneBuffers::Part::Bodies);
+    scene.draw(SceneBuffers::Part::Silhouettes);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 

@@ -80,7 +80,7 @@ void SkyMaps::render(int layer, const SceneBuffers& scene, const RenderPrograms&
     programs.depth.set("clipFromSceneOfLight", glm::mat4(clipFromWorldOfLight(map.direction, m_region) * origin));
     programs.depth.set("surfaces", kAllSurfaces);
     programs.depth.set("pattern", static_cast<std::uint32_t>(layer + 1));
-    scene.draw(SceneBuffers::Part::Bodies);
+    scene.draw(SceneBuffers::Part::Silhouettes);
 }
 
 void SkyMaps::bind(Vec3 origin) const {

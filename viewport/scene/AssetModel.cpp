@@ -76,26 +76,26 @@ public:
 
     /// `offset`: origin of the solid's frame in the prism's frame. An asset with joints has them from the start.
     void addWhole(const Bake& bake, Vec3 offset, const RoughCuts* cuts = nullptr) {
-        const Vec3 centre = bake.whole.centre - offset;
-        std::vector<SolidPart> parts;
-        if (cuts != nullptr && m_mortar.isThere()) {
-            parts = partsWithin(bake, offset, *cuts);
-        } else {
-            parts.push_back({m_mesher.wholeMesh(bake), {}});
-            for (Vec3& position : parts[0].mesh.positions) position += centre;
-        }
         const Colour colour = fragmentColour(std::to_string(m_model.asset.id));
         m_model.solids.push_back(
             {.offset = offset, .volume = bake.whole.volume, .aspect = wholeAspect(bake), .colour = colour});
-        addSolid(*m_geometry, parts, texture());
+        addSolid(*m_geometry, wholeParts(bake, offset, cuts), texture());
         if (!m_hulls) return;
+        const Vec3 centre = bake.whole.centre - offset;
         std::vector<Polytope> hulls = bake.wholeHulls;
         for (Polytope& hull : hulls) hull = translated(std::move(hull), centre);
         addSolid(*m_hulls, hulls);
     }
 
-    /// What has been added so far is the whole of what follows.
-    void endWhole() { m_geometry->wholeIndices = m_geometry->indices.size(); }
+    /// The whole is solid 0.
+    void endWhole() { rubble::endWhole(*m_geometry); }
+
+    /// Adds what is seen of the whole without joints. `isDouble`: the whole is no solid of its own.
+    void addSilhouette(const Bake& bake, Vec3 offset, bool isDouble) {
+        addSolid(*m_geometry, wholeParts(bake, offset, nullptr), texture());
+        endSilhouette(*m_geometry, isDouble ? SceneGeometry::Whole::Double : SceneGeometry::Whole::None);
+    }
+    bool hasJoints() const { return m_mortar.isThere(); }
 
     AssetModel finished() {
         m_model.geometry = std::move(m_geometry);
@@ -109,7 +109,14 @@ private:
     double wholeAspect(const Bake& bake) const {
         return m_model.asset.isPrism() ? aspectRatio(m_model.asset.prism().outline) : aspectRatio(bake.whole);
     }
-    /// The fragments of the whole with their mortar, in its frame.
+    /// The whole, or if there is mortar its fragments with it, in a frame at `offset`.
+    std::vector<SolidPart> wholeParts(const Bake& bake, Vec3 offset, const RoughCuts* cuts) const {
+        if (cuts != nullptr && m_mortar.isThere()) return partsWithin(bake, offset, *cuts);
+        std::vector<SolidPart> parts{{m_mesher.wholeMesh(bake), {}}};
+        for (Vec3& position : parts[0].mesh.positions) position += bake.whole.centre - offset;
+        return parts;
+    }
+    /// The fragments of the whole with their mortar, in a frame at `offset`.
     std::vector<SolidPart> partsWithin(const Bake& bake, Vec3 offset, const RoughCuts& cuts) const {
         std::vector<SolidPart> parts;
         for (std::uint32_t k = 0; k < bake.fragmentCount(); ++k) {
@@ -164,17 +171,19 @@ AssetModel modelOf(const Asset& asset, std::shared_ptr<const Bake> bake, const S
         return builder.finished();
     }
     const RoughCuts cuts(*bake, asset);
+    std::vector<std::uint32_t> shown;
+    for (std::uint32_t k = 0; k < bake->fragmentCount(); ++k)
+        if (isShown(bake->fragment(k), options.level)) shown.push_back(k);
     if (bake->fractures.size() == 1) builder.reserve(bake->fractures.front().fragments);
-    for (std::uint32_t k = 0; k < bake->fragmentCount(); ++k) {
-        const BakedFragment fragment = bake->fragment(k);
-        if (isShown(fragment, options.level)) builder.addFragment(k, fragment, cuts);
-    }
+    if (shown.size() > 1) builder.addSilhouette(*bake, bake->fragment(shown.front()).solid.offset(), true);
+    for (const std::uint32_t k : shown) builder.addFragment(k, bake->fragment(k), cuts);
     return builder.finished();
 }
 
 AssetModel playModelOf(const Asset& asset, std::shared_ptr<const Bake> bake, const SceneOptions& options) {
     ModelBuilder builder({.asset = asset, .bake = bake}, options);
     const RoughCuts cuts(*bake, asset);
+    if (builder.hasJoints()) builder.addSilhouette(*bake, Vec3(0.0), false);
     builder.addWhole(*bake, Vec3(0.0), &cuts);
     builder.endWhole();
     for (std::uint32_t k = 0; k < bake->fragmentCount(); ++k) builder.addFragment(k, bake->fragment(k), cuts);

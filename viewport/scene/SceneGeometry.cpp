@@ -1,5 +1,6 @@
 #include "viewport/scene/SceneGeometry.h"
 
+#include "core/base/Assert.h"
 #include "viewport/scene/SolidBuilder.h"
 
 #include <glm/geometric.hpp>
@@ -74,6 +75,32 @@ void setSizeCode(SceneGeometry& geometry, std::size_t first) {
 }
 
 }  // namespace
+
+double SceneGeometry::meanPartSize() const {
+    const std::size_t first = whole == Whole::Solid ? 1 : 0;
+    if (boxes.size() <= first) return 0.0;
+    double sum = 0.0;
+    for (std::size_t k = first; k < boxes.size(); ++k) sum += boxes[k].diagonal();
+    return sum / static_cast<double>(boxes.size() - first);
+}
+
+void endSilhouette(SceneGeometry& geometry, SceneGeometry::Whole whole) {
+    RUBBLE_ASSERT(geometry.solidCount() == 1);
+    geometry.silhouetteIndices = {0, geometry.indices.size()};
+    geometry.wholeBox = geometry.boxes.front();
+    geometry.boxes.clear();
+    geometry.firstIndices.clear();
+    geometry.whole = whole;
+    if (whole != SceneGeometry::Whole::None) geometry.wholeIndices = geometry.silhouetteIndices;
+}
+
+void endWhole(SceneGeometry& geometry) {
+    RUBBLE_ASSERT(geometry.solidCount() == 1);
+    geometry.whole = SceneGeometry::Whole::Solid;
+    geometry.wholeIndices = {geometry.silhouetteIndices.end, geometry.indices.size()};
+    if (geometry.silhouetteIndices.size() == 0) geometry.silhouetteIndices = geometry.wholeIndices;
+    geometry.wholeBox = geometry.boxes.front();
+}
 
 void addSolid(SceneGeometry& geometry, std::span<const SolidPart> parts, const Texture* texture) {
     const std::size_t firstVertex = geometry.vertices.size();

@@ -30,18 +30,44 @@ struct SceneVertex {
     std::uint8_t sizeCode = 0;  // of the solid's bounding box: a diagonal of 2^((sizeCode - 128) / 8) m
 };
 
+/// A range of SceneGeometry::indices: whole triangles.
+struct TriangleRange {
+    std::size_t begin = 0, end = 0;
+    std::size_t size() const { return end - begin; }
+};
+
 /// The triangles of many solids, immutable and shared by all instances of an asset; poses, visibility and colours are
 /// in RenderScene.
+///
+/// They may begin with those of the whole that the other solids are cut from, all that is drawn of an instance that is
+/// intact. It is solid 0, hidden while its fragments are shown, or a double of all solids in the frame of solid 0.
 struct SceneGeometry {
+    enum class Whole { None, Solid, Double };
+
     std::vector<SceneVertex> vertices;
-    std::vector<std::uint32_t> indices;  // three per triangle, counter-clockwise from outside
-    std::vector<Box3> boxes;             // bounding box of each solid, in its own frame
-    // The first indices, of solid 0, if that is the whole of the others: all that is drawn of an instance whose other
-    // solids are hidden. 0: it is not.
-    std::size_t wholeIndices = 0;
+    std::vector<std::uint32_t> indices;       // three per triangle, counter-clockwise from outside
+    std::vector<Box3> boxes;                  // bounding box of each solid, in its own frame
+    std::vector<std::uint32_t> firstIndices;  // of each solid, whose triangles follow one another
+    Whole whole = Whole::None;
+    TriangleRange wholeIndices;
+    TriangleRange silhouetteIndices;  // of a whole without the joints between its fragments
+    Box3 wholeBox;                    // in the frame of solid 0
 
     std::uint32_t solidCount() const { return static_cast<std::uint32_t>(boxes.size()); }
+    TriangleRange indicesOf(std::uint32_t solid) const {
+        return {firstIndices[solid], solid + 1 < solidCount() ? firstIndices[solid + 1] : indices.size()};
+    }
+    /// All that is drawn where the solids are not drawn as a whole.
+    TriangleRange partIndices() const { return {wholeIndices.end, indices.size()}; }
+    /// The mean diagonal of the parts' boxes, m.
+    double meanPartSize() const;
 };
+
+/// The one solid that has been added so far is no solid, but what is seen of the whole of those that follow without the
+/// joints between them. `whole`: None if the whole follows.
+void endSilhouette(SceneGeometry& geometry, SceneGeometry::Whole whole);
+/// The one solid that has been added so far is the whole of those that follow.
+void endWhole(SceneGeometry& geometry);
 
 /// A convex face without visible edges.
 struct PlainFace {

@@ -16,6 +16,7 @@ constexpr std::uint8_t kOnEdge = 0, kOnOppositeEdge = 255, kAway = 128;
 SolidBuilder::SolidBuilder(SceneGeometry& geometry, double size)
     : m_geometry(geometry), m_solid(geometry.solidCount()), m_size(static_cast<float>(size)) {
     geometry.boxes.emplace_back();
+    geometry.firstIndices.push_back(static_cast<std::uint32_t>(geometry.indices.size()));
     m_corners.reserve(kUsualCorners);
     m_isEdge.reserve(kUsualCorners);
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 namespace rubble {
@@ -17,8 +18,8 @@ constexpr double kSamePixel = 0.5;
 /// The transform between a body's frame and the world, as it is drawn.
 class BodyFrame {
 public:
-    BodyFrame(const RenderScene& scene, std::uint32_t body) {
-        const RenderPose& pose = scene.poses[body];
+    BodyFrame(const RenderScene& scene, std::uint32_t body, double stepFraction = 1.0) {
+        const RenderPose pose = poseAt(scene, body, stepFraction);
         m_rotation = Quat(glm::quat(pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z));
         m_scale = 1.0 - static_cast<double>(pose.position.w);
         m_position = scene.origin + Vec3(pose.position) + explodeOffset(scene, body);
@@ -39,7 +40,8 @@ private:
     Vec3 m_position{0.0, 0.0, 0.0};
 };
 
-bool hits(const Ray& ray, const Box3& box) {
+/// The distance along a ray to a box, 0 from inside; infinite if it misses.
+double distanceTo(const Ray& ray, const Box3& box) {
     double enter = 0.0, leave = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
         const double a = (box.min[axis] - ray.from[axis]) / ray.direction[axis];
@@ -48,7 +50,7 @@ bool hits(const Ray& ray, const Box3& box) {
         enter = std::max(enter, std::min(a, b));
         leave = std::min(leave, std::max(a, b));
     }
-    return enter <= leave;
+    return enter <= leave ? enter : std::numeric_limits<double>::infinity();
 }
 
 /// The distance along a ray to the front of a triangle; infinite if it misses.
@@ -65,38 +67,59 @@ double distanceTo(const Ray& ray, Vec3 a, Vec3 b, Vec3 c) {
     return isInside ? distance : kMissed;
 }
 
-/// Updates `nearest` and `found` if the ray hits one instance at a smaller distance.
-void castInto(const RenderScene& scene, const SceneBatch& batch, std::uint32_t first, const Ray& ray, double& nearest,
-              std::optional<SurfaceHit>& found) {
-    const SceneGeometry& geometry = *batch.geometry;
-    std::vector<std::optional<Ray>> rays(geometry.solidCount());  // in the frames of solids whose boxes it hits
-    for (std::uint32_t solid = 0; solid < rays.size(); ++solid) {
-        if ((scene.appearances[first + solid].marks & kHidden) != 0) continue;
-        const BodyFrame frame(scene, first + solid);
-        if (frame.isPoint()) continue;
-        const Ray local = frame.local(ray);
-        if (hits(local, geometry.boxes[solid])) rays[solid] = local;
+/// A body whose box a ray meets.
+struct Candidate {
+    const SceneGeometry* geometry = nullptr;
+    std::uint32_t body = 0, solid = 0;
+    Ray ray;                // in the body's frame
+    double scale = 1.0;     // distances in the world ÷ those in the body's frame
+    double distance = 0.0;  // of its box, m, in the world
+};
+
+std::vector<Candidate> candidates(const RenderScene& scene, const Ray& ray, double stepFraction) {
+    std::vector<Candidate> found;
+    for (const SceneBatch& batch : scene.batches) {
+        for (const std::uint32_t first : batch.firstBodies) {
+            for (std::uint32_t solid = 0; solid < batch.geometry->solidCount(); ++solid) {
+                const std::uint32_t body = first + solid;
+                if ((scene.appearances[body].marks & kHidden) != 0) continue;
+                const BodyFrame frame(scene, body, stepFraction);
+                if (frame.isPoint()) continue;
+                const Ray local = frame.local(ray);
+                const double distance = frame.scale() * distanceTo(local, batch.geometry->boxes[solid]);
+                if (std::isfinite(distance))
+                    found.push_back({batch.geometry.get(), body, solid, local, frame.scale(), distance});
+            }
+        }
     }
-    for (std::size_t k = 0; k < geometry.indices.size(); k += 3) {
-        const SceneVertex& corner = geometry.vertices[geometry.indices[k]];
-        if (!rays[corner.solid]) continue;
-        const double along = distanceTo(*rays[corner.solid], Vec3(corner.position),
-                                        Vec3(geometry.vertices[geometry.indices[k + 1]].position),
-                                        Vec3(geometry.vertices[geometry.indices[k + 2]].position));
-        const double distance = along * BodyFrame(scene, first + corner.solid).scale();
-        if (!(distance < nearest)) continue;
-        nearest = distance;
-        found = {first + corner.solid, ray.at(distance)};
-    }
+    return found;
+}
+
+/// The distance to the front of a solid, in its frame; infinite if the ray misses it.
+double distanceTo(const Ray& ray, const SceneGeometry& geometry, std::uint32_t solid) {
+    double nearest = std::numeric_limits<double>::infinity();
+    const TriangleRange range = geometry.indicesOf(solid);
+    const auto corner = [&](std::size_t k) { return Vec3(geometry.vertices[geometry.indices[k]].position); };
+    for (std::size_t k = range.begin; k < range.end; k += 3)
+        nearest = std::min(nearest, distanceTo(ray, corner(k), corner(k + 1), corner(k + 2)));
+    return nearest;
 }
 
 }  // namespace
 
-std::optional<SurfaceHit> surfaceHit(const RenderScene& scene, const Ray& ray) {
+std::optional<SurfaceHit> surfaceHit(const RenderScene& scene, const Ray& ray, double stepFraction) {
+    std::vector<Candidate> all = candidates(scene, ray, stepFraction);
+    std::ranges::sort(all, [](const Candidate& a, const Candidate& b) {
+        return std::tie(a.distance, a.body) < std::tie(b.distance, b.body);
+    });
     std::optional<SurfaceHit> found;
     double nearest = std::numeric_limits<double>::infinity();
-    for (const SceneBatch& batch : scene.batches) {
-        for (const std::uint32_t first : batch.firstBodies) castInto(scene, batch, first, ray, nearest, found);
+    for (const Candidate& candidate : all) {
+        if (candidate.distance >= nearest) break;
+        const double distance = candidate.scale * distanceTo(candidate.ray, *candidate.geometry, candidate.solid);
+        if (!(distance < nearest)) continue;
+        nearest = distance;
+        found = {candidate.body, ray.at(distance)};
     }
     return found;
 }
@@ -110,8 +133,10 @@ std::optional<Vec3> cornerNear(const RenderScene& scene, std::uint32_t body, con
         for (const std::uint32_t first : batch.firstBodies) {
             if (body < first || body >= first + batch.geometry->solidCount()) continue;
             const BodyFrame frame(scene, body);
-            for (const SceneVertex& vertex : batch.geometry->vertices) {
-                if (vertex.solid != body - first || vertex.across == kMiddleOfFace) continue;
+            const TriangleRange range = batch.geometry->indicesOf(body - first);
+            for (std::size_t k = range.begin; k < range.end; ++k) {
+                const SceneVertex& vertex = batch.geometry->vertices[batch.geometry->indices[k]];
+                if (vertex.across == kMiddleOfFace) continue;
                 const Vec3 point = frame.world(Vec3(vertex.position));
                 const Vec3 towardsEye = camera.projection == Projection::Orthographic ? back : eye - point;
                 if (glm::dot(frame.worldNormal(Vec3(vertex.normal)), towardsEye) <= 0.0) continue;

@@ -1,4 +1,6 @@
-#include "viewport/widget/AdaptiveResolution.h"
+#include "viewport/widget/AdaptiveQuality.h"
+
+#include "viewport/render/Renderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,17 +8,20 @@
 namespace rubble {
 namespace {
 
-constexpr double kMaxRise = 1.1;  // at once: an image that is quick by chance must not make the next one slow
+constexpr double kMaxRise = 1.1;  // at once: a picture that is quick by chance must not make the next one slow
 constexpr double kMaxFall = 0.6;
-constexpr double kSpare = 0.9;  // of the goal, which is aimed at; between both, the resolution stays
+constexpr double kSpare = 0.9;        // of the goal, which is aimed at; between both, the quality stays
+constexpr double kDetailPower = 2.2;  // at the lowest resolution, fragments of less than 25 pixels are not drawn apart
 
 }  // namespace
 
+double AdaptiveQuality::minFragmentPixels() const { return kMinFragmentPixels * std::pow(m_resolution, -kDetailPower); }
+
 /// The time is about proportional to the number of pixels.
-void AdaptiveResolution::add(double seconds) {
+void AdaptiveQuality::add(double seconds) {
     if (seconds > kSpare * kGoal && seconds <= kGoal) return;
     const double change = std::sqrt(kSpare * kGoal / std::max(seconds, 1e-6));
-    m_value = std::clamp(m_value * std::clamp(change, kMaxFall, kMaxRise), kLowest, 1.0);
+    m_resolution = std::clamp(m_resolution * std::clamp(change, kMaxFall, kMaxRise), kLowest, 1.0);
 }
 
 }  // namespace rubble

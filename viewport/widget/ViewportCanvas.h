@@ -1,71 +1,57 @@
 #pragma once
 
-#include "viewport/render/Renderer.h"
-#include "viewport/widget/AdaptiveResolution.h"
-#include "viewport/widget/ProgressiveRendering.h"
+#include "viewport/widget/RenderThread.h"
 
-#include <QElapsedTimer>
-#include <QOpenGLWidget>
-#include <QTimer>
-
-#include <memory>
-#include <optional>
+#include <QWidget>
 
 namespace rubble {
 
-/// The OpenGL surface of a viewport: renders a view of a scene, only when something has changed, and finds the body at
-/// a point. While something moves, the resolution may be lower; at rest, the picture is refined.
-class ViewportCanvas : public QOpenGLWidget {
+/// Shows the pictures of a RenderThread, which has work to do only while they can be seen.
+class ViewportCanvas : public QWidget {
     Q_OBJECT
 public:
     explicit ViewportCanvas(QWidget* parent = nullptr);
-    ~ViewportCanvas() override;
 
+    /// Errors: throws std::bad_alloc if there is not the memory to draw a scene with new geometry in software.
     void setScene(std::shared_ptr<const RenderScene> scene);
     /// The view's size is ignored: the widget's is used.
     void setView(const RenderView& view);
-    void setProgressiveRendering(ProgressiveRendering mode);
-    void setAdaptive(bool isOn) { m_isAdaptive = isOn; }
+    void setProgressiveRendering(ProgressiveRendering mode) { m_thread.setProgressiveRendering(mode); }
+    void setAdaptive(bool isOn) { m_thread.setAdaptive(isOn); }
 
     /// The widget's size in device pixels.
     ImageSize imageSize() const;
-    /// The body at a point of the widget, an index in RenderScene::picks.
-    std::optional<std::uint32_t> bodyAt(QPointF point);
+    /// The camera of the picture on screen.
+    const Camera& shownCamera() const { return m_picture.camera; }
+    bool hasPicture() const { return !m_picture.image.isNull(); }
+
+    /// Whether the picture shows the scene and the view as they are now.
+    bool isCurrent();
+    /// Whether it will not be refined any further either.
+    bool isFinished();
 
 signals:
+    /// A picture is on screen.
+    void drawn();
     /// Rendering is not possible, for the given reason.
     void failed(const QString& sentence);
 
 protected:
-    void initializeGL() override;
-    void resizeGL(int width, int height) override;
-    void paintGL() override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     void invalidate();
-    bool canAccumulate() const;
-    int sampleLimit() const;
-    void draw();
-    void measure();
-    void rest();
-    void release();
+    void synchronize();
     RenderView sizedView() const;
 
-    std::unique_ptr<Renderer> m_renderer;  // null before the widget is shown and while it moves to another window
+    RenderThread m_thread;
     std::shared_ptr<const RenderScene> m_scene;
     RenderView m_view;
-    bool m_hasGpu = false;  // known once there is a renderer
-    ProgressiveRendering m_progressive = ProgressiveRendering::Never;
-    enum class Drawn { Nothing, Moving, Resting };
-    Drawn m_drawn = Drawn::Nothing;  // since the last change
-    int m_samples = 0;               // accumulated since the last change
-    bool m_isAdaptive = true;
-    bool m_isMoving = false;  // changes follow one another
-    bool m_isAtRest = false;  // since the last change, rest() was called
-    AdaptiveResolution m_resolution;
-    QElapsedTimer m_begun;  // since an image was begun, until it is shown
-    QElapsedTimer m_shown;  // since one that a change made was
-    QTimer m_idle;
+    bool m_isSynchronized = false;
+    RenderedPicture m_picture;
+    bool m_isNew = false;  // the picture has not been painted yet
 };
 
 }  // namespace rubble

@@ -1,8 +1,8 @@
 #include "viewport/widget/ViewportOverlay.h"
 
+#include "viewport/widget/ViewportCanvas.h"
 #include "viewport/widget/ViewportWidget.h"
 
-#include <QOpenGLWidget>
 #include <QStringList>
 
 #include <algorithm>
@@ -14,11 +14,8 @@ ViewportOverlay::ViewportOverlay(ViewportWidget& viewport) : QWidget(&viewport),
     setAttribute(Qt::WA_NoSystemBackground);
     setFocusPolicy(Qt::NoFocus);
     setAccessibleName(tr("Overlay"));
+    // Without pictures; with them, it is painted together with each.
     connect(&viewport, &ViewportWidget::cameraChanged, this, &ViewportOverlay::followCamera);
-    // The camera's animation emits no signal per frame.
-    if (auto* canvas = viewport.findChild<QOpenGLWidget*>()) {
-        connect(canvas, &QOpenGLWidget::frameSwapped, this, &ViewportOverlay::followCamera);
-    }
 }
 
 void ViewportOverlay::setItems(const std::vector<OverlayItem*>& items) {
@@ -63,6 +60,8 @@ void ViewportOverlay::followCamera() {
 }
 
 void ViewportOverlay::paintEvent(QPaintEvent*) {
+    const ViewportCanvas* canvas = m_viewport.m_canvas;
+    if (canvas != nullptr && canvas->hasPicture()) m_viewport.m_painted = canvas->shownCamera();
     m_paintedCamera = m_viewport.shownCamera();
     QPainter painter(this);
     for (const OverlayItem* item : m_items) {
@@ -71,6 +70,7 @@ void ViewportOverlay::paintEvent(QPaintEvent*) {
         item->paint(painter, size());
         painter.restore();
     }
+    m_viewport.m_painted.reset();
 }
 
 }  // namespace rubble

@@ -1,6 +1,7 @@
 #include "viewport/widget/ViewportWidget.h"
 
 #include "viewport/scene/BodiesWithin.h"
+#include "viewport/scene/SurfacePicking.h"
 #include "viewport/widget/OpenGlProbe.h"
 #include "viewport/widget/ScaleBarItem.h"
 #include "viewport/widget/ViewportCanvas.h"
@@ -53,9 +54,8 @@ ViewportWidget::ViewportWidget(QWidget* parent)
     } else {
         m_canvas = new ViewportCanvas(this);
         layout->addWidget(m_canvas);
-        connect(m_canvas, &QOpenGLWidget::frameSwapped, this, &ViewportWidget::drawn);
-        // Queued: it is emitted while the canvas is being shown.
-        connect(m_canvas, &ViewportCanvas::failed, this, &ViewportWidget::showError, Qt::QueuedConnection);
+        connect(m_canvas, &ViewportCanvas::drawn, this, &ViewportWidget::drawn);
+        connect(m_canvas, &ViewportCanvas::failed, this, &ViewportWidget::showError);
     }
     m_scaleBar = new ScaleBarItem(*this);
     m_overlay = new ViewportOverlay(*this);
@@ -128,16 +128,16 @@ void ViewportWidget::setStepFraction(double stepFraction) {
     showFrom(m_camera);
 }
 
-Ray ViewportWidget::rayAt(QPointF point) const { return rayThrough(m_camera, pixels(point), imageSize()); }
+Ray ViewportWidget::rayAt(QPointF point) const { return rayThrough(shownCamera(), pixels(point), imageSize()); }
 
 std::optional<QPointF> ViewportWidget::pointOf(Vec3 position) const {
-    const std::optional<Vec2> pixel = pixelOf(m_camera, position, imageSize());
+    const std::optional<Vec2> pixel = pixelOf(shownCamera(), position, imageSize());
     if (!pixel) return std::nullopt;
     return QPointF(pixel->x, pixel->y) / devicePixelRatioF();
 }
 
 std::optional<QLineF> ViewportWidget::lineOf(Vec3 from, Vec3 to) const {
-    const auto pixels = pixelsOf(m_camera, from, to, imageSize());
+    const auto pixels = pixelsOf(shownCamera(), from, to, imageSize());
     if (!pixels) return std::nullopt;
     const auto& [start, end] = *pixels;
     return QLineF(QPointF(start.x, start.y) / devicePixelRatioF(), QPointF(end.x, end.y) / devicePixelRatioF());
@@ -155,6 +155,9 @@ void ViewportWidget::setProgressiveRendering(ProgressiveRendering mode) {
 void ViewportWidget::setAdaptive(bool isOn) {
     if (m_canvas != nullptr) m_canvas->setAdaptive(isOn);
 }
+
+bool ViewportWidget::isPictureCurrent() { return m_canvas != nullptr && m_canvas->isCurrent(); }
+bool ViewportWidget::isPictureFinished() { return m_canvas != nullptr && m_canvas->isFinished(); }
 
 ImageSize ViewportWidget::imageSize() const {
     return m_canvas != nullptr ? m_canvas->imageSize() : ImageSize{std::max(1, width()), std::max(1, height())};
@@ -228,9 +231,13 @@ void ViewportWidget::frameSelected() {
     frame(selected.isEmpty() ? boundsOf(*m_scene) : selected);
 }
 
-std::optional<PickId> ViewportWidget::pickAt(QPointF point) const {
-    return m_canvas != nullptr ? pickOf(m_canvas->bodyAt(point)) : std::nullopt;
+std::optional<std::uint32_t> ViewportWidget::bodyAt(QPointF point) const {
+    if (m_canvas == nullptr) return std::nullopt;
+    const std::optional<SurfaceHit> hit = surfaceHit(*m_scene, rayAt(point), m_stepFraction);
+    return hit ? std::optional(hit->body) : std::nullopt;
 }
+
+std::optional<PickId> ViewportWidget::pickAt(QPointF point) const { return pickOf(bodyAt(point)); }
 
 std::optional<PickId> ViewportWidget::pickOf(std::optional<std::uint32_t> body) const {
     if (!body || *body >= m_scene->picks.size()) return std::nullopt;
@@ -272,7 +279,7 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
     if (m_rubberBand->isVisible())
         m_rubberBand->setGeometry(QRectF(m_pressedAt, event->position()).normalized().toRect());
     if (event->buttons() == Qt::NoButton && m_canvas != nullptr && m_animation.state() != QAbstractAnimation::Running) {
-        hover(m_canvas->bodyAt(event->position()));
+        hover(bodyAt(event->position()));
     }
 }
 

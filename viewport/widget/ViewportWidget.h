@@ -79,8 +79,8 @@ public:
 
     /// The camera; during an animation, its goal.
     const Camera& camera() const { return m_goal; }
-    /// The camera of the image on screen.
-    const Camera& shownCamera() const { return m_camera; }
+    /// The camera that the animation has reached; while the overlay is painted, that of the picture below it.
+    const Camera& shownCamera() const { return m_painted ? *m_painted : m_camera; }
     /// Sets the camera without animation.
     void setCamera(const Camera& camera);
     /// The following changes of the camera are animated.
@@ -93,6 +93,11 @@ public:
     void frame(const Box3& box);
     /// The same, with the orientation of another camera.
     void frameFrom(const Camera& orientation, const Box3& box);
+
+    /// Whether the picture shows the scene as it is now. Pictures are rendered on another thread.
+    bool isPictureCurrent();
+    /// Whether it will not be refined any further either.
+    bool isPictureFinished();
 
     /// The size in device pixels.
     ImageSize imageSize() const;
@@ -138,6 +143,7 @@ private:
     Vec2 pixels(QPointF point) const;
     void endBoxSelection(Qt::KeyboardModifiers modifiers);
     void cancelClick();
+    std::optional<std::uint32_t> bodyAt(QPointF point) const;
     std::optional<PickId> pickOf(std::optional<std::uint32_t> body) const;
 
     ViewportCanvas* m_canvas = nullptr;  // null if there is no OpenGL
@@ -150,12 +156,14 @@ private:
     RenderSettings m_settings;
     NavigationStyle m_navigation = NavigationStyle::Blender;
     bool m_isAnimated = true;
-    bool m_isFramed = false;       // once, for the first scene
-    std::optional<Box3> m_framed;  // by the camera, until it is moved
-    ImageStrips m_strips;          // for which it was framed
-    Camera m_camera;               // on screen
-    Camera m_start;                // of the animation
-    Camera m_goal;                 // of the animation
+    bool m_isFramed = false;          // once, for the first scene
+    std::optional<Box3> m_framed;     // by the camera, until it is moved
+    ImageStrips m_strips;             // for which it was framed
+    Camera m_camera;                  // on screen
+    std::optional<Camera> m_painted;  // of the picture, while the overlay is painted
+    friend class ViewportOverlay;
+    Camera m_start;  // of the animation
+    Camera m_goal;   // of the animation
     QVariantAnimation m_animation;
     std::optional<Drag> m_drag;
     bool m_isClick = false;     // the left button is down and the pointer has not moved

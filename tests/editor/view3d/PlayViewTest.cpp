@@ -5,7 +5,6 @@
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QApplication>
-#include <QOpenGLWidget>
 #include <QTest>
 
 using namespace rubble;

@@ -5,6 +5,7 @@
 #include "editor/commands/ProjectEdits.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/EditorStory.h"
+#include "tests/support/viewport/ShownPicture.h"
 
 #include <QToolBar>
 
@@ -146,7 +147,7 @@ private slots:
         const std::array shown{instance().id};
         const auto marked = [&] {
             QCoreApplication::processEvents();
-            const QImage picture = viewport().grab().toImage();
+            const QImage picture = test::shownPicture(viewport());
             int count = 0;
             for (int y = 0; y < picture.height(); ++y) {
                 for (int x = 0; x < picture.width(); ++x) count += picture.pixelColor(x, y) == QColor(63, 214, 228);

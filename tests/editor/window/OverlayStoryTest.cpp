@@ -3,6 +3,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/EditorStory.h"
 #include "tests/support/viewport/Pictures.h"
+#include "tests/support/viewport/ShownPicture.h"
 
 #include <QComboBox>
 #include <QLineEdit>
@@ -150,7 +151,7 @@ private:
         play().applyUpdate();
         window().views().scene().playView().refresh();
     }
-    QImage picture() { return viewport().grab().toImage().convertToFormat(QImage::Format_RGB888); }
+    QImage picture() { return test::shownPicture(viewport()).convertToFormat(QImage::Format_RGB888); }
     QRectF subject() {
         const Box3 bounds = boundsOf(viewport().scene());
         QRectF around;

@@ -11,6 +11,7 @@
 #include "tests/support/editor/EditorStory.h"
 #include "tests/support/files/FileBytes.h"
 #include "tests/support/viewport/Pictures.h"
+#include "tests/support/viewport/ShownPicture.h"
 
 #include <QDir>
 #include <QDropEvent>
@@ -289,7 +290,7 @@ private:
     }
     QImage picture() {
         window().views().scene().playView().refresh();
-        return viewport().grab().toImage().convertToFormat(QImage::Format_RGB888);
+        return test::shownPicture(viewport()).convertToFormat(QImage::Format_RGB888);
     }
     void drop(const QString& path) {
         QMimeData data;

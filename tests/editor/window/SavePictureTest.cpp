@@ -6,6 +6,7 @@
 #include "tests/support/editor/EditorStory.h"
 #include "tests/support/files/FileLimits.h"
 #include "tests/support/viewport/Pictures.h"
+#include "tests/support/viewport/ShownPicture.h"
 
 #include <QComboBox>
 #include <QDir>
@@ -40,7 +41,7 @@ private slots:
         const QImage saved = picture("view.png");
         const ImageSize size = viewport().imageSize();
         QCOMPARE(saved.size(), QSize(size.width, size.height));
-        const QImage shown = viewport().grab().toImage().convertToFormat(QImage::Format_RGB888);
+        const QImage shown = test::shownPicture(viewport()).convertToFormat(QImage::Format_RGB888);
         const QRect middle(saved.width() / 4, saved.height() / 4, saved.width() / 2, saved.height() / 2);
         const double difference = test::meanDifference(saved.copy(middle), shown.copy(middle));
         QVERIFY2(difference < 6.0, qPrintable(QString::number(difference)));  // soft light; hints are left out

@@ -14,6 +14,7 @@
 #include "tests/support/editor/Dialogs.h"
 #include "tests/support/editor/TestSettings.h"
 #include "tests/support/files/FileBytes.h"
+#include "tests/support/viewport/ShownPicture.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QApplication>
@@ -113,11 +114,11 @@ private slots:
         if (!m_window->views().scene().viewport().errorText().isEmpty()) QSKIP("OpenGL is not available.");
         ViewportWidget& viewport = m_window->views().scene().viewport();
         QTRY_COMPARE(viewport.scene().picks.size(), std::size_t{37});  // it follows the bake
-        const QImage assembled = viewport.grab().toImage();
+        const QImage assembled = test::shownPicture(viewport);
         auto* slider = m_window->findChild<QSlider*>("exploded");
         slider->setFocus();
         for (int step = 0; step < 10; ++step) QTest::keyClick(slider, Qt::Key_PageUp);
-        QTRY_VERIFY_WITH_TIMEOUT(differentPixels(assembled, viewport.grab().toImage()) > 2000, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(differentPixels(assembled, test::shownPicture(viewport)) > 2000, kPatience);
     }
     void undoRestoresTheNewProject() {
         m_editedBytes = projectText(project());

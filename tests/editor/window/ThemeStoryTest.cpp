@@ -7,6 +7,7 @@
 #include "editor/widgets/ColourScheme.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/EditorStory.h"
+#include "tests/support/viewport/ShownPicture.h"
 
 #include <QDockWidget>
 #include <QListWidget>
@@ -52,15 +53,15 @@ private slots:
             QTRY_VERIFY_WITH_TIMEOUT(window().workspace().play().isPlaying(), kPatience);
         }
         QWidget& shown = view == "canvas" ? canvas() : view == "dock" ? dock() : static_cast<QWidget&>(viewport());
-        followsTheme([&] { return shown.grab().toImage(); });
+        followsTheme([&] { return picture(shown); });
     }
     void viewsFollowThePalette() {
         if (!hasView()) QSKIP("There is no OpenGL here.");
         for (QWidget* view : {static_cast<QWidget*>(&viewport()), static_cast<QWidget*>(&canvas())}) {
             window().setPalette(lightPalette());
-            const double light = lightness(view->grab().toImage());
+            const double light = lightness(picture(*view));
             window().setPalette(darkPalette());
-            QVERIFY(lightness(view->grab().toImage()) < light - 40.0);
+            QVERIFY(lightness(picture(*view)) < light - 40.0);
         }
     }
     /// The desktop of the tests is light.
@@ -105,6 +106,10 @@ private slots:
     }
 
 private:
+    static QImage picture(QWidget& widget) {
+        auto* view = qobject_cast<ViewportWidget*>(&widget);
+        return view != nullptr ? test::shownPicture(*view) : widget.grab().toImage();
+    }
     void setTheme(ColourScheme theme) {
         Preferences changed = preferences().preferences();
         changed.theme = theme;

@@ -1,4 +1,4 @@
-// Tests viewport/render/Renderer.cpp and viewport/render/SceneBuffers.cpp.
+// Tests viewport/render/Renderer.cpp, viewport/render/SceneBuffers.cpp and viewport/render/SceneMemory.cpp.
 #include "tests/support/TestProgram.h"
 #include "tests/support/play/Sessions.h"
 #include "tests/support/viewport/StarterScene.h"
@@ -35,38 +35,6 @@ private slots:
     }
     void cleanupTestCase() { m_renderer.reset(); }
 
-    void picksTheVisibleBody() {
-        const auto scene = test::starterScene();
-        m_renderer->setScene(scene);
-        const RenderView view = frontView(*scene);
-        const double scale = 1.0 / metresPerPixel(view.camera, kViewSize);
-        for (std::uint32_t body = 0; body < scene->poses.size(); ++body) {
-            const Vec3 centre = scene->origin + Vec3(scene->poses[body].position) - view.camera.target;
-            // The front face is nearer than the target, and so a little larger.
-            const double nearer = view.camera.distance / (view.camera.distance - 0.25);
-            const int x = static_cast<int>(100.0 + nearer * scale * centre.x);
-            const int y = static_cast<int>(100.0 - nearer * scale * centre.y);
-            QCOMPARE(m_renderer->bodyAt(view, x, y).value(), body);
-        }
-        QVERIFY(!m_renderer->bodyAt(view, 0, 0));
-        QVERIFY(!m_renderer->bodyAt(view, -1, 500));
-    }
-    void picksMovingBodiesAtInterpolatedPoses() {
-        RenderScene moved = *test::starterScene();
-        const std::uint32_t body = pickedAt(moved, 1.0).value();
-        moved.previousPoses = moved.poses;
-        moved.previousPoses[body].position += glm::vec4(4.0f, 0.0f, 0.0f, 0.0f);  // out of view
-        QCOMPARE(pickedAt(moved, 1.0), std::optional(body));
-        QVERIFY(pickedAt(moved, 0.5) != body);
-        moved.previousPoses[body].position -= glm::vec4(8.0f, 0.0f, 0.0f, 0.0f);
-        for (RenderPose& now : moved.poses)
-            now.position.x += 4.0f;  // at half the step they are at their original poses
-        for (std::uint32_t k = 0; k < moved.previousPoses.size(); ++k) {
-            if (k != body) moved.previousPoses[k].position.x -= 4.0f;
-        }
-        QCOMPARE(pickedAt(moved, 0.5), std::optional(body));
-        QVERIFY(pickedAt(moved, 1.0) != body);
-    }
     void breakUploadsNoGeometryAndAddsNoDrawCalls() {
         const auto play = test::playSceneOf(test::floatingBlock(40));
         Session session = Session::start(play, {}).value();
@@ -108,12 +76,13 @@ private slots:
         const std::uint64_t half = trianglesOf();
         const auto scene = builder.sceneOf(session);
         const std::size_t all = scene->batches[0].geometry->indices.size(),
-                          one = scene->batches[0].geometry->wholeIndices;
+                          one = scene->batches[0].geometry->wholeIndices.size();
         QVERIFY(one > 0 && 20 * one < all);
-        QCOMPARE(half * 2 * one, whole * (one + all));
+        QCOMPARE(half * 2 * one, whole * all);
         RenderScene plain = *scene;
         SceneGeometry geometry = *plain.batches[0].geometry;
-        geometry.wholeIndices = 0;
+        geometry.whole = SceneGeometry::Whole::None;
+        geometry.wholeIndices = geometry.silhouetteIndices = {};
         plain.batches[0].geometry = std::make_shared<SceneGeometry>(geometry);
         QCOMPARE(pictureOf(scene), pictureOf(std::make_shared<RenderScene>(plain)));
     }
@@ -126,13 +95,59 @@ private slots:
         QVERIFY(again.bodyBytes == 0 && again.geometryBytes == 0);
         QCOMPARE(again.drawCalls, kDrawCalls);
     }
-    void hiddenBodiesAreNotPicked() {
-        const auto all = test::starterScene();
-        m_renderer->setScene(all);
-        const RenderView view = frontView(*all);
-        const std::uint32_t body = m_renderer->bodyAt(view, 100, 100).value();
-        m_renderer->setScene(test::starterScene({.hidden = {all->picks[body]}}));
-        QVERIFY(m_renderer->bodyAt(view, 100, 100) != body);
+    /// Intact instances whose fragments are too small to be told apart look as if all were drawn, in fewer triangles.
+    void smallFragmentsAreNotDrawnApart() {
+        const auto scene = test::starterScene();
+        const auto triangles = [&](double minFragmentPixels) {
+            pictureOf(scene, minFragmentPixels);  // with it, shadow maps are rendered
+            const std::uint64_t before = m_renderer->counts().triangles;
+            const auto picture = pictureOf(scene, minFragmentPixels);
+            return std::pair(m_renderer->counts().triangles - before, picture);
+        };
+        const auto [few, whole] = triangles(1000.0);
+        const auto [many, apart] = triangles(0.0);
+        QVERIFY2(5 * few < many, qPrintable(QString("%1 of %2").arg(few).arg(many)));
+        int different = 0;
+        for (std::size_t k = 0; k < whole.size(); ++k) different += std::abs(whole[k] - apart[k]) > 24 ? 1 : 0;
+        QVERIFY2(different > 0, "no crack is seen where all fragments are drawn");
+        QVERIFY2(different < 3 * 200 * 200 / 12, qPrintable(QString::number(different)));  // the cracks
+        const RenderScene selected = *test::starterScene({.selected = {scene->picks[3]}});
+        QCOMPARE(pictureOf(std::make_shared<RenderScene>(selected), 1000.0),
+                 pictureOf(std::make_shared<RenderScene>(selected), 0.0));
+    }
+    void instancesOutOfViewAreNotDrawn() {
+        const auto scene = test::starterScene();
+        RenderView view = frontView(*scene);
+        const auto trianglesOf = [&](const RenderView& seen) {
+            m_renderer->setScene(scene);
+            const RenderTarget target(kViewSize, PixelFormat::Colour, 1);
+            m_renderer->draw(seen, target.framebuffer());  // shadow maps
+            const std::uint64_t before = m_renderer->counts().triangles;
+            m_renderer->draw(seen, target.framebuffer());
+            return m_renderer->counts().triangles - before;
+        };
+        const std::uint64_t seen = trianglesOf(view);
+        view.camera.target.x += 100.0;
+        const std::uint64_t unseen = trianglesOf(view);
+        QVERIFY2(4 * unseen < seen, qPrintable(QString("%1 of %2").arg(unseen).arg(seen)));
+    }
+    /// At whatever draw call: nothing is drawn to the framebuffer, and the next picture is as always.
+    void interruptedPicturesLeaveNoTrace() {
+        const auto scene = test::starterScene();
+        const auto expected = pictureOf(scene);
+        const RenderTarget target(kViewSize, PixelFormat::Colour, 1);
+        for (int allowed = 0; allowed < static_cast<int>(kDrawCalls); allowed += 5) {
+            m_renderer->setScene(std::make_shared<RenderScene>(*scene));  // shadows are outdated
+            m_scene.reset();
+            int calls = 0;
+            m_renderer->setInterruption([&] { return ++calls > allowed; });
+            QVERIFY(!m_renderer->draw(frontView(*scene), target.framebuffer()));
+            QCOMPARE(calls, allowed + 1);  // none after it
+            QVERIFY(!m_renderer->addSample(frontView(*scene), 0) || allowed > 10);
+            m_renderer->setInterruption({});
+            QVERIFY(m_renderer->draw(frontView(*scene), target.framebuffer()));
+            QCOMPARE(pixelsOf(target), expected);
+        }
     }
 
 private:
@@ -140,6 +155,7 @@ private:
     RenderCounts drawn(const std::shared_ptr<const RenderScene>& scene, double moment = 1.0) {
         const RenderCounts before = m_renderer->counts();
         m_renderer->setScene(scene);
+        m_scene.reset();
         RenderView view = frontView(*scene);
         view.stepFraction = moment;
         const RenderTarget target(kViewSize, PixelFormat::Colour, 1);
@@ -149,27 +165,27 @@ private:
                 now.bodyBytes - before.bodyBytes};
     }
 
-    std::vector<std::uint8_t> pictureOf(const std::shared_ptr<const RenderScene>& scene) {
-        m_renderer->setScene(scene);
-        const RenderTarget target(kViewSize, PixelFormat::Colour, 1);
-        m_renderer->draw(frontView(*scene), target.framebuffer());
+    static std::vector<std::uint8_t> pixelsOf(const RenderTarget& target) {
         std::vector<std::uint8_t> pixels(std::size_t{3} * kViewSize.width * kViewSize.height);
         target.bind();
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
         glReadPixels(0, 0, kViewSize.width, kViewSize.height, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
         return pixels;
     }
-
-    /// The body at the centre of the original wall, at a step fraction.
-    std::optional<std::uint32_t> pickedAt(const RenderScene& scene, double moment) {
-        RenderView view = frontView(*test::starterScene());
-        view.stepFraction = moment;
-        m_renderer->setScene(std::make_shared<RenderScene>(scene));
-        return m_renderer->bodyAt(view, 100, 100);
+    std::vector<std::uint8_t> pictureOf(const std::shared_ptr<const RenderScene>& scene,
+                                        double minFragmentPixels = kMinFragmentPixels) {
+        if (scene != m_scene) m_renderer->setScene(scene);
+        m_scene = scene;
+        const RenderTarget target(kViewSize, PixelFormat::Colour, 1);
+        RenderView view = frontView(*scene);
+        view.minFragmentPixels = minFragmentPixels;
+        m_renderer->draw(view, target.framebuffer());
+        return pixelsOf(target);
     }
 
     std::unique_ptr<SurfacelessContext> m_context;
     std::unique_ptr<Renderer> m_renderer;
+    std::shared_ptr<const RenderScene> m_scene;  // of the last picture
 };
 
 RUBBLE_TEST_WITH(RendererTest, QCoreApplication)

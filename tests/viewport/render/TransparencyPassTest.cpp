@@ -114,13 +114,6 @@ private slots:
         const QColor greenFirst = middleOf(walls({green, red})), redFirst = middleOf(walls({red, green}));
         QVERIFY(greenFirst.green() > redFirst.green() + 10 && redFirst.red() > greenFirst.red() + 10);
     }
-    void glassIsPicked() {
-        const RenderScene scene = walls({withOpacity(kGreenPane, 0.3), kRedPane});
-        const auto context = SurfacelessContext::create().value();
-        const auto renderer = Renderer::create().value();
-        renderer->setScene(std::make_shared<RenderScene>(scene));
-        QCOMPARE(renderer->bodyAt(panesFromFront(scene), 80, 80), std::optional(0u));
-    }
     void shadowOfGlassIsLighter_data() {
         QTest::addColumn<int>("samples");
         QTest::newRow("one pass") << 0;

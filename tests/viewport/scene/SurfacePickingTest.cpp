@@ -5,6 +5,7 @@
 #include "core/base/Random.h"
 #include "core/geometry/hull/PolytopeRay.h"
 #include "tests/support/asset/Projects.h"
+#include "tests/support/viewport/StarterScene.h"
 #include "viewport/scene/SceneBuilder.h"
 
 #include <QTest>
@@ -23,11 +24,58 @@ Project scatteredBox() {
     return project;
 }
 
+constexpr ImageSize kViewSize{200, 200};
+const Vec2 kMiddle(100.0, 100.0);
+
+/// The starter project's wall from the front.
+Camera frontCamera(const RenderScene& scene) { return framing({}, boundsOf(scene), kViewSize); }
+
+/// The body at a pixel of that view, which does not follow the scene, at a step fraction.
+std::optional<std::uint32_t> pickedAt(const RenderScene& scene, Vec2 pixel, double stepFraction = 1.0) {
+    const Camera camera = frontCamera(*test::starterScene());
+    const auto hit = surfaceHit(scene, rayThrough(camera, pixel, kViewSize), stepFraction);
+    return hit ? std::optional(hit->body) : std::nullopt;
+}
+
 }  // namespace
 
 class SurfacePickingTest : public QObject {
     Q_OBJECT
 private slots:
+    void picksTheVisibleBody() {
+        const auto scene = test::starterScene();
+        const Camera camera = frontCamera(*scene);
+        const double scale = 1.0 / metresPerPixel(camera, kViewSize);
+        for (std::uint32_t body = 0; body < scene->poses.size(); ++body) {
+            const Vec3 centre = scene->origin + Vec3(scene->poses[body].position) - camera.target;
+            // The front face is nearer than the target, and so a little larger.
+            const double nearer = camera.distance / (camera.distance - 0.25);
+            const Vec2 pixel = Vec2(100.0) + nearer * scale * Vec2(centre.x, -centre.y);
+            QCOMPARE(pickedAt(*scene, pixel), std::optional(body));
+        }
+        QVERIFY(!pickedAt(*scene, {0.0, 0.0}));
+    }
+    void picksMovingBodiesAtInterpolatedPoses() {
+        RenderScene moved = *test::starterScene();
+        const std::uint32_t body = pickedAt(moved, kMiddle, 1.0).value();
+        moved.previousPoses = moved.poses;
+        moved.previousPoses[body].position += glm::vec4(4.0f, 0.0f, 0.0f, 0.0f);  // out of view
+        QCOMPARE(pickedAt(moved, kMiddle, 1.0), std::optional(body));
+        QVERIFY(pickedAt(moved, kMiddle, 0.5) != body);
+        moved.previousPoses[body].position -= glm::vec4(8.0f, 0.0f, 0.0f, 0.0f);
+        for (RenderPose& now : moved.poses)
+            now.position.x += 4.0f;  // at half the step they are at their original poses
+        for (std::uint32_t k = 0; k < moved.previousPoses.size(); ++k) {
+            if (k != body) moved.previousPoses[k].position.x -= 4.0f;
+        }
+        QCOMPARE(pickedAt(moved, kMiddle, 0.5), std::optional(body));
+        QVERIFY(pickedAt(moved, kMiddle, 1.0) != body);
+    }
+    void hiddenBodiesAreNotPicked() {
+        const auto all = test::starterScene();
+        const std::uint32_t body = pickedAt(*all, kMiddle).value();
+        QVERIFY(pickedAt(*test::starterScene({.hidden = {all->picks[body]}}), kMiddle) != body);
+    }
     /// Compares with ray casts against the hulls of all fragments.
     void raysHitTheNearestSurface() {
         const Project project = scatteredBox();

@@ -1,17 +1,17 @@
-// Tests viewport/widget/ViewportWidget.cpp, viewport/scene/BodiesWithin.cpp and viewport/widget/ViewportCanvas.cpp.
+// Tests viewport/widget/ViewportWidget.cpp, viewport/widget/ViewportCanvas.cpp, viewport/widget/RenderThread.cpp and
+// viewport/scene/BodiesWithin.cpp.
 #include "core/asset/library/StarterProject.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/editor/EventLoop.h"
+#include "tests/support/viewport/ShownPicture.h"
 #include "tests/support/viewport/StarterScene.h"
 #include "viewport/scene/SceneBuilder.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QGuiApplication>
 #include <QLabel>
-#include <QOpenGLWidget>
 #include <QSignalSpy>
 #include <QTest>
-#include <QTimer>
 #include <QVBoxLayout>
 #include <QWheelEvent>
 
@@ -164,21 +164,21 @@ private slots:
         const auto viewport = shownWall();
         QTest::mouseMove(viewport.get(), kCorner);
         QSignalSpy hovers(viewport.get(), &ViewportWidget::hovered);
-        const QImage before = viewport->grab().toImage();
+        const QImage before = test::shownPicture(*viewport);
         QTest::mouseMove(viewport.get(), kMiddle);
         QTRY_COMPARE(hovers.count(), 1);
-        QVERIFY(viewport->grab().toImage().pixelColor(kMiddle) != before.pixelColor(kMiddle));
+        QVERIFY(test::shownPicture(*viewport).pixelColor(kMiddle) != before.pixelColor(kMiddle));
         QTest::mouseMove(viewport.get(), kCorner);
         QTRY_COMPARE(hovers.count(), 2);
-        QCOMPARE(viewport->grab().toImage().pixelColor(kMiddle), before.pixelColor(kMiddle));
+        QCOMPARE(test::shownPicture(*viewport).pixelColor(kMiddle), before.pixelColor(kMiddle));
     }
     void drawsTheWallAndItsSelection() {
         const auto viewport = shownWall();
-        const QImage before = viewport->grab().toImage();
+        const QImage before = test::shownPicture(*viewport);
         QVERIFY(before.pixelColor(kMiddle) != before.pixelColor(kMiddle.x(), 2));
         const auto pick = viewport->scene().picks;
         viewport->setScene(test::starterScene({.selected = {{pick[0].asset, 0, kNone}}}));
-        const QImage after = viewport->grab().toImage();
+        const QImage after = test::shownPicture(*viewport);
         QCOMPARE(after.pixelColor(kMiddle), before.pixelColor(kMiddle));
         int most = 0;  // on the way down across the upper edge
         for (int y = 0; y < kMiddle.y(); ++y) most = std::max(most, colourfulness(after, {kMiddle.x(), y}));
@@ -186,8 +186,7 @@ private slots:
     }
     void repaintsOnlyAfterChanges() {
         const auto viewport = shownWall();
-        auto* canvas = viewport->findChild<QOpenGLWidget*>();
-        QSignalSpy frames(canvas, &QOpenGLWidget::frameSwapped);
+        QSignalSpy frames(viewport.get(), &ViewportWidget::drawn);
         waitForTheLastOf(frames);  // of showing the window
         frames.clear();
         test::runTimersDueWithin(300);
@@ -200,7 +199,7 @@ private slots:
     void animationReachesTheViewExactly() {
         const auto viewport = shownWall();
         viewport->setCameraAnimation(true);
-        QSignalSpy frames(viewport->findChild<QOpenGLWidget*>(), &QOpenGLWidget::frameSwapped);
+        QSignalSpy frames(viewport.get(), &ViewportWidget::drawn);
         viewport->alignTo(StandardView::Top);
         QVERIFY(viewport->camera() == alignedTo(viewport->camera(), StandardView::Top));
         QTRY_VERIFY(frames.count() >= 3);
@@ -244,61 +243,53 @@ private slots:
     void progressiveRenderingEnds() {
         const auto viewport = shownWall();
         viewport->resize(160, 120);
-        const QImage before = viewport->grab().toImage();
-        auto* canvas = viewport->findChild<QOpenGLWidget*>();
-        auto* timer = canvas->findChild<QTimer*>();
+        const QImage before = test::shownPicture(*viewport);
         viewport->setProgressiveRendering(ProgressiveRendering::Always);
-        QTRY_VERIFY(timer->isActive());
-        QTRY_VERIFY_WITH_TIMEOUT(!timer->isActive(), kPatience);
-        QSignalSpy frames(canvas, &QOpenGLWidget::frameSwapped);
-        waitForTheLastOf(frames);
-        frames.clear();
+        const QImage refined = test::finishedPicture(*viewport);
+        QSignalSpy frames(viewport.get(), &ViewportWidget::drawn);
         test::runTimersDueWithin(300);
         QCOMPARE(frames.count(), 0);
-        QVERIFY(viewport->grab().toImage() != before);
+        QVERIFY(refined != before);
     }
     void hoveringKeepsTheRefinedPicture() {
         const auto viewport = shownWall();
         viewport->resize(160, 120);
-        auto* timer = viewport->findChild<QOpenGLWidget*>()->findChild<QTimer*>();
         viewport->setProgressiveRendering(ProgressiveRendering::Always);
-        QTRY_VERIFY(timer->isActive());
-        QTRY_VERIFY_WITH_TIMEOUT(!timer->isActive(), kPatience);
-        const QImage refined = viewport->grab().toImage();
+        const QImage refined = test::finishedPicture(*viewport);
         QSignalSpy hovers(viewport.get(), &ViewportWidget::hovered);
         QTest::mouseMove(viewport.get(), {80, 60});
         QTRY_COMPARE(hovers.count(), 1);
-        QVERIFY(viewport->grab().toImage() != refined);
-        QVERIFY(!timer->isActive());
+        QVERIFY(test::shownPicture(*viewport) != refined);
+        QVERIFY(viewport->isPictureFinished());
         QTest::mouseMove(viewport.get(), kCorner);
         QTRY_COMPARE(hovers.count(), 2);
-        QCOMPARE(viewport->grab().toImage(), refined);
-        QVERIFY(!timer->isActive());
+        QCOMPARE(test::shownPicture(*viewport), refined);
+        QVERIFY(viewport->isPictureFinished());
     }
     void pictureIsSharpAfterAMotion() {
         const auto viewport = shownWall();
         const Camera end = orbited(viewport->camera(), 0.3, 0.2);
         viewport->setCamera(end);
-        const QImage sharp = viewport->grab().toImage();
+        const QImage sharp = test::shownPicture(*viewport);
         QSignalSpy frames(viewport.get(), &ViewportWidget::drawn);
         for (int image = 1; image <= 30; ++image) {
             const qsizetype before = frames.count();
             viewport->setCamera(image < 30 ? orbited(end, 0.01 * image, 0.0) : end);
             QTRY_VERIFY(frames.count() > before);
         }
-        QTRY_COMPARE_WITH_TIMEOUT(viewport->grab().toImage(), sharp, kPatience);
+        QCOMPARE(test::finishedPicture(*viewport), sharp);
     }
     void resizedViewIsDrawnAnew() {
         const auto viewport = shownWall();
         viewport->resize(160, 120);
         viewport->setProgressiveRendering(ProgressiveRendering::Always);
-        auto* timer = viewport->findChild<QOpenGLWidget*>()->findChild<QTimer*>();
-        QTRY_VERIFY(timer->isActive());
-        QTRY_VERIFY_WITH_TIMEOUT(!timer->isActive(), kPatience);
+        const QImage before = test::finishedPicture(*viewport);
         viewport->resize(200, 120);
-        const QImage resized = viewport->grab().toImage();
-        viewport->setProgressiveRendering(ProgressiveRendering::Never);
-        QCOMPARE(resized, viewport->grab().toImage());
+        const QImage resized = test::finishedPicture(*viewport);
+        QCOMPARE(resized.size(), QSize(200, 120));
+        QVERIFY(resized.pixelColor(100, 60) != resized.pixelColor(100, 2));
+        viewport->resize(160, 120);
+        QCOMPARE(test::finishedPicture(*viewport), before);
     }
     void survivesAMoveToAnotherWindow() {
         auto viewport = shownWall();
@@ -310,7 +301,7 @@ private slots:
         QVERIFY(QTest::qWaitForWindowExposed(&other, kPatience));
         auto* moved = other.findChild<ViewportWidget*>();
         moved->frameAll();
-        const QImage picture = moved->grab().toImage();
+        const QImage picture = test::shownPicture(*moved);
         const QPoint middle = moved->rect().center();
         QVERIFY(picture.pixelColor(middle) != picture.pixelColor(middle.x(), 2));
     }

@@ -17,7 +17,7 @@ struct GlFormat {
 GlFormat glFormat(PixelFormat format) {
     switch (format) {
         case PixelFormat::Float: return {GL_RGBA32F, GL_RGBA, GL_FLOAT};
-        case PixelFormat::BodyIndex: return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT};
+        case PixelFormat::Number: return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT};
         case PixelFormat::Colour: break;
     }
     return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};

@@ -5,7 +5,7 @@
 
 namespace rubble {
 
-enum class PixelFormat { Colour, Float, BodyIndex };
+enum class PixelFormat { Colour, Float, Number };
 
 /// A framebuffer with a colour and a depth attachment.
 class RenderTarget {

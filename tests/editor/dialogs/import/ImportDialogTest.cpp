@@ -12,6 +12,7 @@
 #include "tests/support/editor/EventLoop.h"
 #include "tests/support/geometry/Outlines.h"
 #include "tests/support/geometry/Solids.h"
+#include "tests/support/viewport/ShownPicture.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QCheckBox>
@@ -107,7 +108,7 @@ struct ImportBench {
     /// The number of pixels of the 3D view with a property.
     template <class Predicate>
     int pixels(Predicate hasProperty) {
-        const QImage image = view().grab().toImage();
+        const QImage image = test::shownPicture(view());
         int count = 0;
         for (int y = 0; y < image.height(); ++y) {
             for (int x = 0; x < image.width(); ++x) count += hasProperty(QColor(image.pixel(x, y)));
