@@ -14,8 +14,9 @@ struct DecodedImage {
     std::vector<std::uint8_t> pixels;
 };
 
-/// Decodes an image without its opacity. Halves it while a side is longer than `longest` or 4096 pixels. Nothing if it
-/// is damaged, or has colours other than grey, RGB and YCbCr.
+/// Decodes an image without its opacity, in 1, 1/2, 1/4 … of its size so that no side is longer than `longest` or
+/// 4096 pixels; takes little more memory than the result. Nothing if it is damaged, or has colours other than grey, RGB
+/// and YCbCr.
 std::optional<DecodedImage> decoded(const EncodedImage& image, std::uint32_t longest);
 
 }  // namespace rubble

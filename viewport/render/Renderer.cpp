@@ -65,6 +65,12 @@ void Renderer::setScene(std::shared_ptr<const RenderScene> scene) {
     m_state->depthsView.reset();
 }
 
+void Renderer::setTextureListener(std::function<void()> listener) {
+    m_state->scene.textures().setListener(std::move(listener));
+}
+bool Renderer::updateTextures() { return m_state->scene.textures().update(); }
+bool Renderer::areTexturesPending() const { return m_state->scene.textures().isPending(); }
+
 void Renderer::setInterruption(std::function<bool()> isInterrupted) {
     m_state->scene.setInterruption(std::move(isInterrupted));
 }

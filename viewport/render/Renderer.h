@@ -43,6 +43,13 @@ public:
     /// independent of the number of bodies if the scene has a summary.
     void setScene(std::shared_ptr<const RenderScene> scene);
 
+    /// Sets a function that another thread calls when an image of the scene has been decoded, so that updateTextures()
+    /// uploads it. By default, setScene() waits for all.
+    void setTextureListener(std::function<void()> listener);
+    /// Whether pictures are different now.
+    bool updateTextures();
+    bool areTexturesPending() const;
+
     /// Sets a function that is called between draw calls of draw() and addSample(): once it returns true, these stop,
     /// return false and leave the framebuffer, or the sum of samples, as it was. Never by default.
     void setInterruption(std::function<bool()> isInterrupted);

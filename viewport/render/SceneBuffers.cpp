@@ -1,6 +1,5 @@
 #include "viewport/render/SceneBuffers.h"
 
-#include "viewport/render/ImageDecoding.h"
 #include "viewport/render/InstanceFilter.h"
 #include "viewport/render/SceneMemory.h"
 
@@ -30,22 +29,6 @@ GlBuffer bufferOf(std::uint32_t target, const std::vector<T>& values) {
 void bindTexture(std::uint32_t texture) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(TextureUnit::BaseColour));
     glBindTexture(GL_TEXTURE_2D, texture);
-}
-
-/// An image that repeats, with all of its mipmaps.
-GlTexture textureOf(const DecodedImage& image) {
-    GlTexture texture = GlTexture::create();
-    bindTexture(texture.id());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8, static_cast<GLsizei>(image.width), static_cast<GLsizei>(image.height), 0,
-                 GL_RGB, GL_UNSIGNED_BYTE, image.pixels.data());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    glGenerateMipmap(GL_TEXTURE_2D);
-    return texture;
 }
 
 const void* at(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
@@ -89,21 +72,9 @@ const SceneBuffers::Geometry& SceneBuffers::uploaded(const std::shared_ptr<const
     return m_geometries.emplace(source.get(), std::move(made)).first->second;
 }
 
-std::uint32_t SceneBuffers::uploaded(const std::shared_ptr<const EncodedImage>& source) {
-    const auto known = std::ranges::find(m_textures, source, &Texture::source);
-    if (known != m_textures.end()) return known->texels.id();
-    m_textures.push_back({source, {}});
-    GLint largest = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    const std::optional<DecodedImage> image = decoded(*source, static_cast<std::uint32_t>(largest));
-    if (image) m_textures.back().texels = textureOf(*image);
-    return m_textures.back().texels.id();
-}
-
 SceneBuffers::Batch SceneBuffers::batchOf(const SceneBatch& batch) {
     m_counts.geometryBytes += std::span(batch.firstBodies).size_bytes();
     Batch made{.firstBodies = bufferOf(GL_ARRAY_BUFFER, batch.firstBodies), .bodies = GlVertexArray::create()};
-    if (batch.texture) made.texture = uploaded(batch.texture);
     const Geometry& geometry = uploaded(batch.geometry);
     made.meanPartSize = batch.geometry->meanPartSize();
     glBindVertexArray(made.bodies.id());
@@ -123,9 +94,10 @@ void SceneBuffers::uploadBatches() {
     std::unordered_set<const SceneGeometry*> used;
     for (const SceneBatch& batch : m_scene->batches) used.insert({batch.geometry.get(), batch.hulls.get()});
     std::erase_if(m_geometries, [&](const auto& geometry) { return !used.contains(geometry.first); });
-    std::erase_if(m_textures, [&](const Texture& texture) {
-        return std::ranges::find(m_scene->batches, texture.source, &SceneBatch::texture) == m_scene->batches.end();
-    });
+    std::vector<SharedImage> images;
+    for (const SceneBatch& batch : m_scene->batches)
+        if (batch.texture) images.push_back(batch.texture);
+    m_textures.setImages(std::move(images));
     for (const SceneBatch& batch : m_scene->batches) m_batches.push_back(batchOf(batch));
 }
 
@@ -235,9 +207,10 @@ void SceneBuffers::draw(Part part, Batches batches) const {
     for (std::size_t k = 0; k < m_batches.size(); ++k) {
         const SceneBatch& source = m_scene->batches[k];
         const Batch& batch = m_batches[k];
-        const bool isOther = batches != Batches::All && (batch.texture != 0) != (batches == Batches::Textured);
+        const std::uint32_t texture = source.texture ? m_textures.textureOf(source.texture) : 0;
+        const bool isOther = batches != Batches::All && (texture != 0) != (batches == Batches::Textured);
         if (isOther) continue;
-        if (batches == Batches::Textured) bindTexture(batch.texture);
+        if (batches == Batches::Textured) bindTexture(texture);
         const SceneGeometry& geometry = *source.geometry;
         const std::size_t all = batch.order.size();
         switch (part) {

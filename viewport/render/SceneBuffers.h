@@ -2,6 +2,7 @@
 
 #include "viewport/render/InstanceFilter.h"
 #include "viewport/render/RenderCounts.h"
+#include "viewport/render/SceneTextures.h"
 #include "viewport/render/gl/TexelBuffer.h"
 #include "viewport/scene/RenderScene.h"
 
@@ -37,14 +38,15 @@ public:
     /// Bodies: as the view that was set shows them. Silhouettes: an instance whose solids look alike and are where they
     /// were cut is drawn as a whole, which covers the same pixels from all sides.
     enum class Part { Bodies, Silhouettes, Hulls };
-    /// Plain: those without an image, or with one that cannot be decoded.
+    /// Plain: those without an image, or with one that is not decoded yet, or cannot be.
     enum class Batches { All, Plain, Textured };
     /// Draws all triangles with the current program: one call per batch, or two where some of its instances are whole
     /// and others are not, and one more for every few hundred thousand triangles.
     void draw(Part part, Batches batches = Batches::All) const;
     /// Draws one body.
     void drawBody(std::uint32_t body) const;
-    bool hasTextures() const { return !m_textures.empty(); }
+    bool hasTextures() const { return !m_textures.isEmpty(); }
+    SceneTextures& textures() { return m_textures; }
     const RenderCounts& counts() const { return m_counts; }
 
 private:
@@ -63,7 +65,6 @@ private:
         GlBuffer firstBodies;  // of the instances, in the order of `order`
         GlVertexArray bodies;
         GlVertexArray hulls;
-        std::uint32_t texture = 0;  // 0: none
         double meanPartSize = 0.0;  // m
         std::vector<Whole> wholes;  // of the instances, in the order of the scene
         // The first bodies as uploaded: of instances in parts, then
@@ -72,16 +73,11 @@ private:
         std::size_t wholeBegin = 0;   // of those that are drawn whole,
         std::size_t unseenBegin = 0;  // and of others of these two kinds that the view does not show
     };
-    struct Texture {
-        std::shared_ptr<const EncodedImage> source;
-        GlTexture texels;  // none: it cannot be decoded
-    };
     void uploadBatches();
     void findWholes(const SceneBatch& source, Batch& batch) const;
     void sortInstances();
     void sortInstances(const SceneBatch& source, const InstanceFilter& filter, Batch& batch);
     const Geometry& uploaded(const std::shared_ptr<const SceneGeometry>& source);
-    std::uint32_t uploaded(const std::shared_ptr<const EncodedImage>& source);
     Batch batchOf(const SceneBatch& batch);
     void bindTexels() const;
     void drawInstances(const Batch& batch, const GlVertexArray& array, TriangleRange indices, std::size_t begin,
@@ -90,7 +86,7 @@ private:
     std::shared_ptr<const RenderScene> m_scene;
     InstanceView m_view;
     std::unordered_map<const SceneGeometry*, Geometry> m_geometries;
-    std::vector<Texture> m_textures;
+    SceneTextures m_textures;
     std::vector<Batch> m_batches;
     TexelBuffer m_poses, m_previousPoses, m_explodeOffsets, m_appearances;
     std::function<bool()> m_interruption;

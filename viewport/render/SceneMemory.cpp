@@ -16,8 +16,6 @@ std::size_t geometryBytes(const RenderScene& scene) {
     std::size_t bytes = 0;
     for (const SceneBatch& batch : scene.batches) {
         bytes += bytesOf(*batch.geometry) + (batch.hulls ? bytesOf(*batch.hulls) : 0);
-        if (batch.texture)
-            bytes += std::size_t{8} * batch.texture->width() * batch.texture->height();  // decoded, twice
     }
     return bytes;
 }

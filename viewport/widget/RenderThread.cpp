@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <bit>
 #include <new>
+#include <utility>
 
 namespace rubble {
 namespace {
@@ -109,7 +110,7 @@ bool RenderThread::isFinished() const {
 bool RenderThread::isRefined() const {
     const bool isOn = m_request.progressive == ProgressiveRendering::Always ||
                       (m_request.progressive == ProgressiveRendering::WithGpu && m_hasGpu);
-    return m_shown.isSharp && (!isOn || m_shown.samples >= m_maxSamples);
+    return m_shown.isSharp && !m_areTexturesPending && (!isOn || m_shown.samples >= m_maxSamples);
 }
 
 bool RenderThread::makeRenderer() {
@@ -123,6 +124,11 @@ bool RenderThread::makeRenderer() {
         return false;
     }
     m_renderer = std::move(*renderer);
+    m_renderer->setTextureListener([this] {
+        const std::lock_guard lock(m_mutex);
+        m_isTextureDecoded = true;
+        m_changed.notify_all();
+    });
     m_buffer = std::make_unique<PictureBuffer>();
     const std::lock_guard lock(m_mutex);
     m_hasGpu = !m_renderer->isSoftware();
@@ -161,7 +167,8 @@ bool RenderThread::work(std::unique_lock<std::mutex>& lock) {
     if (request.revision == 0) return false;  // nothing to show yet
     if (shown.revision != request.revision) return unlocked([&] { drawChange(request); });
     if (shown.hovered != request.view.hovered) return unlocked([&] { drawHovered(request, shown); });
-    if (isRefined()) return false;
+    if (std::exchange(m_isTextureDecoded, false)) return unlocked([&] { updateTextures(); });
+    if (isRefined() || (shown.isSharp && m_areTexturesPending)) return false;
     const auto due = request.changed + kIdle;
     const bool isAtRest = Clock::now() >= due || (!request.isMoving && !shown.isSharp);
     if (!isAtRest) {
@@ -169,6 +176,16 @@ bool RenderThread::work(std::unique_lock<std::mutex>& lock) {
         return true;
     }
     return unlocked([&] { shown.isSharp ? refine(request) : drawSharp(request); });
+}
+
+/// Images that have been decoded are in the next picture.
+void RenderThread::updateTextures() {
+    const bool isNew = m_renderer->updateTextures();
+    const bool arePending = m_renderer->areTexturesPending();
+    const std::lock_guard lock(m_mutex);
+    m_areTexturesPending = arePending;
+    if (isNew) m_shown.isSharp = false;
+    if (isNew) m_shown.samples = 0;
 }
 
 /// Draws to the buffer; false if it was interrupted.
@@ -186,6 +203,7 @@ void RenderThread::drawChange(const Request& request) {
     if (request.scene != m_scene) {
         m_renderer->setScene(request.scene);
         m_scene = request.scene;
+        updateTextures();
     }
     const bool isQuick = request.isMoving || (m_isAdaptive && m_sharpSeconds > kSlow);
     if (!isQuick) return drawSharp(request);

@@ -80,6 +80,7 @@ private:
 
     void invalidate();
     bool isRefined() const;
+    void updateTextures();
 
     void run();
     bool makeRenderer();
@@ -105,6 +106,8 @@ private:
     std::optional<Clock::time_point> m_motionShown;  // when the last picture of a change was finished
     int m_maxSamples = 0;                            // 0: pictures are not refined
     bool m_hasGpu = false;
+    bool m_isTextureDecoded = false;  // since the last look
+    bool m_areTexturesPending = false;
 
     // Of the thread:
     std::unique_ptr<Renderer> m_renderer;
