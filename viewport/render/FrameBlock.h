@@ -1,7 +1,7 @@
 #pragma once
 
-#include "viewport/render/Lighting.h"
 #include "viewport/render/Renderer.h"
+#include "viewport/render/light/Lighting.h"
 
 #include <glm/mat4x4.hpp>
 

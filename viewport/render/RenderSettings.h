@@ -1,12 +1,12 @@
 #pragma once
 
 #include "core/asset/project/Project.h"
+#include "viewport/render/light/Theme.h"
 
 #include <optional>
 
 namespace rubble {
 
-enum class Theme { Light, Dark };
 enum class Shading { Faces, Wireframe };
 
 /// The settings for drawing a scene.

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/base/Result.h"
-#include "viewport/render/Lighting.h"
 #include "viewport/render/RenderCounts.h"
 #include "viewport/render/RenderSettings.h"
+#include "viewport/render/light/Lighting.h"
 #include "viewport/scene/Camera.h"
 #include "viewport/scene/RenderScene.h"
 

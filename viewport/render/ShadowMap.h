@@ -1,9 +1,9 @@
 #pragma once
 
-#include "viewport/render/Lighting.h"
 #include "viewport/render/RenderPrograms.h"
 #include "viewport/render/SceneBuffers.h"
 #include "viewport/render/gl/GlObjects.h"
+#include "viewport/render/light/Lighting.h"
 
 namespace rubble {
 

@@ -1,8 +1,8 @@
-// Tests viewport/render/LightBuffer.cpp, viewport/render/Lighting.cpp and viewport/render/SkyMaps.cpp.
+// Tests viewport/render/LightBuffer.cpp, viewport/render/light/Lighting.cpp and viewport/render/SkyMaps.cpp.
 #include "tests/support/TestProgram.h"
 #include "tests/support/viewport/StarterScene.h"
-#include "viewport/render/Lighting.h"
 #include "viewport/render/OffscreenRenderer.h"
+#include "viewport/render/light/Lighting.h"
 
 #include <QImage>
 #include <QTest>

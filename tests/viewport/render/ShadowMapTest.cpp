@@ -1,7 +1,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/viewport/StarterScene.h"
-#include "viewport/render/Lighting.h"
 #include "viewport/render/OffscreenRenderer.h"
+#include "viewport/render/light/Lighting.h"
 
 #include <QImage>
 #include <QTest>

@@ -1,4 +1,4 @@
-#include "viewport/render/Lighting.h"
+#include "viewport/render/light/Lighting.h"
 
 #include "core/base/math/Trigonometry.h"
 

@@ -1,0 +1,7 @@
+#pragma once
+
+namespace rubble {
+
+enum class Theme { Light, Dark };
+
+}  // namespace rubble
