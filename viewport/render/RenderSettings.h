@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/asset/project/Project.h"
-#include "viewport/render/light/Theme.h"
+#include "viewport/render/light/SkyPreset.h"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/mesh/TriangleMesh.h"
-#include "viewport/render/light/Theme.h"
+#include "viewport/render/light/SkyPreset.h"
 #include "viewport/scene/Camera.h"
 
 #include <glm/vec3.hpp>

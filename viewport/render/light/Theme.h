@@ -1,7 +1,0 @@
-#pragma once
-
-namespace rubble {
-
-enum class Theme { Light, Dark };
-
-}  // namespace rubble
