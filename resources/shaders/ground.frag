@@ -19,30 +19,47 @@ float gridLines(vec2 p, float distance) {
     return lines * fade * grid.a * spacing.w;
 }
 
-vec3 groundLit() {
-    vec3 key = keyLight.rgb * max(keyDirection.y, 0.0);
-    vec2 reached = lightOnGround();
-    vec3 light = key * reached.y + skyLight.rgb * reached.x + bounceLight.rgb * (0.35 + 0.65 * reached.x);
-    return linearOf(soil.rgb) * light / (key + skyLight.rgb + bounceLight.rgb);
+#ifdef CONCRETE
+// A number in [0, 1) for a point of the integer lattice.
+// Source: Jarzynski, Olano, "Hash functions for GPU rendering", 2020 (PCG).
+float random(ivec2 at) {
+    uint state = (uint(at.x & 4095) + 4096u * uint(at.y & 4095)) * 747796405u + 2891336453u;
+    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return float(((word >> 22u) ^ word) & 0xffffu) / 65536.0;
 }
+float noise(vec2 p) {
+    vec2 cell = floor(p), part = smoothstep(0.0, 1.0, p - cell);
+    ivec2 at = ivec2(cell);
+    return mix(mix(random(at), random(at + ivec2(1, 0)), part.x),
+               mix(random(at + ivec2(0, 1)), random(at + ivec2(1, 1)), part.x), part.y);
+}
+// Blotches of 1.6 m and 8 cm, the smaller ones where they are larger than a pixel.
+float groundTexture(vec2 p, float viewDepth) {
+    vec2 world = p + gridOrigin.yw;
+    float fine = smoothstep(1.0, 4.0, 0.08 * pixelsPerMetre(viewDepth));
+    return 1.0 + 0.10 * (noise(world / 1.6) - 0.5) + 0.07 * fine * (noise(world / 0.08) - 0.5);
+}
+#else
+float groundTexture(vec2 p, float viewDepth) { return 1.0; }
+#endif
 
-vec3 skyColour(vec3 along) {
-    if (zenith.w < 0.5) return mix(backgroundBottom.rgb, backgroundTop.rgb, smoothstep(0.0, 1.0, place.y));
-    float height = max(normalize(along).y, 0.0), low = 1.0 - height;
-    return mix(horizon.rgb, zenith.rgb, 1.0 - low * low * low);
+vec3 groundLit(vec2 p, float viewDepth) {
+    vec2 reached = lightOnGround();
+    return soil.rgb * groundTexture(p, viewDepth) * mix(vec3(reached.x), vec3(reached.y), groundKey.rgb);
 }
 
 void main() {
     Sight sight = sightAt(place);
-    vec3 colour = skyColour(sight.along);
     float d;
     bool isGround = meetsGround(sight, d);
     vec3 point = sight.from + d * sight.along;
     float distance = length(point.xz - ground.xz) / ground.w;
     float lines = gridLines(point.xz, distance);
-    if (isGround) {
-        vec3 lit = mix(srgbOf(groundLit()), grid.rgb, lines);
-        colour = mix(colour, lit, exp(-distance * distance / (kHaze * kHaze)));
-    }
+    float clear = isGround ? exp(-distance * distance / (kHaze * kHaze)) : 0.0;  // of haze
+    vec3 lit = groundLit(point.xz, d);
+    vec3 plain = mix(backgroundBottom.rgb, backgroundTop.rgb, smoothstep(0.0, 1.0, place.y));
+    vec3 colour = zenith.w < 0.5 ? mix(plain, displayed(lit), clear)
+                                 : displayed(mix(skyRadiance(sight.along), lit, clear));
+    colour = mix(colour, grid.rgb, lines * clear);
     pixel = vec4(colour + (gradientNoise(gl_FragCoord.xy) - 0.5) / 255.0, 1.0);  // against banding
 }

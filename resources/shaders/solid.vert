@@ -3,7 +3,7 @@ out vec3 scenePoint;
 out vec3 sceneNormal;
 out vec2 placeAcross;
 out float edgeWidth;  // pixels, on each side of an edge
-flat out vec3 colour;  // sRGB
+flat out vec3 colour;  // linear
 flat out float opacity;
 #ifdef TEXTURED
 out vec2 placeInImage;  // from its top left corner
@@ -25,7 +25,7 @@ void main() {
     placeAcross = across;
     float size = exp2((sizeCode - 128.0) / 8.0) * pixelsPerMetre(max(dot(eye.xyz - scenePoint, back.xyz), 1e-6));
     edgeWidth = clamp(kEdgeWidth * size, kThinnest * edges.x, kWidest * edges.x);
-    colour = side == kMortar ? kMortarColour : unpackedColour(side == kInside ? appearance.y : appearance.x);
+    colour = linearOf(side == kMortar ? kMortarColour : unpackedColour(side == kInside ? appearance.y : appearance.x));
     opacity = opacityOf(appearance);
 #ifdef TEXTURED
     placeInImage = vec2(uv.x, 1.0 - uv.y);

@@ -3,7 +3,7 @@ in vec3 scenePoint;
 in vec3 sceneNormal;
 in vec2 placeAcross;
 in float edgeWidth;  // pixels, on each side of an edge
-flat in vec3 colour;
+flat in vec3 colour;  // linear
 flat in float opacity;
 #ifdef TEXTURED
 uniform sampler2D baseColour;
@@ -11,23 +11,22 @@ in vec2 placeInImage;
 flat in float hasImage;
 #endif
 
+const float kRoughness = 0.8;  // of what has no material of its own
+
 vec3 towardsEye() { return eye.w > 0.5 ? normalize(eye.xyz - scenePoint) : back.xyz; }
 
-vec3 lit(vec3 albedo, vec3 n) {
-    vec2 reached = lightReached(scenePoint, n);
-    float key = max(dot(n, keyDirection.xyz), 0.0) * reached.y;
-    vec3 sky = skyLight.rgb * (0.5 + 0.5 * n.y) * reached.x;
-    vec3 bounce = bounceLight.rgb * (0.5 - 0.5 * n.y) * (0.35 + 0.65 * reached.x);
-    return albedo * (keyLight.rgb * key + sky + bounce + vec3(skyLight.w * max(dot(n, towardsEye()), 0.0)));
-}
-
-// The linear colour of the surface without edges.
-vec3 shadedSurface() {
-    vec3 albedo = linearOf(colour);
+// The material at the pixel.
+Surface surfaceHere() {
+    vec3 albedo = colour;
 #ifdef TEXTURED
     albedo *= mix(vec3(1.0), texture(baseColour, placeInImage).rgb, hasImage);
 #endif
-    return lit(albedo, normalize(sceneNormal));
+    return Surface(albedo, normalize(sceneNormal), kRoughness, 0.0, 1.0);
+}
+
+// The radiance of the surface without edges.
+vec3 shadedSurface(Surface surface) {
+    return lit(surface, towardsEye(), lightReached(scenePoint, surface.normal));
 }
 const float kEdgeShade = 0.22;  // brightness of edges, of that of the surface
 

@@ -4,20 +4,21 @@ uniform float focusDistance;  // of the camera's target, m
 layout(location = 0) out vec4 sum;     // colours times weights; a: the product of transparencies, by its blend function
 layout(location = 1) out vec4 weights;
 
-const float kReflectance = 0.04;  // at normal incidence, of glass and ice in air
+const float kGlossiness = 0.05;   // roughness
 const float kNearness = 5.0;      // halvings of the weight over the target's distance
 const float kEdgeOpacity = 0.55;
 const float kNarrowest = 0.5, kWholeWidth = 2.0;  // pixels: narrower faces, as the sides of panes, would be speckles
 const float kLeastFraction = 0.25;                // of their opacity
 
 void main() {
-    vec3 n = normalize(sceneNormal);
-    vec3 shaded = shadedSurface();
-    float mirror = kReflectance + (1.0 - kReflectance) * pow(1.0 - clamp(dot(n, towardsEye()), 0.0, 1.0), 5.0);
+    Surface surface = surfaceHere();
+    vec3 shaded = shadedSurface(surface), toEye = towardsEye(), n = surface.normal;
+    float mirror = kReflectance + (1.0 - kReflectance) * pow(1.0 - clamp(dot(n, toEye), 0.0, 1.0), 5.0);
     float line = edgeCover();
     float wide = mix(kLeastFraction, 1.0, smoothstep(kNarrowest, kWholeWidth, pixelsAcross(placeAcross)));
     float alpha = wide * max(opacity + (1.0 - opacity) * mirror, kEdgeOpacity * line);
-    vec3 seen = srgbOf(mix(mix(shaded, linearOf(horizon.rgb), mirror), shaded * kEdgeShade, line));
+    vec3 mirrored = reflected(reflect(-toEye, n), kGlossiness);
+    vec3 seen = displayed(mix(mix(shaded, mirrored, mirror), shaded * kEdgeShade, line));
     float far = dot(eye.xyz - scenePoint, back.xyz) / focusDistance;
     float weight = alpha * clamp(exp2(-kNearness * (far - 1.0)), 1e-3, 1e3);
     sum = vec4(seen * weight, alpha);

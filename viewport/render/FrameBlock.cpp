@@ -1,18 +1,22 @@
 #include "viewport/render/FrameBlock.h"
 
 #include "core/asset/project/FragmentColours.h"
+#include "core/base/math/Power.h"
 #include "viewport/render/LightBuffer.h"
+#include "viewport/render/light/ToneMapping.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rubble {
 namespace {
 
-constexpr double kFineStep = 0.3;     // the fine step is the largest power of ten below this times the distance
-constexpr double kGroundBias = 2e-4;  // of the distance, by which the ground is lowered against z-fighting
+constexpr double kFineStep = 0.3;           // the fine step is the largest power of ten below this times the distance
+constexpr double kConcretePeriod = 6553.6;  // m: of the noises of ground.frag
+constexpr double kGroundBias = 2e-4;        // of the distance, by which the ground is lowered against z-fighting
 
 glm::vec4 direction(Vec3 v, float w) { return glm::vec4(glm::vec3(v), w); }
 
@@ -23,26 +27,49 @@ glm::vec2 gridStep(const Camera& camera) {
     return glm::vec2(std::pow(10.0, whole), 1.0 - 0.8 * (power - whole));
 }
 
-/// The scene's origin modulo the grid's coarse step, so that the grid stays precise far from zero.
+/// The scene's origin modulo the grid's coarse step, so that the grid stays precise far from zero (x, z), and modulo the
+/// period of the ground's texture (y, w).
 glm::vec4 gridOrigin(double fineStep, const RenderScene& scene) {
     const double step = 10.0 * fineStep;
-    return direction(scene.origin - step * glm::floor(scene.origin / step), 0.0f);
+    const auto remainder = [&](double period) { return scene.origin - period * glm::floor(scene.origin / period); };
+    const Vec3 ofGrid = remainder(step), ofConcrete = remainder(kConcretePeriod);
+    return glm::vec4(ofGrid.x, ofConcrete.x, ofGrid.z, ofConcrete.z);
 }
 
-void setLight(FrameBlock& frame, const Environment& environment, const LightSample& sample, bool hasTransparent) {
+/// The factors of 1, y, z and so on in SphericalHarmonics in the order of sky_light.glsl.
+void setDiffuseLight(FrameBlock& frame, const SphericalHarmonics& light) {
+    const std::array<Vec3, 9>& c = light.coefficients;
+    for (int channel = 0; channel < 3; ++channel) {
+        frame.skyLight[channel] = glm::vec4(c[3][channel], c[1][channel], c[2][channel], c[0][channel] - c[6][channel]);
+        frame.skyLight[3 + channel] = glm::vec4(c[4][channel], c[5][channel], 3.0 * c[6][channel], c[7][channel]);
+    }
+    frame.skyLight[6] = direction(c[8], 0.0f);
+}
+
+float exposureFactor(double stops) { return static_cast<float>(power(2.0, stops)); }
+
+/// The sRGB colour of a radiance, as in frame.glsl.
+glm::vec4 displayed(Vec3 radiance, float exposure) {
+    return direction(srgbOf(toneMapped(static_cast<double>(exposure) * radiance)), 1.0f);
+}
+
+void setLight(FrameBlock& frame, const SkyLight& light, double exposure, const LightSample& sample,
+              bool hasTransparent) {
     frame.keyDirection = direction(sample.keyDirection, static_cast<float>(sample.keyRadius));
-    frame.keyLight = glm::vec4(environment.keyLight, hasTransparent ? 1.0f : 0.0f);
-    frame.skyLight = glm::vec4(environment.skyLight, environment.headlight);
-    frame.bounceLight = glm::vec4(environment.bounceLight, 0.0f);
+    frame.keyLight = direction(light.sky.sunLight, hasTransparent ? 1.0f : 0.0f);
+    setDiffuseLight(frame, light.diffuse);
+    frame.groundLight = direction(light.ground, exposureFactor(exposure));
 }
 
-void setSurroundings(FrameBlock& frame, const Environment& environment, const Camera& camera) {
-    frame.backgroundTop = environment.backgroundTop;
-    frame.backgroundBottom = environment.backgroundBottom;
+void setSurroundings(FrameBlock& frame, const Environment& environment, float glowSharpness, const Camera& camera) {
+    frame.backgroundTop = displayed(environment.backgroundTop, frame.groundLight.w);
+    frame.backgroundBottom = displayed(environment.backgroundBottom, frame.groundLight.w);
     frame.grid = environment.grid;
-    frame.zenith = glm::vec4(environment.zenith, camera.projection == Projection::Perspective ? 1.0f : 0.0f);
-    frame.horizon = glm::vec4(environment.horizon, 1.0f);
-    frame.soil = glm::vec4(environment.soil, 1.0f);
+    frame.zenith = direction(environment.zenith, camera.projection == Projection::Perspective ? 1.0f : 0.0f);
+    frame.horizon = direction(environment.horizon, glowSharpness);
+    frame.glow = direction(environment.glow, 0.0f);
+    frame.soil = direction(environment.soil, 1.0f);
+    frame.groundKey = direction(environment.groundKey, 0.0f);
 }
 
 void setPlainBackground(FrameBlock& frame, const Colour& colour) {
@@ -69,15 +96,15 @@ void setCamera(FrameBlock& frame, const RenderView& view, const RenderScene& sce
 }  // namespace
 
 FrameBlock frameBlock(const RenderView& view, const RenderScene& scene, const SceneSummary& summary,
-                      const LightSample& sample) {
+                      const SkyLight& light, const LightSample& sample) {
     const Camera& camera = view.camera;
     const RenderSettings& settings = view.settings;
-    const Environment environment = environmentOf(settings.theme);
+    const Environment environment = environmentOf(settings.sky, settings.theme, light);
     FrameBlock frame{};
     setCamera(frame, view, scene, summary.bounds, sample.pixelOffset);
-    setLight(frame, environment, sample, summary.hasTransparent);
-    setSurroundings(frame, environment, camera);
-    frame.depth.w = environment.dustLight;
+    setLight(frame, light, settings.exposure, sample, summary.hasTransparent);
+    setSurroundings(frame, environment, static_cast<float>(light.sky.glowSharpness), camera);
+    frame.depth.w = static_cast<float>(environment.dustLight);
     const double below = scene.groundHeight - kGroundBias * camera.distance;
     const double gridRadius =
         std::max(4.0 * camera.distance, summary.bounds.isEmpty() ? 0.0 : summary.bounds.diagonal());

@@ -10,14 +10,14 @@ namespace rubble {
 /// The uniform block Frame of frame.glsl, where each field is documented.
 struct FrameBlock {
     glm::mat4 clipFromScene, keyFromScene;
-    glm::vec4 eye, back, keyDirection, keyLight, skyLight, bounceLight;
+    glm::vec4 eye, back, keyDirection, keyLight, skyLight[7], groundLight;
     glm::vec4 backgroundTop, backgroundBottom, grid, ground, spacing, gridOrigin, accent, edges;
-    glm::vec4 right, up, depth, zenith, horizon, soil, viewport, jitter;
+    glm::vec4 right, up, depth, zenith, horizon, glow, soil, groundKey, viewport, jitter;
     glm::uvec4 hovered;
 };
 
 /// All fields but the shadow matrix.
 FrameBlock frameBlock(const RenderView& view, const RenderScene& scene, const SceneSummary& summary,
-                      const LightSample& sample);
+                      const SkyLight& light, const LightSample& sample);
 
 }  // namespace rubble

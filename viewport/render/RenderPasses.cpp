@@ -42,6 +42,15 @@ void RenderPasses::setFrame(const FrameBlock& block) {
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, frameUniforms.id());
 }
 
+void RenderPasses::setSky(const RenderSettings& settings) {
+    const Sky wanted = skyOf(settings.sky, settings.theme);
+    if (wanted != skyLight.sky) {
+        skyLight = skyLightOf(wanted);
+        reflections.upload(skyLight.reflections);
+    }
+    reflections.bind();
+}
+
 void RenderPasses::drawFullscreen() const {
     glBindVertexArray(emptyArray.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -58,7 +67,7 @@ void RenderPasses::drawScaled(const RenderTarget& source, float weight) const {
 }
 
 void RenderPasses::setShadows(const RenderView& view, const LightSample& sample, bool isSingle) {
-    frame = frameBlock(view, *scene.scene(), summary, sample);
+    frame = frameBlock(view, *scene.scene(), summary, skyLight, sample);
     const bool isDrawn = view.settings.hasShadows && view.settings.shading == Shading::Faces;
     hasShadows = isDrawn && !summary.bounds.isEmpty();
     setFrame(frame);
@@ -71,7 +80,8 @@ void RenderPasses::setShadows(const RenderView& view, const LightSample& sample,
     sky = isSingle ? &singleSky : &sampledSky;
     const KeyContent content{.map = key,
                              .stepFraction = scene.scene()->previousPoses.empty() ? 1.0 : view.stepFraction,
-                             .region = lightRegion(summary.bounds, view.camera)};
+                             .region = lightRegion(summary.bounds, view.camera),
+                             .direction = sample.keyDirection};
     if (!isSingle || keyContent != content) {
         key->draw(scene, programs, sample.keyDirection, content.region, summary.hasTransparent);
         keyContent = isSingle ? content : KeyContent{};
@@ -137,24 +147,25 @@ void RenderPasses::drawEdges(const EdgePass& pass) {
 }
 
 void RenderPasses::drawWireframe(const RenderView& view) {
-    const glm::vec4 colour = environmentOf(view.settings.theme).wires;
+    const glm::vec4 colour = environmentOf(view.settings.sky, view.settings.theme, skyLight).wires;
     drawDepths();
     drawEdges({.line = withOpacity(colour, 0.16f), .width = 0.6f, .depthFunction = GL_ALWAYS});
     drawEdges({.line = withOpacity(colour, 0.85f), .fill = withOpacity(colour, 0.03f), .width = 0.7f});
 }
 
 void RenderPasses::drawHulls(const RenderView& view) {
-    const glm::vec4 colour = environmentOf(view.settings.theme).hulls;
+    const glm::vec4 colour = environmentOf(view.settings.sky, view.settings.theme, skyLight).hulls;
     const auto part = SceneBuffers::Part::Hulls;
     drawEdges({.line = withOpacity(colour, 0.2f), .width = 0.7f, .depthFunction = GL_ALWAYS, .part = part});
     drawEdges({.line = withOpacity(colour, 1.0f), .fill = withOpacity(colour, 0.14f), .width = 1.3f, .part = part});
 }
 
 /// Where there are no bodies.
-void RenderPasses::drawGround() {
+void RenderPasses::drawGround(const RenderView& view) {
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_LEQUAL);
-    lit(programs.ground).use();
+    const bool isConcrete = view.settings.sky != SkyPreset::Studio;
+    lit(isConcrete ? programs.concreteGround : programs.ground).use();
     drawFullscreen();
     glDepthMask(GL_TRUE);
 }
@@ -222,7 +233,7 @@ void RenderPasses::drawDepths() {
 void RenderPasses::drawAxes(const RenderView& view) {
     if (view.settings.hasAxes) drawScreenLines(axesIndicator(view.camera, view.settings.scale));
     if (!view.settings.hasScaleBar || !view.settings.hasGrid || !scene.scene()->isOutdoors) return;
-    const bool isDark = view.settings.theme == Theme::Dark;
+    const bool isDark = environmentOf(view.settings.sky, view.settings.theme, skyLight).isDark;
     const glm::vec3 ink(isDark ? 0.92f : 0.12f), paper(isDark ? 0.05f : 1.0f);
     drawScreenLines(scaleBar(view.camera, view.size, view.settings.scale, ink, paper));
 }
@@ -256,7 +267,7 @@ void RenderPasses::drawImage(const RenderView& view) {
     glClear(GL_DEPTH_BUFFER_BIT);
     const bool isSolid = view.settings.shading == Shading::Faces;
     if (isSolid) drawSolid();
-    drawGround();
+    drawGround(view);
     if (!isSolid) drawWireframe(view);
     if (isSolid) drawTransparent(view);
     const bool hasOverlays = view.settings.hasOverlays;

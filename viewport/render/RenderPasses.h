@@ -10,6 +10,7 @@
 #include "viewport/render/TransparencyPass.h"
 #include "viewport/render/gl/InstanceBuffer.h"
 #include "viewport/render/gl/RenderTarget.h"
+#include "viewport/render/light/ReflectionTexture.h"
 
 namespace rubble {
 
@@ -25,6 +26,8 @@ struct RenderPasses {
 
     void setScene(std::shared_ptr<const RenderScene> made);
     void setFrame(const FrameBlock& block);
+    /// Computes the light of the sky where it differs from that of the last image.
+    void setSky(const RenderSettings& settings);
     /// Begins an image: sets its frame and renders its shadow maps. For one by itself, they stay as long as the scene.
     void setShadows(const RenderView& view, const LightSample& sample, bool isSingle);
     /// Shadow maps may be incomplete: those of the next image are rendered anew.
@@ -39,7 +42,7 @@ struct RenderPasses {
     void drawWireframe(const RenderView& view);
     void drawHulls(const RenderView& view);
     void drawEdges(const EdgePass& pass);
-    void drawGround();
+    void drawGround(const RenderView& view);
     void drawSceneLines();
     void drawParticles(const RenderView& view);
     void drawOutlines(const RenderView& view);
@@ -66,6 +69,7 @@ struct RenderPasses {
         ShadowMap* map = nullptr;
         double stepFraction = 1.0;
         LightRegion region;
+        Vec3 direction{0.0};
         bool operator==(const KeyContent&) const = default;
     };
     KeyContent keyContent;
@@ -73,6 +77,8 @@ struct RenderPasses {
     ShadowMap* key = &singleKey;   // of the image, as the next
     SkyMaps* sky = &singleSky;
     LightBuffer lightBuffer;
+    SkyLight skyLight;
+    ReflectionTexture reflections;
     bool hasShadows = false;
     FrameBlock frame{};
     GlBuffer frameUniforms = GlBuffer::create();

@@ -31,18 +31,22 @@ Result<RenderPrograms> compilePrograms() {
     ProgramCompiler compiler;
     RenderPrograms programs{
         .solid = compiler.compileLit({"bodies.glsl", "solid.vert"},
-                                     {"light.glsl", "lit_by_buffer.glsl", "edge.glsl", "surface.glsl", "solid.frag"}),
-        .transparent = compiler.compileLit(
-            {"bodies.glsl", "solid.vert"},
-            {"key_shadow.glsl", "lit_directly.glsl", "edge.glsl", "surface.glsl", "transparent.frag"}),
+                                     {"light.glsl", "lit_by_buffer.glsl", "edge.glsl", "sky_light.glsl",
+                                      "material.glsl", "surface.glsl", "solid.frag"}),
+        .transparent = compiler.compileLit({"bodies.glsl", "solid.vert"},
+                                           {"key_shadow.glsl", "lit_directly.glsl", "edge.glsl", "sky_light.glsl",
+                                            "material.glsl", "surface.glsl", "transparent.frag"}),
         .ground = compiler.compileLit({"fullscreen.vert"},
-                                      {"camera.glsl", "light.glsl", "lit_by_buffer.glsl", "ground.frag"}),
-        .texturedSolid = compiler.compileLit(
-            {"textured.glsl", "bodies.glsl", "solid.vert"},
-            {"textured.glsl", "light.glsl", "lit_by_buffer.glsl", "edge.glsl", "surface.glsl", "solid.frag"}),
-        .texturedTransparent = compiler.compileLit(
-            {"textured.glsl", "bodies.glsl", "solid.vert"},
-            {"textured.glsl", "key_shadow.glsl", "lit_directly.glsl", "edge.glsl", "surface.glsl", "transparent.frag"}),
+                                      {"camera.glsl", "light.glsl", "lit_by_buffer.glsl", "background.glsl", "ground.frag"}),
+        .concreteGround = compiler.compileLit(
+            {"fullscreen.vert"}, {"concrete.glsl", "camera.glsl", "light.glsl", "lit_by_buffer.glsl", "background.glsl", "ground.frag"}),
+        .texturedSolid = compiler.compileLit({"textured.glsl", "bodies.glsl", "solid.vert"},
+                                             {"textured.glsl", "light.glsl", "lit_by_buffer.glsl", "edge.glsl",
+                                              "sky_light.glsl", "material.glsl", "surface.glsl", "solid.frag"}),
+        .texturedTransparent =
+            compiler.compileLit({"textured.glsl", "bodies.glsl", "solid.vert"},
+                                {"textured.glsl", "key_shadow.glsl", "lit_directly.glsl", "edge.glsl", "sky_light.glsl",
+                                 "material.glsl", "surface.glsl", "transparent.frag"}),
         .surfaces = compiler.compile({"bodies.glsl", "solid.vert"}, {"surfaces.frag"}),
         .light = compiler.compile({"fullscreen.vert"},
                                   {"camera.glsl", "key_shadow.glsl", "sky.glsl", "light.glsl", "light.frag"}),

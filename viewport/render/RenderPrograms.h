@@ -11,7 +11,7 @@ struct LitPrograms {
 
 /// All shader programs.
 struct RenderPrograms {
-    LitPrograms solid, transparent, ground;
+    LitPrograms solid, transparent, ground, concreteGround;
     LitPrograms texturedSolid, texturedTransparent;  // of batches with an image
     ShaderProgram surfaces, light, lightBlur;        // of the light buffer
     ShaderProgram wires, depth, glassShadow, screenLines, sceneLines, particles, mean;

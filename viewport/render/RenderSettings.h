@@ -12,6 +12,8 @@ enum class Shading { Faces, Wireframe };
 /// The settings for drawing a scene.
 struct RenderSettings {
     Theme theme = Theme::Light;
+    SkyPreset sky = SkyPreset::Studio;
+    double exposure = 0.0;  // stops: halvings or doublings of all light
     Shading shading = Shading::Faces;
     bool hasEdges = true;  // dark lines along the edges of faces
     bool hasGrid = true;

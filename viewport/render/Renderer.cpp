@@ -96,7 +96,8 @@ bool Renderer::draw(const RenderView& view, std::uint32_t framebuffer) {
     const int wanted = view.settings.msaa > 0 ? view.settings.msaa : isSoftware() ? 1 : 4;
     const int samples = drawn.size == view.size ? wanted : 1;  // several cannot be scaled
     RenderTarget& target = state.target(state.image, drawn.size, PixelFormat::Colour, samples);
-    if (!state.drawPicture(drawn, singleSample(), true, target)) return false;
+    state.setSky(drawn.settings);
+    if (!state.drawPicture(drawn, singleSample(state.skyLight.sky), true, target)) return false;
     drawAgain(view, framebuffer);
     return true;
 }
@@ -109,7 +110,8 @@ void Renderer::drawAgain(const RenderView& view, std::uint32_t framebuffer) {
 bool Renderer::addSample(const RenderView& view, int index) {
     State& state = *m_state;
     RenderTarget& target = state.target(state.sample, view.size, PixelFormat::Colour, 1);
-    if (!state.drawPicture(view, lightSample(index), false, target)) return false;
+    state.setSky(view.settings);
+    if (!state.drawPicture(view, lightSample(state.skyLight.sky, index), false, target)) return false;
     state.target(state.sum, view.size, PixelFormat::Float, 1).bind();
     if (index > 0) glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
@@ -135,7 +137,7 @@ void Renderer::State::drawHovered(const RenderView& view, std::uint32_t framebuf
     if (box.isEmpty()) return;
     scene.restart();
     const FrameBlock before = frame;
-    setFrame(frameBlock(view, *scene.scene(), summary, singleSample()));
+    setFrame(frameBlock(view, *scene.scene(), summary, skyLight, singleSample(skyLight.sky)));
     frame.hovered.x = *view.hovered + 1;
     setFrame(frame);
     RenderView same = view;

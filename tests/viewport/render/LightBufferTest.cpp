@@ -11,6 +11,9 @@ using namespace rubble;
 
 namespace {
 
+/// Towards the key light.
+Vec3 studioLamp() { return skyOf(SkyPreset::Studio, Theme::Light).sunDirection; }
+
 constexpr ImageSize kGroundPicture{400, 300};
 
 /// The ground around a point from above, `radius` m upwards in the picture.
@@ -64,7 +67,7 @@ RenderScene wallAt(double up, double opacity = 1.0) {
 Vec3 shadowEdge(const RenderScene& scene) {
     const Box3 bounds = boundsOf(scene);
     const Vec3 side(bounds.max.x, bounds.centre().y, bounds.centre().z);
-    return side - (side.y - scene.groundHeight) / keyDirection().y * keyDirection();
+    return side - (side.y - scene.groundHeight) / studioLamp().y * studioLamp();
 }
 
 void addSampleCounts() {
@@ -123,7 +126,7 @@ private slots:
         scene.poses[0].position.y += 1.0f;
         scene.summary.reset();
         const Vec3 centre = boundsOf(scene).centre();
-        const Vec3 middle = centre - (centre.y - scene.groundHeight) / keyDirection().y * keyDirection();
+        const Vec3 middle = centre - (centre.y - scene.groundHeight) / studioLamp().y * studioLamp();
         const QImage seen = drawn(scene, groundFromAbove(middle, 0.1), samples).copy(100, 100, 200, 100);
         const QImage open = drawn(scene, groundFromAbove(middle + Vec3(5.0, 0.0, 0.0), 0.1), samples);
         int least = 255, most = 0;

@@ -10,6 +10,9 @@ using namespace rubble;
 
 namespace {
 
+/// Towards the key light.
+Vec3 studioSun() { return skyOf(SkyPreset::Studio, Theme::Light).sunDirection; }
+
 constexpr ImageSize kShadowPicture{300, 300};
 
 /// A camera high above the ground that sees `radius` m around a point of it.
@@ -40,7 +43,7 @@ int shadowAt(const RenderScene& scene, RenderView view, Vec3 point, int samples 
 
 /// Where the key light's shadow of a point falls on the ground.
 Vec3 shadowOf(Vec3 point, double groundHeight) {
-    return point - (point.y - groundHeight) / keyDirection().y * keyDirection();
+    return point - (point.y - groundHeight) / studioSun().y * studioSun();
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ constexpr Sampler kSamplers[] = {{"poses", TextureUnit::Poses},
                                  {"mask", TextureUnit::Mask},
                                  {"weights", TextureUnit::Mask},
                                  {"normals", TextureUnit::Mask},
-                                 {"baseColour", TextureUnit::BaseColour}};
+                                 {"baseColour", TextureUnit::BaseColour},
+                                 {"reflections", TextureUnit::Reflections}};
 
 /// The uniform blocks and their binding points.
 constexpr const char* kBlocks[] = {"Frame", "Sky"};

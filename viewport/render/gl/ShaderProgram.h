@@ -55,7 +55,8 @@ enum class TextureUnit : std::uint32_t {
     Source,
     Depths,
     Mask,
-    BaseColour
+    BaseColour,
+    Reflections
 };
 
 }  // namespace rubble

@@ -1,7 +1,9 @@
 #include "viewport/render/light/Lighting.h"
 
 #include "core/base/math/Trigonometry.h"
+#include "viewport/render/light/ToneMapping.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -11,11 +13,13 @@
 namespace rubble {
 namespace {
 
-constexpr double kLampRadius = 0.045;  // of its distance: soft shadows whose casters remain recognizable
-constexpr double kPartOfLamp = 0.4;    // radius of the part of it that one of many samples blurs
+constexpr double kPartOfLamp = 0.4;  // radius of the part of it that one of many samples blurs
 constexpr double kGoldenAngle = 2.39996322972865332;
 constexpr double kRegionDistances = 6.0;  // least radius of the lit region, of the camera's distance
 constexpr double kRegionStep = 0.25;      // of its radius, by which the region moves
+
+constexpr double kDustAlbedo = 0.5;
+constexpr double kDustColour = 0.8;  // sRGB, of what dust is shown as in full light
 
 /// Term `index` of an additive recurrence in [0, 1); `step` irrational.
 double quasirandom(int index, double step) {
@@ -47,53 +51,66 @@ std::vector<Vec3> skyDirections(int count, double shift, double rotation) {
     return directions;
 }
 
+Environment darkLines() {
+    return {.grid = {0.85f, 0.88f, 0.95f, 0.16f},
+            .hulls = {0.25f, 0.95f, 0.85f, 1.0f},
+            .wires = {0.82f, 0.86f, 0.92f, 1.0f}};
+}
+Environment brightLines() {
+    return {
+        .grid = {0.2f, 0.24f, 0.32f, 0.17f}, .hulls = {0.0f, 0.42f, 0.5f, 1.0f}, .wires = {0.16f, 0.2f, 0.27f, 1.0f}};
+}
+
+Vec3 shownAs(double red, double green, double blue) { return radianceShownAs(linearOf(Vec3(red, green, blue))); }
+
+/// The studio's backdrop, as it is shown.
+void setBackdrop(Environment& made, bool isDark) {
+    made.backgroundTop = isDark ? shownAs(0.27, 0.29, 0.33) : shownAs(0.985, 0.985, 0.99);
+    made.backgroundBottom = isDark ? shownAs(0.13, 0.14, 0.16) : shownAs(0.86, 0.88, 0.91);
+    made.zenith = isDark ? shownAs(0.10, 0.12, 0.16) : shownAs(0.56, 0.70, 0.87);
+    made.horizon = isDark ? shownAs(0.27, 0.295, 0.335) : shownAs(0.93, 0.945, 0.955);
+    made.soil = isDark ? shownAs(0.235, 0.245, 0.265) : shownAs(0.845, 0.835, 0.815);
+    made.dustLight = isDark ? 0.62 : 1.05;
+}
+
 }  // namespace
 
-Environment environmentOf(Theme theme) {
-    if (theme == Theme::Dark) {
-        return {.backgroundTop = {0.27f, 0.29f, 0.33f, 1.0f},
-                .backgroundBottom = {0.13f, 0.14f, 0.16f, 1.0f},
-                .grid = {0.85f, 0.88f, 0.95f, 0.16f},
-                .hulls = {0.25f, 0.95f, 0.85f, 1.0f},
-                .wires = {0.82f, 0.86f, 0.92f, 1.0f},
-                .zenith = {0.10f, 0.12f, 0.16f},
-                .horizon = {0.27f, 0.295f, 0.335f},
-                .soil = {0.235f, 0.245f, 0.265f},
-                .keyLight = {0.86f, 0.81f, 0.74f},
-                .skyLight = {0.30f, 0.34f, 0.41f},
-                .bounceLight = {0.10f, 0.10f, 0.10f},
-                .headlight = 0.07f,
-                .dustLight = 0.62f};
+Environment environmentOf(SkyPreset preset, Theme theme, const SkyLight& light) {
+    const bool isStudio = preset == SkyPreset::Studio;
+    const bool isDark = isStudio ? theme == Theme::Dark : preset == SkyPreset::Night;
+    Environment made = isDark ? darkLines() : brightLines();
+    made.isDark = isDark;
+    const Vec3 full = light.sunOnGround + light.skyOnGround;
+    made.groundKey = light.sunOnGround / full;
+    if (isStudio) {
+        setBackdrop(made, isDark);
+        return made;
     }
-    return {.backgroundTop = {0.99f, 0.99f, 1.0f, 1.0f},
-            .backgroundBottom = {0.86f, 0.88f, 0.91f, 1.0f},
-            .grid = {0.2f, 0.24f, 0.32f, 0.17f},
-            .hulls = {0.0f, 0.42f, 0.5f, 1.0f},
-            .wires = {0.16f, 0.2f, 0.27f, 1.0f},
-            .zenith = {0.56f, 0.70f, 0.87f},
-            .horizon = {0.93f, 0.945f, 0.955f},
-            .soil = {0.845f, 0.835f, 0.815f},
-            .keyLight = {0.88f, 0.83f, 0.75f},
-            .skyLight = {0.39f, 0.43f, 0.50f},
-            .bounceLight = {0.21f, 0.20f, 0.18f},
-            .headlight = 0.08f,
-            .dustLight = 1.05f};
+    made.isConcrete = true;
+    made.zenith = light.sky.zenith;
+    made.horizon = light.sky.horizon;
+    made.glow = light.sky.glow;
+    made.backgroundTop = glm::mix(light.sky.zenith, light.sky.horizon, 0.4);
+    made.backgroundBottom = light.sky.horizon;
+    made.soil = light.sky.groundAlbedo * full;
+    const Vec3 dust = srgbOf(toneMapped(kDustAlbedo * full));
+    made.dustLight = (dust.x + dust.y + dust.z) / (3.0 * kDustColour);
+    return made;
 }
 
-Vec3 keyDirection() { return glm::normalize(Vec3(-0.45, 0.95, 0.62)); }
-
-LightSample singleSample() {
-    return {.keyDirection = keyDirection(), .keyRadius = kLampRadius, .sky = skyDirections(kSkyDirections, 0.5, 0.0)};
+LightSample singleSample(const Sky& sky) {
+    return {
+        .keyDirection = sky.sunDirection, .keyRadius = sky.sunRadius, .sky = skyDirections(kSkyDirections, 0.5, 0.0)};
 }
 
-LightSample lightSample(int index) {
-    const Vec3 centre = keyDirection();
+LightSample lightSample(const Sky& sky, int index) {
+    const Vec3 centre = sky.sunDirection;
     const Vec3 right = glm::normalize(glm::cross(Vec3(0.0, 1.0, 0.0), centre)), up = glm::cross(centre, right);
-    const double radius = kLampRadius * std::sqrt(quasirandom(index, kSteps[0]));
+    const double radius = sky.sunRadius * std::sqrt(quasirandom(index, kSteps[0]));
     const double angle = kFullTurn * quasirandom(index, kSteps[1]);
     return {.index = index,
             .keyDirection = glm::normalize(centre + radius * (cosine(angle) * right + sine(angle) * up)),
-            .keyRadius = kPartOfLamp * kLampRadius,
+            .keyRadius = kPartOfLamp * sky.sunRadius,
             .sky = skyDirections(kSampledSkyDirections, quasirandom(index, kSteps[2]),
                                  kFullTurn * quasirandom(index, kSteps[3])),
             .pixelOffset = {quasirandom(index, kSteps[1]) - 0.5, quasirandom(index, kSteps[3]) - 0.5},

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "core/geometry/mesh/TriangleMesh.h"
-#include "viewport/render/light/SkyPreset.h"
+#include "viewport/render/light/Sky.h"
+#include "viewport/render/light/SkyLight.h"
 #include "viewport/scene/Camera.h"
 
 #include <glm/vec3.hpp>
@@ -11,15 +12,18 @@
 
 namespace rubble {
 
-/// The colours and lights of a theme for everything but the bodies. Colours are sRGB, lights linear.
+/// The colours of everything but the bodies.
 struct Environment {
-    glm::vec4 backgroundTop, backgroundBottom, grid, hulls, wires;
-    glm::vec3 zenith, horizon, soil;            // soil: the ground in full light
-    glm::vec3 keyLight, skyLight, bounceLight;  // bounceLight: from below
-    float headlight = 0.0f;                     // from the eye
-    float dustLight = 1.0f;                     // brightness of dust
+    glm::vec4 grid, hulls, wires;          // sRGB
+    Vec3 backgroundTop, backgroundBottom;  // radiance, of views without a horizon
+    Vec3 zenith, horizon, glow{0.0};       // radiance
+    Vec3 soil;                             // radiance of the ground in full light
+    Vec3 groundKey;                        // the part of that which the key light gives
+    double dustLight = 1.0;                // brightness of dust
+    bool isDark = false;                   // what is written over it is bright
+    bool isConcrete = false;               // the ground
 };
-Environment environmentOf(Theme theme);
+Environment environmentOf(SkyPreset preset, Theme theme, const SkyLight& light);
 
 /// The directions of light and the subpixel offset of an image. Many with different indices are averaged: their mean is
 /// lit by the whole sky and by all of the key light, and is antialiased. The sequence is the same on every machine.
@@ -33,16 +37,13 @@ struct LightSample {
 };
 
 /// The light of an image by itself: all of the key light, as seen from its centre, and many directions of the sky.
-LightSample singleSample();
+LightSample singleSample(const Sky& sky);
 /// The light of the image with an index among many.
 /// Source: Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018.
-LightSample lightSample(int index);
+LightSample lightSample(const Sky& sky, int index);
 
 /// The number of sky directions of singleSample(), and of lightSample().
 inline constexpr int kSkyDirections = 32, kSampledSkyDirections = 8;
-
-/// The direction towards the centre of the key light: left, front and above.
-Vec3 keyDirection();
 
 /// The part of the scene that shadow maps hold: a sphere around all bodies, or around what the camera looks at where
 /// that is much less. It moves in steps, so that maps seldom change with the camera.

@@ -1,0 +1,2 @@
+// Selects the variant of the ground that is of concrete.
+#define CONCRETE
