@@ -27,8 +27,8 @@ glm::vec2 gridStep(const Camera& camera) {
     return glm::vec2(std::pow(10.0, whole), 1.0 - 0.8 * (power - whole));
 }
 
-/// The scene's origin modulo the grid's coarse step, so that the grid stays precise far from zero (x, z), and modulo the
-/// period of the ground's texture (y, w).
+/// The scene's origin modulo the grid's coarse step (x, z), so that the grid stays precise far from zero, and modulo
+/// the period of the ground's texture (y, w).
 glm::vec4 gridOrigin(double fineStep, const RenderScene& scene) {
     const double step = 10.0 * fineStep;
     const auto remainder = [&](double period) { return scene.origin - period * glm::floor(scene.origin / period); };

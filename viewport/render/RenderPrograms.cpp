@@ -36,10 +36,11 @@ Result<RenderPrograms> compilePrograms() {
         .transparent = compiler.compileLit({"bodies.glsl", "solid.vert"},
                                            {"key_shadow.glsl", "lit_directly.glsl", "edge.glsl", "sky_light.glsl",
                                             "material.glsl", "surface.glsl", "transparent.frag"}),
-        .ground = compiler.compileLit({"fullscreen.vert"},
-                                      {"camera.glsl", "light.glsl", "lit_by_buffer.glsl", "background.glsl", "ground.frag"}),
+        .ground = compiler.compileLit(
+            {"fullscreen.vert"}, {"camera.glsl", "light.glsl", "lit_by_buffer.glsl", "background.glsl", "ground.frag"}),
         .concreteGround = compiler.compileLit(
-            {"fullscreen.vert"}, {"concrete.glsl", "camera.glsl", "light.glsl", "lit_by_buffer.glsl", "background.glsl", "ground.frag"}),
+            {"fullscreen.vert"},
+            {"concrete.glsl", "camera.glsl", "light.glsl", "lit_by_buffer.glsl", "background.glsl", "ground.frag"}),
         .texturedSolid = compiler.compileLit({"textured.glsl", "bodies.glsl", "solid.vert"},
                                              {"textured.glsl", "light.glsl", "lit_by_buffer.glsl", "edge.glsl",
                                               "sky_light.glsl", "material.glsl", "surface.glsl", "solid.frag"}),

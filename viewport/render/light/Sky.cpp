@@ -33,7 +33,7 @@ Sky overcast() {
             .sunRadius = 0.12,
             .zenith = {0.90, 0.94, 1.00},
             .horizon = {0.68, 0.71, 0.74},
-            .groundAlbedo = {0.30, 0.295, 0.285}};
+            .groundAlbedo = {0.36, 0.355, 0.345}};
 }
 
 Sky morning() {
@@ -44,7 +44,7 @@ Sky morning() {
             .horizon = {0.64, 0.67, 0.69},
             .glow = {0.70, 0.46, 0.24},
             .glowSharpness = 7.0,
-            .groundAlbedo = {0.29, 0.285, 0.27}};
+            .groundAlbedo = {0.35, 0.345, 0.33}};
 }
 
 Sky evening() {
@@ -55,20 +55,20 @@ Sky evening() {
             .horizon = {0.44, 0.37, 0.36},
             .glow = {1.10, 0.45, 0.12},
             .glowSharpness = 8.0,
-            .groundAlbedo = {0.29, 0.285, 0.28}};
+            .groundAlbedo = {0.40, 0.395, 0.39}};
 }
 
 /// The key light is a lamp; so is what lights the other side.
 Sky night() {
     return {.sunDirection = glm::normalize(Vec3(-0.6, 0.75, 0.62)),
-            .sunLight = {0.55, 0.48, 0.39},
+            .sunLight = {0.80, 0.70, 0.57},
             .sunRadius = 0.05,
-            .zenith = {0.030, 0.037, 0.052},
-            .horizon = {0.066, 0.075, 0.094},
-            .groundAlbedo = {0.22, 0.22, 0.22},
-            .lamps = {{glm::normalize(Vec3(0.9, 0.5, 0.3)), 0.5, Vec3(0.24, 0.31, 0.44)},
-                      {glm::normalize(Vec3(-0.9, 0.25, -0.3)), 0.3, Vec3(0.60, 0.38, 0.18)},
-                      {glm::normalize(Vec3(0.3, 0.3, -0.9)), 0.3, Vec3(0.55, 0.38, 0.20)}}};
+            .zenith = {0.042, 0.051, 0.070},
+            .horizon = {0.085, 0.096, 0.118},
+            .groundAlbedo = {0.20, 0.20, 0.20},
+            .lamps = {{glm::normalize(Vec3(0.9, 0.5, 0.3)), 0.5, Vec3(0.34, 0.43, 0.60)},
+                      {glm::normalize(Vec3(-0.9, 0.25, -0.3)), 0.3, Vec3(0.85, 0.56, 0.28)},
+                      {glm::normalize(Vec3(0.3, 0.3, -0.9)), 0.3, Vec3(0.80, 0.56, 0.30)}}};
 }
 
 }  // namespace
