@@ -34,6 +34,13 @@ constexpr std::pair<const char*, SceneColouring> kColourings[] = {
     {"threshold", SceneColouring::Threshold}, {"bond-strength", SceneColouring::BondStrength},
     {"cluster", SceneColouring::Cluster}};
 
+/// The values of --sky.
+constexpr std::pair<const char*, SkyPreset> kSkies[] = {{"studio", SkyPreset::Studio},
+                                                        {"overcast", SkyPreset::Overcast},
+                                                        {"morning", SkyPreset::Morning},
+                                                        {"evening", SkyPreset::Evening},
+                                                        {"night", SkyPreset::Night}};
+
 /// Adds an option whose value must be accepted by `parse`.
 template <class Parse>
 void addParsed(Command& command, const char* name, std::string& text, const char* help, const char* label, Parse parse,
@@ -64,6 +71,14 @@ void addStyleOptions(Command& command, PictureOptions& options) {
         .formerWords({{"piece", "fragment"}})
         .valueName("BY");
     command.option("--theme", options.theme, "light (default) or dark").oneOf({"light", "dark"}).valueName("THEME");
+    std::vector<std::string> skies;
+    for (const auto& [word, sky] : kSkies) skies.emplace_back(word);
+    command.option("--sky", options.sky, "Light by a studio (default), or an overcast, morning, evening or night sky")
+        .oneOf(skies)
+        .valueName("NAME");
+    command.option("--exposure", options.exposure, "Brighten the picture by this many stops (default: 0)")
+        .inRange(ProjectNumber::Exposure)
+        .valueName("STOPS");
     command.flag("--wireframe", options.isWireframe, "Draw edges only");
     const CommandOption hulls = command.flag("--hulls", options.hasHulls, "Draw the convex hulls of the fragments");
     const CommandOption bonds = command.flag(
@@ -124,6 +139,10 @@ Box3 withSpaceForDebris(Box3 box) {
 RenderView pictureView(const PictureOptions& options, const Box3& framed) {
     RenderView view{.camera = *parseCamera(options.view), .size = *parsePictureSize(options.size)};
     view.settings.theme = options.theme == "dark" ? Theme::Dark : Theme::Light;
+    for (const auto& [word, sky] : kSkies) {
+        if (options.sky == word) view.settings.sky = sky;
+    }
+    view.settings.exposure = options.exposure;
     view.settings.shading = options.isWireframe ? Shading::Wireframe : Shading::Faces;
     view.settings.hasOverlays = !options.hasNoOverlays;
     view.camera = framing(view.camera, framed, view.size);

@@ -17,6 +17,8 @@ struct PictureOptions {
     std::string view = "iso";
     std::string colour = "material";
     std::string theme = "light";
+    std::string sky = "studio";
+    double exposure = 0.0;  // stops
     bool isWireframe = false;
     bool hasHulls = false;
     bool hasBonds = false;
@@ -27,7 +29,7 @@ struct PictureOptions {
 
 /// Adds --size and --view.
 void addViewOptions(Command& command, PictureOptions& options);
-/// Adds --colour, --theme, --wireframe, --hulls, --bonds and --no-overlays.
+/// Adds --colour, --theme, --sky, --exposure, --wireframe, --hulls, --bonds and --no-overlays.
 void addStyleOptions(Command& command, PictureOptions& options);
 /// Adds --overlay, for data of a simulation, after --no-overlays.
 void addOverlayOption(Command& command, PictureOptions& options);

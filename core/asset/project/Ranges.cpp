@@ -108,6 +108,7 @@ constexpr std::array<NumberRange, kProjectNumbers> kRanges{{
     {"frame rate", "1/s", 1.0, 240.0, false, 60.0, "no screen shows more"},
     {"number of samples", "", 0.0, 4096.0, false, 0.0, "more change no pixel"},
     {"explode factor", "", 0.0, 100.0, false, 0.0, "1 doubles the distances; farther, fragments vanish"},
+    {"exposure", "stops", -8.0, 8.0, false, 0.0, "beyond, pictures are black or white"},
     {"number of variants", "", 1.0, 1000.0, false, 12.0, "each is fractured and drawn"},
     between("unit", "m", 1e-6, 1e6, 1.0, "a mesh needs a size"),
     {"number of threads", "", 1.0, 1024.0, false, 1.0, "no processor has more"},

@@ -75,6 +75,7 @@ enum class ProjectNumber {
     FrameRate,
     ImageSamples,
     ExplodeFactor,
+    Exposure,  // of pictures
     Variants,
     MetresPerUnit,  // of a mesh file
     Threads,
@@ -91,7 +92,7 @@ enum class ProjectNumber {
     MortarLeastArea,
     BondClusterLevel,  // 0: the coarsest
 };
-inline constexpr int kProjectNumbers = 75;
+inline constexpr int kProjectNumbers = 76;
 
 /// The values that a number of a project can have. Files, command line, inspector and play read them here.
 struct NumberRange {
