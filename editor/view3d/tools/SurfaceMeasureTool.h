@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/predicates/Vec.h"
+#include "editor/widgets/numbers/Units.h"
 #include "viewport/widget/ViewportTool.h"
 
 #include <optional>
