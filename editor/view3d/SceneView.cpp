@@ -3,6 +3,7 @@
 #include "core/asset/placement/InstancePlacement.h"
 #include "core/base/OutOfMemory.h"
 #include "editor/view3d/ExplodeSlider.h"
+#include "editor/view3d/LightMenu.h"
 #include "editor/view3d/PlayView.h"
 #include "editor/view3d/SceneLegend.h"
 #include "editor/view3d/ScenePicker.h"
@@ -63,6 +64,7 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
       m_playView(new PlayView(workspace.play(), *m_viewport)),
       m_measureTool(new SurfaceMeasureTool(*m_viewport)),
       m_bondPaintTool(new BondPaintTool(workspace, *m_viewport)),
+      m_lightMenu(new LightMenu(this)),
       m_precedingKeys(new ActionKeys(m_viewport)),
       m_picker(new ScenePicker(workspace, *m_viewport)),
       m_timeline(new TimelinePanel(workspace.play())) {
@@ -75,6 +77,8 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
     addViews();
     addSeparator();
     addToggles();
+    addAction(m_lightMenu->menuAction());
+    connect(m_lightMenu, &LightMenu::lightSelected, this, &SceneView::lightSelected);
     addSeparator();
     addMeasure();
     auto* rows = new QVBoxLayout(this);
@@ -146,6 +150,7 @@ void SceneView::updateEditing() {
 
 void SceneView::applyPreferences(const Preferences& preferences) {
     rubble::applyPreferences(*m_viewport, preferences);
+    m_lightMenu->setLight(preferences.sky, preferences.exposure);
     const Units units{preferences.unit};
     m_transformTool->setUnits(units);
     m_placementTool->setUnits(units);

@@ -15,6 +15,7 @@ namespace rubble {
 
 class ActionKeys;
 class BondPaintTool;
+class LightMenu;
 class TransformTool;
 class PlacementTool;
 class PlayView;
@@ -57,6 +58,8 @@ public:
     TimelinePanel& timeline() { return *m_timeline; }
 
 signals:
+    /// The user selected a sky or an exposure.
+    void lightSelected(SkyPreset sky, double exposure);
     /// The scene cannot be shown; the sentence says why.
     void failed(const QString& sentence);
 
@@ -89,6 +92,7 @@ private:
     PlayView* m_playView;
     SurfaceMeasureTool* m_measureTool;
     BondPaintTool* m_bondPaintTool;
+    LightMenu* m_lightMenu;
     QAction* m_measureAction = nullptr;
     ActionKeys* m_precedingKeys;
     ScenePicker* m_picker;

@@ -86,6 +86,12 @@ MainWindow::MainWindow(Project project, PreferenceStore& preferences, RecentFile
     connect(m_views, &Views::projectShown, this, &MainWindow::showProject);
     connect(m_views, &Views::presentingChanged, this, &MainWindow::present);
     connect(&preferences, &PreferenceStore::changed, this, &MainWindow::applyPreferences);
+    connect(&m_views->scene(), &SceneView::lightSelected, this, [this](SkyPreset sky, double exposure) {
+        Preferences changed = m_preferences.preferences();
+        changed.sky = sky;
+        changed.exposure = exposure;
+        m_preferences.setPreferences(changed);
+    });
     applyPreferences();
     updateTitle();
     updateCounts();

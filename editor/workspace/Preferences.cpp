@@ -1,5 +1,7 @@
 #include "editor/workspace/Preferences.h"
 
+#include "core/asset/project/Ranges.h"
+
 #include <algorithm>
 #include <array>
 
@@ -13,6 +15,8 @@ constexpr const char* kUnitKey = "preferences/lengthUnit";
 constexpr const char* kAutosaveKey = "preferences/autosaveSeconds";
 constexpr const char* kMsaaKey = "preferences/msaa";
 constexpr const char* kRefiningKey = "preferences/softLight";
+constexpr const char* kSkyKey = "preferences/sky";
+constexpr const char* kExposureKey = "preferences/exposure";
 constexpr const char* kSmoothKey = "preferences/smoothCamera";
 constexpr const char* kStatisticsKey = "preferences/statistics";
 constexpr const char* kSoundKey = "preferences/sound";
@@ -23,6 +27,7 @@ constexpr std::array kThemeNames = {"system", "light", "dark"};
 constexpr std::array kNavigationNames = {"blender", "maya"};
 constexpr std::array kUnitNames = {"m", "cm", "mm", "ft"};
 constexpr std::array kRefiningNames = {"never", "with-card", "always"};
+constexpr std::array kSkyNames = {"studio", "overcast", "morning", "evening", "night"};
 constexpr std::array kMsaaSamples = {0, 1, 2, 4, 8};
 
 /// Returns the enumerator whose stored name is set, or `fallback`.
@@ -52,6 +57,9 @@ Preferences readPreferences(const QSettings& settings) {
     stored.msaa = readInt(settings, kMsaaKey, defaults.msaa);
     if (std::ranges::find(kMsaaSamples, stored.msaa) == kMsaaSamples.end()) stored.msaa = defaults.msaa;
     stored.refining = readEnum(settings, kRefiningKey, kRefiningNames, defaults.refining);
+    stored.sky = readEnum(settings, kSkyKey, kSkyNames, defaults.sky);
+    stored.exposure = settings.value(kExposureKey, defaults.exposure).toDouble();
+    if (!rangeOf(ProjectNumber::Exposure).contains(stored.exposure)) stored.exposure = defaults.exposure;
     stored.isSmooth = settings.value(kSmoothKey, defaults.isSmooth).toBool();
     stored.hasStatistics = settings.value(kStatisticsKey, defaults.hasStatistics).toBool();
     stored.hasSound = settings.value(kSoundKey, defaults.hasSound).toBool();
@@ -66,6 +74,8 @@ void writePreferences(const Preferences& preferences, QSettings& settings) {
     settings.setValue(kAutosaveKey, preferences.autosaveSeconds);
     settings.setValue(kMsaaKey, preferences.msaa);
     settings.setValue(kRefiningKey, kRefiningNames[static_cast<std::size_t>(preferences.refining)]);
+    settings.setValue(kSkyKey, kSkyNames[static_cast<std::size_t>(preferences.sky)]);
+    settings.setValue(kExposureKey, preferences.exposure);
     settings.setValue(kSmoothKey, preferences.isSmooth);
     settings.setValue(kStatisticsKey, preferences.hasStatistics);
     settings.setValue(kSoundKey, preferences.hasSound);

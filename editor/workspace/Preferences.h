@@ -2,6 +2,7 @@
 
 #include "editor/widgets/ColourScheme.h"
 #include "editor/widgets/numbers/Units.h"
+#include "viewport/render/light/SkyPreset.h"
 #include "viewport/widget/Navigation.h"
 #include "viewport/widget/ProgressiveRendering.h"
 
@@ -20,6 +21,8 @@ struct Preferences {
     int autosaveSeconds = 60;  // from a change to the backup; 0: no backups
     int msaa = 0;              // samples per pixel of the 3D view: 1, 2, 4 or 8; 0: automatic
     ProgressiveRendering refining = ProgressiveRendering::Always;  // of the 3D view while nothing moves
+    SkyPreset sky = SkyPreset::Studio;                             // of the 3D view
+    double exposure = 0.0;                                         // of the 3D view, stops
     bool isSmooth = true;                                          // the camera moves smoothly to a new view
     bool hasStatistics = false;                                    // frame rate, bodies and times in play
     bool hasSound = false;                                         // of impacts and breaks in play

@@ -45,6 +45,8 @@ void applyPreferences(ViewportWidget& viewport, const Preferences& preferences) 
     viewport.setScaleUnit(isMetric ? ScaleUnit{} : ScaleUnit{lengths.size(), lengths.unit.toStdString()});
     RenderSettings settings = viewport.settings();
     settings.msaa = preferences.msaa;
+    settings.sky = preferences.sky;
+    settings.exposure = preferences.exposure;
     viewport.setSettings(settings);
 }
 

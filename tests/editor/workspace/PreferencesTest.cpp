@@ -26,6 +26,8 @@ private slots:
                                       .autosaveSeconds = 0,
                                       .msaa = 8,
                                       .refining = ProgressiveRendering::Always,
+                                      .sky = SkyPreset::Evening,
+                                      .exposure = -1.5,
                                       .isSmooth = false,
                                       .hasStatistics = true,
                                       .hasSound = true,
@@ -40,6 +42,8 @@ private slots:
         settings.setValue("preferences/theme", "purple");
         settings.setValue("preferences/msaa", 3);
         settings.setValue("preferences/autosaveSeconds", "often");
+        settings.setValue("preferences/sky", "green");
+        settings.setValue("preferences/exposure", "nan");
         settings.setValue("preferences/volume", "loud");
         QVERIFY(readPreferences(settings) == Preferences{});
         settings.setValue("preferences/volume", 300);
