@@ -7,9 +7,9 @@ out vec4 texel;
 const float kFarAway = 1e6;  // m, of the sky
 
 const int kContactTaps = 6;
-const float kContactRadius = 0.2;                   // m, of what darkens a surface
+const float kContactRadius = 0.3;                   // m, of what darkens a surface
 const float kLeastRadius = 4.0, kMostRadius = 40.0;  // of the same on the image, texels
-const float kContactStrength = 2.0, kContactBias = 0.12;
+const float kContactStrength = 5.0, kContactBias = 0.1, kContactLeast = 0.3;
 
 // The view depth of what is seen at a place, whose texel is `at`.
 float depthAt(ivec2 at, Sight sight) {
@@ -33,7 +33,7 @@ float contactReached(vec3 point, vec3 n, float viewDepth, float turn) {
         float rises = max(dot(apart, n) * inversesqrt(max(square, 1e-12)) - kContactBias, 0.0);
         sum += rises * max(1.0 - square / (radius * radius), 0.0);
     }
-    return max(1.0 - kContactStrength / float(kContactTaps) * sum, 0.0);
+    return max(1.0 - kContactStrength / float(kContactTaps) * sum, kContactLeast);
 }
 
 void main() {

@@ -105,6 +105,21 @@ private slots:
         QVERIFY2(step < 0.8, qPrintable(QString::number(step)));
         QVERIFY(means.back() < means.front() - 3.0);  // darker near the wall
     }
+    /// Before a wall that faces the key light: by depth taps, since the maps of the sky have texels of centimetres.
+    void groundIsDarkerWhereABodyTouchesIt() {
+        const RenderScene scene = wallAt(0.0);
+        const Box3 bounds = boundsOf(scene);
+        RenderView view = groundFromAbove({bounds.centre().x, 0.0, bounds.max.z}, 0.6);
+        view.camera.elevation = 0.6;
+        const QImage seen = drawn(scene, view, 0);  // the wall touches the ground in its middle
+        const auto lightness = [&](int pixelsBefore) {
+            double sum = 0.0;
+            for (int x = 150; x < 250; ++x) sum += seen.pixelColor(x, 150 + pixelsBefore).red();
+            return sum / 100.0;
+        };
+        const double near = lightness(4), far = lightness(40);
+        QVERIFY2(near < far - 14.0, qPrintable(QString("%1, %2").arg(near).arg(far)));
+    }
     void silhouettesBeforeTheSkyAreNotDark() {
         const RenderScene scene = wallAt(0.0);
         RenderView view{.camera = orbited({}, 0.3, 0.1), .size = kGroundPicture};
