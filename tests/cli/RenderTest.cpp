@@ -7,6 +7,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cmath>
+
 using namespace rubble;
 using test::meanDifference;
 
@@ -54,6 +56,14 @@ private slots:
         QVERIFY(meanDifference(before.copy(besideTheDoor), after.copy(besideTheDoor)) > 5.0);
         QVERIFY(meanDifference(unbroken.copy(besideTheDoor), after.copy(besideTheDoor)) > 5.0);
         QVERIFY(meanDifference(before.copy(behindIt), after.copy(behindIt)) < 1.0);
+    }
+    void skyAndExposureAreThoseOfTheOptions() {
+        const QTemporaryDir place;
+        const auto ground = [&](const QStringList& options) { return picture(place, options).pixelColor(5, 5); };
+        const QColor studio = ground({}), evening = ground({"--sky", "evening"}), night = ground({"--sky", "night"});
+        QVERIFY(evening.red() > evening.blue() + 15 && std::abs(studio.red() - studio.blue()) < 15);
+        QVERIFY(night.lightness() < evening.lightness() - 40);
+        QVERIFY(ground({"--sky", "night", "--exposure", "1.5"}).lightness() > night.lightness() + 40);
     }
     void missingOpenGlIsReported() {
         const QTemporaryDir place;
