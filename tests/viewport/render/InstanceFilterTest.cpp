@@ -19,7 +19,9 @@ RenderScene oneBody() {
 }
 
 InstanceView viewOf(const Camera& camera) {
-    const FrameBlock frame = frameBlock({.camera = camera, .size = kFilteredSize}, oneBody(), {}, singleSample());
+    static const SkyLight light = skyLightOf(skyOf(SkyPreset::Studio, Theme::Light));
+    const FrameBlock frame =
+        frameBlock({.camera = camera, .size = kFilteredSize}, oneBody(), {}, light, singleSample(light.sky));
     return {.clipFromScene = frame.clipFromScene, .eye = frame.eye, .pixelsOfMetre = frame.viewport.z};
 }
 
