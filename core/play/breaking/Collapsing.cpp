@@ -71,11 +71,14 @@ void planCollapse(const SessionParts& parts, PlayBody& body) {
 }
 
 void planMortarCollapse(SessionParts& parts, const std::set<Id>& changed) {
-    const std::set<Id> instances = joinedInstances(parts.scene().structures, changed);
-    if (instances.empty()) return;
-    const UnsupportedNodes unsupported = unsupportedByMortar(parts, instances);
+    const JoinedGroups groups = joinedGroups(parts.scene().structures, changed);
+    if (groups.empty()) return;
+    const UnsupportedNodes unsupported = unsupportedByMortar(parts, groups);
+    const auto isChanged = [&](const PlayStructure& structure) {
+        return structure.joined != nullptr && groups.contains(structure.joined->front());
+    };
     for (PlayBody& body : parts.state().bodies) {
-        if (!body.isHeld || !instances.contains(parts.state().origins[body.origin].instance)) continue;
+        if (!body.isHeld) continue;
         bool doLose = false;
         if (const auto found = unsupported.find(body.number); found != unsupported.end()) {
             const StructureState& state = structureOf(parts, body);
@@ -84,7 +87,7 @@ void planMortarCollapse(SessionParts& parts, const std::set<Id>& changed) {
         if (doLose) {
             const PlayStructure& structure = *parts.state().structures[body.structure].structure;
             if (body.collapseStep == PlayBody::kNever) body.collapseStep = collapseStepOf(parts, structure);
-        } else if (body.structure != kNone && !parts.state().structures[body.structure].structure->mortar.empty()) {
+        } else if (body.structure != kNone && isChanged(*parts.state().structures[body.structure].structure)) {
             body.collapseStep = PlayBody::kNever;
         }
     }
@@ -107,7 +110,7 @@ std::vector<BrokenBonds> brokenByCollapse(SessionParts& parts) {
         if (state.structure->mortar.empty()) {
             breakUnsupported(parts, body, body.nodes, held, state, one.bonds);
         } else {
-            if (!byMortar) byMortar = unsupportedByMortar(parts, instances);
+            if (!byMortar) byMortar = unsupportedByMortar(parts, joinedGroups(parts.scene().structures, instances));
             breakNodes(state, losingNodes(state, body.nodes, held, (*byMortar)[body.number]), one.bonds);
         }
         if (!one.bonds.empty()) broken.push_back(std::move(one));

@@ -11,10 +11,8 @@ namespace rubble {
 /// What is broken is left to brokenMortar().
 void shareMortarDamage(SessionParts& parts, std::uint32_t structure);
 
-/// Breaks the mortar that holds no longer: whose other half is broken, and that between instances of which none is
-/// connected to an anchor any more, directly or through mortar. Returns the bodies of which it was, to be split.
-/// `changed`: the instances at which something broke or was removed. O(bonds of what mortar joins with them); nothing
-/// where it joins nothing.
+/// Breaks the mortar that holds no longer, see looseMortar(). Returns the bodies of which it was, to be split.
+/// `changed`: the instances at which something broke or was removed since the last call.
 std::vector<BrokenBonds> brokenMortar(SessionParts& parts, const std::set<Id>& changed);
 
 }  // namespace rubble

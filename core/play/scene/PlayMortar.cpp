@@ -2,6 +2,7 @@
 
 #include "core/base/MessageText.h"
 #include "core/play/scene/JoinedSupport.h"
+#include "core/play/scene/SupportSpread.h"
 #include "core/structure/graph/Support.h"
 
 #include <algorithm>
@@ -175,17 +176,23 @@ void addSteps(PlayStructure& structure, const Instance& instance, Vec3 gravity) 
     }
 }
 
-/// Adds the limits of support of structures that mortar joins.
-void addJoinedLimits(const std::map<Id, std::shared_ptr<PlayStructure>>& structures,
-                     const std::map<Id, MortarMember>& members, Vec3 gravity) {
-    std::map<Id, JoinedStructure> joined;
-    for (const auto& [id, structure] : structures)
-        joined[id] = joinedAtStart(*structure, upIn(poseOf(*members.at(id).instance), gravity));
-    const auto hasSpan = [](const auto& entry) { return entry.second.structure->hasSpan(); };
-    if (gravity == Vec3(0.0) || std::ranges::none_of(joined, hasSpan)) return;
-    NodeFractions limits = joinedSupportLimits(joined);
-    for (const auto& [id, structure] : structures) {
-        if (structure->hasSpan()) structure->supportLimits = std::move(limits.at(id));
+/// Adds how structures that mortar joins are supported, group by group.
+void addSupport(const std::map<Id, std::shared_ptr<PlayStructure>>& structures,
+                const std::map<Id, MortarMember>& members, Vec3 gravity) {
+    if (gravity == Vec3(0.0)) return;
+    for (const auto& [first, structure] : structures) {
+        if (structure->joined->front() != first) continue;
+        std::map<Id, JoinedStructure> joined;
+        for (const Id id : *structure->joined)
+            joined[id] = joinedAtStart(*structures.at(id), upIn(poseOf(*members.at(id).instance), gravity));
+        const auto hasSpan = [](const auto& entry) { return entry.second.structure->hasSpan(); };
+        if (std::ranges::none_of(joined, hasSpan)) continue;
+        NodeFractions limits = joinedSupportLimits(joined);
+        const auto support = std::make_shared<const SupportSpread>(joined, limits);
+        for (const Id id : *structure->joined) {
+            structures.at(id)->supportAtStart = support;
+            if (structures.at(id)->hasSpan()) structures.at(id)->supportLimits = std::move(limits.at(id));
+        }
     }
 }
 
@@ -209,15 +216,15 @@ std::shared_ptr<PlayStructure> withMortar(const PlayStructure& structure, const 
 
 }  // namespace
 
-std::set<Id> joinedInstances(const std::map<Id, std::shared_ptr<const PlayStructure>>& structures,
-                             const std::set<Id>& instances) {
-    std::set<Id> all;
+JoinedGroups joinedGroups(const std::map<Id, std::shared_ptr<const PlayStructure>>& structures,
+                          const std::set<Id>& instances) {
+    JoinedGroups groups;
     for (const Id instance : instances) {
         const auto structure = structures.find(instance);
-        if (structure == structures.end() || structure->second->joined == nullptr || all.contains(instance)) continue;
-        all.insert(structure->second->joined->begin(), structure->second->joined->end());
+        if (structure == structures.end() || structure->second->joined == nullptr) continue;
+        groups.emplace(structure->second->joined->front(), structure->second->joined);
     }
-    return all;
+    return groups;
 }
 
 Result<std::vector<JoinedMortar>> addMortar(const Project& project, std::span<const FixedSolid> surroundings,
@@ -241,7 +248,7 @@ Result<std::vector<JoinedMortar>> addMortar(const Project& project, std::span<co
         member.structure = made[id];
     }
     addJoined(made);
-    addJoinedLimits(made, members, project.gravity);
+    addSupport(made, members, project.gravity);
     const auto isOfAnchored = [&](const MortarJoint& joint) { return anchored.contains(joint.first); };
     for (JoinedMortar& one : joined) one.isHeld = std::ranges::any_of(one.joints, isOfAnchored);
     return joined;

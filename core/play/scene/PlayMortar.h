@@ -35,10 +35,11 @@ struct JoinedMortar {
     bool isHeld = false;              // one of its instances is anchored, by itself or through mortar
 };
 
-/// Those of some instances that mortar joins with others, and these, directly or through others. What happens elsewhere
-/// does not change how they are held.
-std::set<Id> joinedInstances(const std::map<Id, std::shared_ptr<const PlayStructure>>& structures,
-                             const std::set<Id>& instances);
+/// The groups of instances that mortar joins with each other, PlayStructure::joined, in which some instances are; by
+/// their first instance. What happens in one changes nothing of how others are held.
+using JoinedGroups = std::map<Id, std::shared_ptr<const std::vector<Id>>>;
+JoinedGroups joinedGroups(const std::map<Id, std::shared_ptr<const PlayStructure>>& structures,
+                          const std::set<Id>& instances);
 
 /// Joins instances by the mortars of a project: adds an anchor to the structures of both instances for each face that
 /// they have in common, see mortarBonds(), and to one where the other is fixed and does not break along bonds.

@@ -14,6 +14,8 @@
 
 namespace rubble {
 
+class SupportSpread;
+
 /// The other half of a face that two instances have in common.
 struct MortarLink {
     Id instance = 0;         // at the other side; 0: it is fixed, and does not break along bonds
@@ -32,6 +34,8 @@ struct PlayStructure {
     /// The instances that mortar joins with this one, directly or through others, ascending, itself among them; null:
     /// none.
     std::shared_ptr<const std::vector<Id>> joined;
+    /// How all of these are supported at the start, with limits; null: none has a span, or there is no gravity.
+    std::shared_ptr<const SupportSpread> supportAtStart;
     std::vector<double> capacities;           // N·s, of each bond; infinite: it never breaks
     std::vector<BondDamage> initialDamage;    // of each bond: those without capacity are broken from the start
     std::vector<ClusterLevel> clusterLevels;  // of the bonds between nodes; empty: there are no clusters

@@ -209,7 +209,7 @@ template <FieldsOf<SessionState> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
     [[maybe_unused]] auto& [step, elapsed, dividedUntil, hasDestruction, bodies, nextNumber, origins, damage,
                             structures, pending, materials, assetThresholds, instanceThresholds, lowest, events,
-                            reportedImpacts] = self;
+                            reportedImpacts, keptSupports] = self;
     visit("step", step);
     visit("dividedUntil", dividedUntil);
     visit("hasDestruction", hasDestruction);

@@ -3,6 +3,7 @@
 #include "core/physics/world/World.h"
 #include "core/play/damage/InstanceDamage.h"
 #include "core/play/scene/PlayScene.h"
+#include "core/play/state/KeptSupport.h"
 #include "core/play/state/PlayEvents.h"
 #include "core/play/state/StructureState.h"
 
@@ -46,6 +47,7 @@ struct SessionState {
     double lowest = 0.0;                      // m: bodies below it have left the world
     PlayEvents events;
     std::vector<ReportedImpact> reportedImpacts;  // ascending bodies
+    KeptSupports keptSupports;                    // follows from the scene and the structures
 };
 
 struct SessionSnapshot {

@@ -1,4 +1,4 @@
-// Tests core/play/breaking/MortarSupport.cpp and core/play/scene/JoinedSupport.cpp.
+// Tests core/play/breaking/MortarSupport.cpp, core/play/scene/JoinedSupport.cpp and core/play/state/KeptSupport.h.
 #include "core/play/breaking/MortarSupport.h"
 
 #include "core/play/scene/SupportProblems.h"
@@ -32,7 +32,8 @@ UnsupportedNodes unsupportedIn(const Session& session) {
     const SessionSettings settings;
     std::set<Id> instances;
     for (const Instance& instance : session.scene().project.instances) instances.insert(instance.id);
-    return unsupportedByMortar({session.scene(), settings, state, world}, instances);
+    SessionParts parts{session.scene(), settings, state, world};
+    return unsupportedByMortar(parts, joinedGroups(session.scene().structures, instances));
 }
 
 /// The nodes of a body that are beyond the span at the start.

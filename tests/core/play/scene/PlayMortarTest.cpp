@@ -168,11 +168,12 @@ private slots:
             project.instances.push_back(other);
         }
         const auto scene = test::playSceneOf(project);
-        const auto joined = [&](std::set<Id> instances) { return joinedInstances(scene->structures, instances); };
+        const auto joined = [&](std::set<Id> instances) { return joinedGroups(scene->structures, instances); };
         const auto id = [&](std::size_t k) { return project.instances[k].id; };
-        QVERIFY((joined({id(0)}) == std::set{id(0), id(1), id(2)}));
-        QVERIFY((joined({id(5)}) == std::set{id(3), id(4), id(5)}));
-        QCOMPARE(joined({id(1), id(4)}).size(), std::size_t{6});
+        QCOMPARE(joined({id(1), id(2)}).size(), std::size_t{1});
+        QVERIFY((*joined({id(1)}).at(id(0)) == std::vector{id(0), id(1), id(2)}));
+        QVERIFY((*joined({id(5)}).at(id(3)) == std::vector{id(3), id(4), id(5)}));
+        QCOMPARE(joined({id(1), id(4)}).size(), std::size_t{2});
         QVERIFY(joined({}).empty() && joined({0}).empty());
     }
 };

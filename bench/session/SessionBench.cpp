@@ -1,13 +1,13 @@
 // The time of steps in which something breaks: walls of bonds in a blast, one hit at a large wall, a city, a street
-// under fire, and houses joined by mortar of which the middle one is blown up. On one thread, in time of the processor;
-// every round plays the same, and of each step the fastest round counts.
+// under fire, and houses joined by mortar of which the middle one, or each, is blown up. On one thread, in time of the
+// processor; every round plays the same, and of each step the fastest round counts.
 //
-//   SessionBench [SCENE...]   such as wall-10000, hit-30000, city-36, street-30, houses-40; without arguments all
+//   SessionBench [SCENE...]   such as wall-10000, hit-30000, city-36, street-30, terrace-40; without arguments all
 #include "bench/Timing.h"
+#include "bench/session/HouseRows.h"
 #include "core/base/Percentile.h"
 #include "core/base/Random.h"
 #include "core/play/session/Session.h"
-#include "tests/support/asset/TwoStoreyHouse.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +17,7 @@
 #include <vector>
 
 using namespace rubble;
+using namespace rubble::bench;
 
 namespace {
 
@@ -102,24 +103,22 @@ BenchScene street(int towers) {
     return scene;
 }
 
-/// The two-storey house, repeated in a row, and a blast in the porch of the middle one.
+BenchScene sceneOf(HouseRow row) {
+    return {.project = std::move(row.project), .inputs = std::move(row.inputs), .steps = 240};
+}
+
+/// Houses apart, and a blast in the middle one.
 BenchScene houses(int count) {
-    constexpr double kApart = 14.0;  // m
-    BenchScene scene{.project = test::twoStoreyHouse(), .steps = 240};
-    const std::vector<Instance> one = scene.project.instances;
-    scene.project.instances.clear();
-    scene.project.shots.clear();
-    scene.project.playTests.clear();
-    for (int k = 0; k < count; ++k) {
-        for (Instance instance : one) {
-            instance.id = scene.project.nextId++;
-            instance.name += " " + std::to_string(k);
-            instance.pose.position.x += kApart * (k - count / 2);
-            scene.project.instances.push_back(std::move(instance));
-        }
-    }
-    shoot(scene, kHitStep, Blast{.at = {1.0, 1.2, 1.5}, .impulse = 8000.0, .radius = 4.0});
-    return scene;
+    HouseRow row = rowOfHouses(count);
+    blowUp(row, kHitStep);
+    return sceneOf(std::move(row));
+}
+
+/// Houses whose walls mortar joins with those of the next one, and a blast in the middle one.
+BenchScene terrace(int count) {
+    HouseRow row = rowOfHouses(count, 2.0 * test::kHouseHalfWidth);
+    blowUp(row, kHitStep);
+    return sceneOf(std::move(row));
 }
 
 BenchScene sceneOf(const std::string& name) {
@@ -129,6 +128,8 @@ BenchScene sceneOf(const std::string& name) {
     if (name.starts_with("city-")) return city(count);
     if (name.starts_with("street-")) return street(count);
     if (name.starts_with("houses-")) return houses(count);
+    if (name.starts_with("terrace-")) return terrace(count);
+    if (name.starts_with("collapse-")) return sceneOf(blownUpHouses(count, kHitStep));
     std::fprintf(stderr, "There is no scene \"%s\".\n", name.c_str());
     std::exit(1);
 }
@@ -136,6 +137,7 @@ BenchScene sceneOf(const std::string& name) {
 struct Played {
     std::vector<double> times;  // ms, of each step
     std::size_t dynamic = 0;    // bodies, at the end
+    ContentHash hash;           // of the world, at the end
 };
 
 Played played(const BenchScene& bench, const std::shared_ptr<const PlayScene>& scene) {
@@ -146,6 +148,7 @@ Played played(const BenchScene& bench, const std::shared_ptr<const PlayScene>& s
         one.times.push_back(bench::processorMillisecondsOf([&] { session.step(); }));
     one.dynamic = static_cast<std::size_t>(std::ranges::count_if(
         session.bodies(), [&](const PlayBody& body) { return session.world().kind(body.body) == BodyKind::Dynamic; }));
+    one.hash = session.world().hash();
     return one;
 }
 
@@ -159,9 +162,10 @@ void measure(const std::string& name) {
         for (std::size_t k = 0; k < one.times.size(); ++k) one.times[k] = std::min(one.times[k], again.times[k]);
     }
     const auto hit = one.times.begin() + static_cast<std::ptrdiff_t>(kHitStep);
-    std::printf("| %s | %zu | %.0f | %.2f | %.2f | %.2f | %.2f | %zu |\n", name.c_str(), one.dynamic, starting,
+    std::printf("| %s | %zu | %.0f | %.2f | %.2f | %.2f | %.2f | %zu | %.8s |\n", name.c_str(), one.dynamic, starting,
                 percentile(one.times, 0.5), percentile(one.times, 0.99), *hit, percentile(one.times, 1.0),
-                static_cast<std::size_t>(std::ranges::max_element(one.times) - one.times.begin()));
+                static_cast<std::size_t>(std::ranges::max_element(one.times) - one.times.begin()),
+                one.hash.hex().c_str());
     std::fflush(stdout);
 }
 
@@ -170,11 +174,11 @@ void measure(const std::string& name) {
 int main(int argc, char** argv) {
     std::vector<std::string> names(argv + 1, argv + argc);
     if (names.empty())
-        names = {"wall-2500", "wall-10000", "wall-30000", "hit-30000", "city-36",
-                 "street-30", "houses-1",   "houses-40",  "houses-160"};
+        names = {"wall-2500", "wall-10000", "wall-30000", "hit-30000",  "city-36",     "street-30",  "houses-1",
+                 "houses-40", "houses-160", "terrace-10", "terrace-40", "terrace-160", "collapse-10"};
     std::printf(
-        "| scene | free bodies | start, ms | median, ms | p99 | at the hit | max | at step |\n"
-        "| --- | --- | --- | --- | --- | --- | --- | --- |\n");
+        "| scene | free bodies | start, ms | median, ms | p99 | at the hit | max | at step | state |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
     for (const std::string& name : names) measure(name);
     return 0;
 }
