@@ -5,6 +5,12 @@ out vec2 placeAcross;
 out float edgeWidth;  // pixels, on each side of an edge
 flat out vec3 colour;  // linear
 flat out float opacity;
+#ifdef FINISHED
+uniform samplerBuffer restOffsets;  // one texel per body: the origin of its frame in the asset's, m
+out vec3 restPoint;
+out vec3 restNormal;
+flat out int finishSide;
+#endif
 #ifdef TEXTURED
 out vec2 placeInImage;  // from its top left corner
 flat out float hasImage;  // 1 on textured faces
@@ -27,6 +33,11 @@ void main() {
     edgeWidth = clamp(kEdgeWidth * size, kThinnest * edges.x, kWidest * edges.x);
     colour = linearOf(side == kMortar ? kMortarColour : unpackedColour(side == kInside ? appearance.y : appearance.x));
     opacity = opacityOf(appearance);
+#ifdef FINISHED
+    restPoint = position + texelFetch(restOffsets, bodyIndex()).xyz;
+    restNormal = normal;
+    finishSide = side == kMortar ? 2 : side == kInside ? 1 : 0;
+#endif
 #ifdef TEXTURED
     placeInImage = vec2(uv.x, 1.0 - uv.y);
     hasImage = side == kTextured ? 1.0 : 0.0;

@@ -1,16 +1,4 @@
 // The light on a surface, with dark lines along its edges.
-in vec3 scenePoint;
-in vec3 sceneNormal;
-in vec2 placeAcross;
-in float edgeWidth;  // pixels, on each side of an edge
-flat in vec3 colour;  // linear
-flat in float opacity;
-#ifdef TEXTURED
-uniform sampler2D baseColour;
-in vec2 placeInImage;
-flat in float hasImage;
-#endif
-
 const float kRoughness = 0.8;  // of what has no material of its own
 
 vec3 towardsEye() { return eye.w > 0.5 ? normalize(eye.xyz - scenePoint) : back.xyz; }
@@ -21,14 +9,13 @@ Surface surfaceHere() {
 #ifdef TEXTURED
     albedo *= mix(vec3(1.0), texture(baseColour, placeInImage).rgb, hasImage);
 #endif
-    return Surface(albedo, normalize(sceneNormal), kRoughness, 0.0, 1.0);
+    return bevelled(finished(Surface(albedo, normalize(sceneNormal), kRoughness, 0.0, 1.0)));
 }
 
 // The radiance of the surface without edges.
 vec3 shadedSurface(Surface surface) {
     return lit(surface, towardsEye(), lightReached(scenePoint, surface.normal));
 }
-const float kEdgeShade = 0.22;  // brightness of edges, of that of the surface
 
 float edgeCover() {
     float fade = smoothstep(2.0, 12.0, pixelsAcross(placeAcross));

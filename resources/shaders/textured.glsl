@@ -1,2 +1,3 @@
-// Selects the variant of a program that draws batches with an image.
+// Selects the variant of a program that draws batches with an image, whose other sides have finishes.
 #define TEXTURED
+#define FINISHED

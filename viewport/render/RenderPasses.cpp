@@ -71,6 +71,7 @@ void RenderPasses::setShadows(const RenderView& view, const LightSample& sample,
     const bool isDrawn = view.settings.hasShadows && view.settings.shading == Shading::Faces;
     hasShadows = isDrawn && !summary.bounds.isEmpty();
     setFrame(frame);
+    if (scene.hasFinishes()) finishTexture.bind();
     scene.setView({.clipFromScene = frame.clipFromScene,
                    .eye = frame.eye,
                    .pixelsOfMetre = frame.viewport.z,
@@ -119,15 +120,18 @@ void RenderPasses::drawSolid() {
         program.set("surfaces", kOpaqueSurfaces);
         scene.draw(SceneBuffers::Part::Bodies, batches);
     };
-    drawWith(lit(programs.solid), SceneBuffers::Batches::Plain);
-    if (scene.hasTextures()) drawWith(lit(programs.texturedSolid), SceneBuffers::Batches::Textured);
+    drawWith(lit(programs.solid.plain), SceneBuffers::Batches::Plain);
+    if (scene.hasFinishes()) drawWith(lit(programs.solid.finished), SceneBuffers::Batches::Finished);
+    if (scene.hasTextures()) drawWith(lit(programs.solid.textured), SceneBuffers::Batches::Textured);
     glDisable(GL_CULL_FACE);
 }
 
 void RenderPasses::drawTransparent(const RenderView& view) {
     if (summary.hasTransparent)
-        transparency.draw(scene, view.size, lit(programs.transparent), lit(programs.texturedTransparent),
-                          view.camera.distance);
+        transparency.draw(
+            scene, view.size,
+            {lit(programs.transparent.plain), lit(programs.transparent.finished), lit(programs.transparent.textured)},
+            view.camera.distance);
 }
 
 void RenderPasses::drawEdges(const EdgePass& pass) {

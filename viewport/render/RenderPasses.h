@@ -8,6 +8,7 @@
 #include "viewport/render/SceneBuffers.h"
 #include "viewport/render/SkyMaps.h"
 #include "viewport/render/TransparencyPass.h"
+#include "viewport/render/finish/FinishTexture.h"
 #include "viewport/render/gl/InstanceBuffer.h"
 #include "viewport/render/gl/RenderTarget.h"
 #include "viewport/render/light/ReflectionTexture.h"
@@ -55,6 +56,7 @@ struct RenderPasses {
     OutlinePass outlines;
     TransparencyPass transparency;
     SceneBuffers scene;
+    FinishTexture finishTexture;
     InstanceBuffer sceneLines{4, 4, 4, 4};
     InstanceBuffer sceneBoxes{4, 4, 4, 4};
     InstanceBuffer particles{4, 4, 4};

@@ -25,29 +25,35 @@ private:
     std::optional<Error> m_error;
 };
 
+/// `variant`: the file with the names that it defines.
+LitPrograms compileSolid(ProgramCompiler& compiler, std::string_view variant) {
+    return compiler.compileLit({variant, "bodies.glsl", "solid.vert"},
+                               {variant, "light.glsl", "lit_by_buffer.glsl", "edge.glsl", "sky_light.glsl",
+                                "material.glsl", "surface_inputs.glsl", "finish.glsl", "surface.glsl", "solid.frag"});
+}
+LitPrograms compileTransparent(ProgramCompiler& compiler, std::string_view variant) {
+    return compiler.compileLit(
+        {variant, "bodies.glsl", "solid.vert"},
+        {variant, "key_shadow.glsl", "lit_directly.glsl", "edge.glsl", "sky_light.glsl", "material.glsl",
+         "surface_inputs.glsl", "finish.glsl", "surface.glsl", "transparent.frag"});
+}
+
 }  // namespace
 
 Result<RenderPrograms> compilePrograms() {
     ProgramCompiler compiler;
     RenderPrograms programs{
-        .solid = compiler.compileLit({"bodies.glsl", "solid.vert"},
-                                     {"light.glsl", "lit_by_buffer.glsl", "edge.glsl", "sky_light.glsl",
-                                      "material.glsl", "surface.glsl", "solid.frag"}),
-        .transparent = compiler.compileLit({"bodies.glsl", "solid.vert"},
-                                           {"key_shadow.glsl", "lit_directly.glsl", "edge.glsl", "sky_light.glsl",
-                                            "material.glsl", "surface.glsl", "transparent.frag"}),
+        .solid = {.plain = compileSolid(compiler, "plain.glsl"),
+                  .finished = compileSolid(compiler, "finished.glsl"),
+                  .textured = compileSolid(compiler, "textured.glsl")},
+        .transparent = {.plain = compileTransparent(compiler, "plain.glsl"),
+                        .finished = compileTransparent(compiler, "finished.glsl"),
+                        .textured = compileTransparent(compiler, "textured.glsl")},
         .ground = compiler.compileLit(
             {"fullscreen.vert"}, {"camera.glsl", "light.glsl", "lit_by_buffer.glsl", "background.glsl", "ground.frag"}),
         .concreteGround = compiler.compileLit(
             {"fullscreen.vert"},
             {"concrete.glsl", "camera.glsl", "light.glsl", "lit_by_buffer.glsl", "background.glsl", "ground.frag"}),
-        .texturedSolid = compiler.compileLit({"textured.glsl", "bodies.glsl", "solid.vert"},
-                                             {"textured.glsl", "light.glsl", "lit_by_buffer.glsl", "edge.glsl",
-                                              "sky_light.glsl", "material.glsl", "surface.glsl", "solid.frag"}),
-        .texturedTransparent =
-            compiler.compileLit({"textured.glsl", "bodies.glsl", "solid.vert"},
-                                {"textured.glsl", "key_shadow.glsl", "lit_directly.glsl", "edge.glsl", "sky_light.glsl",
-                                 "material.glsl", "surface.glsl", "transparent.frag"}),
         .surfaces = compiler.compile({"bodies.glsl", "solid.vert"}, {"surfaces.frag"}),
         .light = compiler.compile({"fullscreen.vert"},
                                   {"camera.glsl", "key_shadow.glsl", "sky.glsl", "light.glsl", "light.frag"}),

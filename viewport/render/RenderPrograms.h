@@ -9,11 +9,16 @@ struct LitPrograms {
     ShaderProgram plain, shadowed;
 };
 
+/// The variants for batches without a finish, with one, and with an image.
+struct SurfacePrograms {
+    LitPrograms plain, finished, textured;
+};
+
 /// All shader programs.
 struct RenderPrograms {
-    LitPrograms solid, transparent, ground, concreteGround;
-    LitPrograms texturedSolid, texturedTransparent;  // of batches with an image
-    ShaderProgram surfaces, light, lightBlur;        // of the light buffer
+    SurfacePrograms solid, transparent;
+    LitPrograms ground, concreteGround;
+    ShaderProgram surfaces, light, lightBlur;  // of the light buffer
     ShaderProgram wires, depth, glassShadow, screenLines, sceneLines, particles, mean;
 };
 

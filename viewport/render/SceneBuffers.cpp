@@ -1,5 +1,6 @@
 #include "viewport/render/SceneBuffers.h"
 
+#include "core/asset/finish/FinishParameters.h"
 #include "viewport/render/InstanceFilter.h"
 #include "viewport/render/SceneMemory.h"
 
@@ -29,6 +30,27 @@ GlBuffer bufferOf(std::uint32_t target, const std::vector<T>& values) {
 void bindTexture(std::uint32_t texture) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(TextureUnit::BaseColour));
     glBindTexture(GL_TEXTURE_2D, texture);
+}
+
+constexpr GLuint kFinishesBlock = 2;  // see ShaderProgram
+
+/// The uniform block of finish.glsl: of the outside, of the inside, of mortar.
+std::vector<glm::vec4> finishBlock(const SceneBatch& batch) {
+    static const FinishParameters mortar{
+        .fineScale = 9.0f, .fineTone = 0.12f, .roughness = 0.95f, .fineHeight = 0.002f};
+    const BatchFinish& finish = batch.finish;
+    const BrickCourseFrame& courses = finish.courses;
+    const Finish outside = batch.texture ? Finish::Plain : finish.outside;
+    std::vector<glm::vec4> block;
+    const auto add = [&](const FinishParameters& parameters) {
+        const auto packed = packedFinish(withCourses(parameters, courses));
+        block.insert(block.end(), packed.begin(), packed.end());
+        block.emplace_back(courses.origin.x, courses.origin.y, 0.0f, static_cast<float>(finish.grainAxis));
+    };
+    add(finishParameters(outside, FinishSide::Outside));
+    add(finishParameters(finish.inside, FinishSide::Inside));
+    add(mortar);
+    return block;
 }
 
 const void* at(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
@@ -61,7 +83,8 @@ SceneBuffers::SceneBuffers()
     : m_poses(TextureUnit::Poses, GL_RGBA32F),
       m_previousPoses(TextureUnit::PreviousPoses, GL_RGBA32F),
       m_explodeOffsets(TextureUnit::ExplodeOffsets, GL_RGBA32F),
-      m_appearances(TextureUnit::Appearances, GL_RGBA32UI) {}
+      m_appearances(TextureUnit::Appearances, GL_RGBA32UI),
+      m_restOffsets(TextureUnit::RestOffsets, GL_RGBA32F) {}
 
 const SceneBuffers::Geometry& SceneBuffers::uploaded(const std::shared_ptr<const SceneGeometry>& source) {
     const auto known = m_geometries.find(source.get());
@@ -86,6 +109,7 @@ SceneBuffers::Batch SceneBuffers::batchOf(const SceneBatch& batch) {
         describeVertices(hulls.vertices, hulls.indices, made.firstBodies);
     }
     glBindVertexArray(0);
+    if (batch.finish != BatchFinish{} || batch.texture) made.finishes = bufferOf(GL_UNIFORM_BUFFER, finishBlock(batch));
     return made;
 }
 
@@ -99,6 +123,7 @@ void SceneBuffers::uploadBatches() {
         if (batch.texture) images.push_back(batch.texture);
     m_textures.setImages(std::move(images));
     for (const SceneBatch& batch : m_scene->batches) m_batches.push_back(batchOf(batch));
+    m_hasFinishes = std::ranges::any_of(m_batches, [](const Batch& batch) { return batch.finishes.id() != 0; });
 }
 
 void SceneBuffers::findWholes(const SceneBatch& source, Batch& batch) const {
@@ -123,6 +148,11 @@ void SceneBuffers::upload(std::shared_ptr<const RenderScene> scene) {
     if (isNew && !isMemoryLeftFor(*scene)) throw std::bad_alloc();
     m_scene = std::move(scene);
     if (isNew) uploadBatches();
+    if (m_hasFinishes && (isNew || m_scene->restOffsets != m_restSource)) {
+        m_restSource = m_scene->restOffsets;
+        const std::vector<glm::vec4> none(m_scene->poses.size(), glm::vec4(0.0f));
+        m_restOffsets.write(std::as_bytes(std::span(m_restSource ? *m_restSource : none)));
+    }
     const auto write = [&](TexelBuffer& texels, const auto& values) {
         if (values.empty()) return;
         texels.write(std::as_bytes(std::span(values)));
@@ -200,6 +230,12 @@ void SceneBuffers::drawInstances(const Batch& batch, const GlVertexArray& array,
 
 void SceneBuffers::bindTexels() const {
     for (const TexelBuffer* texels : {&m_poses, &m_previousPoses, &m_explodeOffsets, &m_appearances}) texels->bind();
+    if (m_hasFinishes) m_restOffsets.bind();
+}
+
+SceneBuffers::Batches SceneBuffers::kindOf(const SceneBatch& source, const Batch& batch) const {
+    if (source.texture && m_textures.textureOf(source.texture) != 0) return Batches::Textured;
+    return batch.finishes.id() != 0 ? Batches::Finished : Batches::Plain;
 }
 
 void SceneBuffers::draw(Part part, Batches batches) const {
@@ -207,10 +243,10 @@ void SceneBuffers::draw(Part part, Batches batches) const {
     for (std::size_t k = 0; k < m_batches.size(); ++k) {
         const SceneBatch& source = m_scene->batches[k];
         const Batch& batch = m_batches[k];
-        const std::uint32_t texture = source.texture ? m_textures.textureOf(source.texture) : 0;
-        const bool isOther = batches != Batches::All && (texture != 0) != (batches == Batches::Textured);
-        if (isOther) continue;
-        if (batches == Batches::Textured) bindTexture(texture);
+        if (batches != Batches::All && kindOf(source, batch) != batches) continue;
+        if (batches == Batches::Textured) bindTexture(m_textures.textureOf(source.texture));
+        if (batches == Batches::Textured || batches == Batches::Finished)
+            glBindBufferBase(GL_UNIFORM_BUFFER, kFinishesBlock, batch.finishes.id());
         const SceneGeometry& geometry = *source.geometry;
         const std::size_t all = batch.order.size();
         switch (part) {

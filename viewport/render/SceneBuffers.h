@@ -38,13 +38,14 @@ public:
     /// Bodies: as the view that was set shows them. Silhouettes: an instance whose solids look alike and are where they
     /// were cut is drawn as a whole, which covers the same pixels from all sides.
     enum class Part { Bodies, Silhouettes, Hulls };
-    /// Plain: those without an image, or with one that is not decoded yet, or cannot be.
-    enum class Batches { All, Plain, Textured };
+    /// Textured: those with an image that is decoded. Finished: others that have a finish.
+    enum class Batches { All, Plain, Finished, Textured };
     /// Draws all triangles with the current program: one call per batch, or two where some of its instances are whole
     /// and others are not, and one more for every few hundred thousand triangles.
     void draw(Part part, Batches batches = Batches::All) const;
     /// Draws one body.
     void drawBody(std::uint32_t body) const;
+    bool hasFinishes() const { return m_hasFinishes; }
     bool hasTextures() const { return !m_textures.isEmpty(); }
     SceneTextures& textures() { return m_textures; }
     const RenderCounts& counts() const { return m_counts; }
@@ -65,6 +66,7 @@ private:
         GlBuffer firstBodies;  // of the instances, in the order of `order`
         GlVertexArray bodies;
         GlVertexArray hulls;
+        GlBuffer finishes;          // none without
         double meanPartSize = 0.0;  // m
         std::vector<Whole> wholes;  // of the instances, in the order of the scene
         // The first bodies as uploaded: of instances in parts, then
@@ -80,15 +82,18 @@ private:
     const Geometry& uploaded(const std::shared_ptr<const SceneGeometry>& source);
     Batch batchOf(const SceneBatch& batch);
     void bindTexels() const;
+    Batches kindOf(const SceneBatch& source, const Batch& batch) const;
     void drawInstances(const Batch& batch, const GlVertexArray& array, TriangleRange indices, std::size_t begin,
                        std::size_t end) const;
 
     std::shared_ptr<const RenderScene> m_scene;
     InstanceView m_view;
+    std::shared_ptr<const std::vector<glm::vec4>> m_restSource;  // of m_restOffsets
     std::unordered_map<const SceneGeometry*, Geometry> m_geometries;
     SceneTextures m_textures;
     std::vector<Batch> m_batches;
-    TexelBuffer m_poses, m_previousPoses, m_explodeOffsets, m_appearances;
+    TexelBuffer m_poses, m_previousPoses, m_explodeOffsets, m_appearances, m_restOffsets;
+    bool m_hasFinishes = false;
     std::function<bool()> m_interruption;
     mutable bool m_isInterrupted = false;
     mutable RenderCounts m_counts;

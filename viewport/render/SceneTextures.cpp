@@ -12,7 +12,7 @@ namespace rubble {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{320} << 20;  // of textures: 50 of 4096 × 4096 are drawn in 1024 × 1024
-constexpr std::uint32_t kLongest = 4096, kShortest = 64;
+constexpr std::uint32_t kLongestSide = 4096, kShortestSide = 64;
 
 /// An image that repeats, with all of its mipmaps.
 GlTexture textureWith(const DecodedImage& image) {
@@ -43,13 +43,13 @@ std::optional<DecodedImage> decodedOrNothing(const EncodedImage& image, std::uin
 std::uint32_t supportedSide() {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    return std::min(kLongest, static_cast<std::uint32_t>(largest));
+    return std::min(kLongestSide, static_cast<std::uint32_t>(largest));
 }
 
 }  // namespace
 
 std::uint32_t longestSide(const std::vector<SharedImage>& images, std::size_t bytes) {
-    for (std::uint32_t longest = kLongest; longest > kShortest; longest /= 2) {
+    for (std::uint32_t longest = kLongestSide; longest > kShortestSide; longest /= 2) {
         std::size_t needed = 0;
         for (const SharedImage& image : images) {
             std::uint32_t factor = 1;
@@ -58,7 +58,7 @@ std::uint32_t longestSide(const std::vector<SharedImage>& images, std::size_t by
         }
         if (needed <= bytes) return longest;
     }
-    return kShortest;
+    return kShortestSide;
 }
 
 SceneTextures::~SceneTextures() {

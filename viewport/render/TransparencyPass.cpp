@@ -68,8 +68,7 @@ void TransparencyPass::allocate(ImageSize size, int samples) {
     m_depths = attached(GL_DEPTH_ATTACHMENT, size, GL_DEPTH_COMPONENT32F, samples);
 }
 
-void TransparencyPass::draw(const SceneBuffers& scene, ImageSize size, const ShaderProgram& surfaces,
-                            const ShaderProgram& texturedSurfaces, double focusDistance) {
+void TransparencyPass::draw(const SceneBuffers& scene, ImageSize size, const Programs& programs, double focusDistance) {
     GLint bound = 0, samples = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
     glGetIntegerv(GL_SAMPLES, &samples);
@@ -94,8 +93,9 @@ void TransparencyPass::draw(const SceneBuffers& scene, ImageSize size, const Sha
         program.set("focusDistance", static_cast<float>(focusDistance));
         scene.draw(SceneBuffers::Part::Bodies, batches);
     };
-    drawWith(surfaces, SceneBuffers::Batches::Plain);
-    if (scene.hasTextures()) drawWith(texturedSurfaces, SceneBuffers::Batches::Textured);
+    drawWith(programs.plain, SceneBuffers::Batches::Plain);
+    if (scene.hasFinishes()) drawWith(programs.finished, SceneBuffers::Batches::Finished);
+    if (scene.hasTextures()) drawWith(programs.textured, SceneBuffers::Batches::Textured);
     glDisable(GL_CULL_FACE);
     for (const GLenum attachment : kBoth) {
         if (samples == 0) break;

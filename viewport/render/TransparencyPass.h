@@ -13,10 +13,12 @@ public:
     /// Errors: see ShaderProgram::create().
     static Result<TransparencyPass> create();
 
-    /// Draws to the bound framebuffer of a size, whose depths occlude. `surfaces`: the program of transparent.frag,
-    /// `texturedSurfaces`: its variant for batches with an image.
-    void draw(const SceneBuffers& scene, ImageSize size, const ShaderProgram& surfaces,
-              const ShaderProgram& texturedSurfaces, double focusDistance);
+    /// The variants of transparent.frag: see SurfacePrograms.
+    struct Programs {
+        const ShaderProgram &plain, &finished, &textured;
+    };
+    /// Draws to the bound framebuffer of a size, whose depths occlude.
+    void draw(const SceneBuffers& scene, ImageSize size, const Programs& programs, double focusDistance);
 
 private:
     explicit TransparencyPass(ShaderProgram blend) : m_blend(std::move(blend)) {}

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/asset/finish/FinishParameters.h"
 #include "core/asset/project/Project.h"
 #include "viewport/scene/SceneGeometry.h"
 
@@ -53,12 +54,21 @@ inline constexpr std::uint32_t kHidden = 1;
 inline constexpr std::uint32_t kSelected = 2;
 inline constexpr std::uint32_t kHovered = 4;
 
+/// The finishes of a batch.
+struct BatchFinish {
+    Finish outside = Finish::Plain, inside = Finish::Plain;
+    BrickCourseFrame courses;
+    int grainAxis = 0;  // x, y or z of the asset
+    bool operator==(const BatchFinish&) const = default;
+};
+
 /// All instances of one geometry.
 struct SceneBatch {
     std::shared_ptr<const SceneGeometry> geometry;
     std::shared_ptr<const SceneGeometry> hulls;   // the same solids as convex hulls; null if not shown
     std::vector<std::uint32_t> firstBodies;       // per instance: the body of its solid 0; the other solids follow
     std::shared_ptr<const EncodedImage> texture;  // of its textured vertices; null: they are as others
+    BatchFinish finish;
     bool operator==(const SceneBatch&) const = default;
 };
 
@@ -121,7 +131,9 @@ struct RenderScene {
     std::vector<RenderPose> previousPoses;  // one step earlier; empty if nothing moves
     std::vector<glm::vec4> explodeOffsets;  // m, one per body at an explode factor of 1; empty if nothing is exploded
     double explodeFactor = 0.0;             // scales `explodeOffsets`
-    bool isOutdoors = false;                // draws a sky, a horizon and a scale bar, as in play
+    // m, one per body: the origin of its frame in that of its asset, which finishes are fixed to. Null: all are 0.
+    std::shared_ptr<const std::vector<glm::vec4>> restOffsets;
+    bool isOutdoors = false;  // draws a sky, a horizon and a scale bar, as in play
     bool hasGround = true;
     double groundHeight = 0.0;              // m
     std::optional<ValueRange> colourRange;  // of the quantity that bodies are coloured by, if any

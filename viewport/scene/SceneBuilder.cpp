@@ -43,6 +43,7 @@ public:
     }
 
     RenderScene finished() {
+        m_scene.restOffsets = std::make_shared<const std::vector<glm::vec4>>(std::move(m_restOffsets));
         colourBodies(m_scene, m_models, m_project, m_options.colouring);
         setMarks(m_scene, m_options.marks);
         explode();
@@ -58,6 +59,7 @@ private:
             const Vec3 position = pose.position + pose.orientation * solid.offset;
             m_scene.poses.push_back(renderPose({position, pose.orientation}, m_scene.origin));
             m_scene.appearances.emplace_back();
+            m_restOffsets.emplace_back(glm::vec3(solid.offset), 0.0f);
             m_scene.picks.push_back({model.asset.id, instance, solid.fragment});
         }
     }
@@ -82,6 +84,7 @@ private:
     const Project& m_project;
     const SceneOptions& m_options;
     RenderScene m_scene;
+    std::vector<glm::vec4> m_restOffsets;
     std::vector<const AssetModel*> m_models;  // one per batch
 };
 
@@ -107,7 +110,10 @@ RenderScene SceneBuilder::sceneOf(const Project& project, const AssetBakes& bake
     m_models = std::move(models);
     SceneAssembly assembly(project, options);
     for (const auto& model : m_models) assembly.add(*model);
-    return assembly.finished();
+    RenderScene scene = assembly.finished();
+    if (m_restOffsets == nullptr || *m_restOffsets != *scene.restOffsets) m_restOffsets = scene.restOffsets;
+    scene.restOffsets = m_restOffsets;  // equal scenes are equal
+    return scene;
 }
 
 RenderScene sceneOf(const Project& project, const AssetBakes& bakes, const SceneOptions& options) {

@@ -39,6 +39,7 @@ public:
 
 private:
     std::vector<std::shared_ptr<const AssetModel>> m_models;
+    std::shared_ptr<const std::vector<glm::vec4>> m_restOffsets;
 };
 
 /// The same without a cache.

@@ -91,7 +91,8 @@ Material materialOf(const MaterialPreset& preset, Id id) {
             .youngsModulus = valueOf(preset.youngsModulus),
             .outside = preset.outside,
             .inside = preset.inside,
-            .opacity = preset.opacity};
+            .opacity = preset.opacity,
+            .finish = preset.finish};
 }
 
 Pattern patternWithin(const MaterialPreset& preset, const Box2& bounds, double height) {
@@ -123,6 +124,7 @@ MaterialPreset presetOf(const Material& material, const Asset* asset) {
             .outside = material.outside,
             .inside = material.inside,
             .opacity = material.opacity,
+            .finish = material.finish,
             .pattern = std::move(pattern),
             .cutAtImpact = asset != nullptr ? asset->cutAtImpact : std::nullopt};
 }

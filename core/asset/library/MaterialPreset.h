@@ -29,6 +29,7 @@ struct MaterialPreset {
     Colour outside;
     Colour inside;
     double opacity = 1.0;
+    Finish finish = Finish::Plain;
     Pattern pattern;                         // its typical fracture, with layer ids 1, 2, ...; may be empty
     std::optional<CutAtImpact> cutAtImpact;  // brittle ones crack where they are hit
     bool operator==(const MaterialPreset&) const = default;

@@ -36,7 +36,8 @@ Project emptyProject() {
                           .fractureToughness = 1.5e5,
                           .youngsModulus = 4e9,
                           .outside = {0.91, 0.89, 0.84},
-                          .inside = {0.8, 0.77, 0.71}}};
+                          .inside = {0.8, 0.77, 0.71},
+                          .finish = Finish::Plaster}};
     return project;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/asset/project/Bonding.h"
+#include "core/asset/project/Finish.h"
 #include "core/asset/project/FragmentPath.h"
 #include "core/asset/project/Shaping.h"
 #include "core/asset/project/Texture.h"
@@ -42,6 +43,7 @@ struct Material {
     Colour outside;
     Colour inside;
     double opacity = 1.0;  // of its surfaces in pictures and mesh files: glass 0.3
+    Finish finish = Finish::Plain;
     bool operator==(const Material&) const = default;
 };
 

@@ -247,6 +247,7 @@ void writeMaterial(JsonWriter& json, const Material& material) {
     json.number("fractureToughness", material.fractureToughness);
     if (material.youngsModulus) json.number("youngsModulus", *material.youngsModulus);
     writeColours(json, material);
+    writeFinish(json, material.finish);
     json.close();
 }
 
@@ -265,11 +266,12 @@ Material readMaterialBeforeVersion5(const JsonValue& value) {
 Material readMaterial(const JsonValue& value) {
     value.requireObject({"id", "name", "density", "friction", "restitution", "tensileStrength", "fractureToughness",
                          "outside", "inside"},
-                        {"youngsModulus", "opacity"});
+                        {"youngsModulus", "opacity", "finish"});
     Material material = readMaterialMembers1(value);
     material.tensileStrength = value["tensileStrength"].optionalNumber();
     material.fractureToughness = value["fractureToughness"].optionalNumber();
     if (value["youngsModulus"].isPresent()) material.youngsModulus = value["youngsModulus"].number();
+    material.finish = readFinish(value);
     return material;
 }
 

@@ -19,4 +19,12 @@ double readOpacity(const JsonValue& material) {
     return material["opacity"].isPresent() ? material["opacity"].number() : 1.0;
 }
 
+void writeFinish(JsonWriter& json, Finish finish) {
+    if (finish != Finish::Plain) json.text("finish", kFinishNames[static_cast<std::size_t>(finish)]);
+}
+
+Finish readFinish(const JsonValue& material) {
+    return material["finish"].isPresent() ? static_cast<Finish>(material["finish"].oneOf(kFinishNames)) : Finish::Plain;
+}
+
 }  // namespace rubble

@@ -15,4 +15,9 @@ void writeOpacity(JsonWriter& json, double opacity);
 /// Reads the optional key "opacity" of a material.
 double readOpacity(const JsonValue& material);
 
+/// The finish of a material; a plain one is not written.
+void writeFinish(JsonWriter& json, Finish finish);
+/// Reads the optional key "finish" of a material.
+Finish readFinish(const JsonValue& material);
+
 }  // namespace rubble

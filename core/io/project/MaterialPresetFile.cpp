@@ -61,6 +61,7 @@ void writePreset(JsonWriter& json, const MaterialPreset& preset) {
     writeColour(json, "outside", preset.outside);
     writeColour(json, "inside", preset.inside);
     writeOpacity(json, preset.opacity);
+    writeFinish(json, preset.finish);
     if (!preset.pattern.layers.empty()) writePattern(json, preset.pattern);
     if (preset.cutAtImpact) writeCutAtImpact(json, preset.cutAtImpact);
 }
@@ -77,9 +78,9 @@ void writeLibraryMaterial(JsonWriter& json, const LibraryMaterial& material) {
 }
 
 MaterialPreset readPreset(const JsonValue& root) {
-    root.requireObject(
-        {"format", "version", "name", "density", "friction", "restitution", "outside", "inside"},
-        {"note", "tensileStrength", "fractureToughness", "youngsModulus", "opacity", "pattern", "cutAtImpact"});
+    root.requireObject({"format", "version", "name", "density", "friction", "restitution", "outside", "inside"},
+                       {"note", "tensileStrength", "fractureToughness", "youngsModulus", "opacity", "finish", "pattern",
+                        "cutAtImpact"});
     return {.name = root["name"].text(),
             .note = root["note"].isPresent() ? root["note"].text() : std::string(),
             .density = readProperty(root["density"]),
@@ -91,6 +92,7 @@ MaterialPreset readPreset(const JsonValue& root) {
             .outside = readColour(root["outside"]),
             .inside = readColour(root["inside"]),
             .opacity = readOpacity(root),
+            .finish = readFinish(root),
             .pattern = root["pattern"].isPresent() ? readPattern(root["pattern"]) : Pattern{},
             .cutAtImpact =
                 root["cutAtImpact"].isPresent() ? std::optional(readCutAtImpact(root["cutAtImpact"])) : std::nullopt};

@@ -52,7 +52,7 @@ void visitFields(Self& self, Visit& visit) {
 template <FieldsOf<Material> Self, class Visit>
 void visitFields(Self& self, Visit& visit) {
     auto& [id, name, density, friction, restitution, tensileStrength, fractureToughness, youngsModulus, outside, inside,
-           opacity] = self;
+           opacity, finish] = self;
     visit("id", id);
     visit("name", name);
     visit("density", density);
@@ -64,6 +64,7 @@ void visitFields(Self& self, Visit& visit) {
     visit("outside", outside);
     visit("inside", inside);
     visit("opacity", opacity);
+    visit("finish", finish);
 }
 
 template <FieldsOf<ShotInput> Self, class Visit>

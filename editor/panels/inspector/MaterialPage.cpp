@@ -38,6 +38,15 @@ std::optional<double> entered(double number) { return number > 0.0 ? std::option
 
 }  // namespace
 
+/// In the order of Finish.
+std::vector<ComboItem> MaterialPage::finishItems() {
+    const QStringList texts{tr("Plain"), tr("Brick"),   tr("Concrete"), tr("Glass"), tr("Ice"),
+                            tr("Metal"), tr("Plaster"), tr("Stone"),    tr("Tiles"), tr("Wood")};
+    std::vector<ComboItem> items;
+    for (const QString& text : texts) items.push_back({.id = static_cast<Id>(items.size()), .text = text});
+    return items;
+}
+
 MaterialPage::MaterialPage(Document& document, const Selection& selection, QWidget* parent)
     : QWidget(parent),
       m_document(document),
@@ -93,6 +102,12 @@ void MaterialPage::bindColours(Section& section) {
     m_form.bind(outside, tr("Set Outside Colour"), &Material::outside);
     auto* inside = section.addRow(tr("Inside"), new ColourButton, tr("Colour of fracture surfaces"));
     m_form.bind(inside, tr("Set Inside Colour"), &Material::inside);
+    auto* finish = section.addRow(tr("Finish"), new QComboBox,
+                                  tr("What the surfaces look like beyond their colours, in pictures"));
+    setItems(*finish, finishItems());
+    m_form.bind(
+        finish, tr("Set Finish"), [](const Material& material) { return static_cast<Id>(material.finish); },
+        [](Material& material, Id entered) { material.finish = static_cast<Finish>(entered); });
     const FieldRange range = fieldRange(ProjectNumber::Opacity, 0.05);
     auto* opacity = section.addRow(tr("Opacity"), new SliderField(range, range.min, range.max),
                                    tr("Opacity of the surfaces: 1 for opaque, 0.3 for clear glass"));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "editor/document/Selection.h"
+#include "editor/widgets/ComboBox.h"
 #include "editor/widgets/Form.h"
 
 class QAction;
@@ -27,6 +28,7 @@ private:
     void bindName(Section& section);
     void bindDynamics(Section& section);
     void bindStrength(Section& section);
+    static std::vector<ComboItem> finishItems();
     void bindColours(Section& section);
 
     Document& m_document;

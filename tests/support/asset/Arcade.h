@@ -41,7 +41,8 @@ inline Project arcade() {
                                            .density = 2200.0,
                                            .friction = 0.6,
                                            .outside = {0.80, 0.70, 0.55},
-                                           .inside = {0.88, 0.80, 0.66}});
+                                           .inside = {0.88, 0.80, 0.66},
+                                           .finish = Finish::Stone});
     Asset asset{.name = "arcade", .material = stone, .shape = Prism{arcadeOutline(), 0.5}};
     asset.breakAs = BreakAs::Bonded;
     asset.bonding.impulsePerArea = 400.0;

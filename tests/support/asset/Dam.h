@@ -67,12 +67,14 @@ inline Project dam() {
                                              .density = 2200.0,
                                              .friction = 0.6,
                                              .outside = {0.74, 0.64, 0.54},
-                                             .inside = {0.84, 0.76, 0.66}});
+                                             .inside = {0.84, 0.76, 0.66},
+                                             .finish = Finish::Brick});
     const Id granite = addMaterial(project, {.name = "granite",
                                              .density = 2700.0,
                                              .friction = 0.6,
                                              .outside = {0.52, 0.54, 0.57},
-                                             .inside = {0.66, 0.68, 0.7}});
+                                             .inside = {0.66, 0.68, 0.7},
+                                             .finish = Finish::Stone});
     Asset wall = damWall();
     wall.material = masonry;
     const Id damId = addAsset(project, wall,

@@ -157,12 +157,14 @@ inline Project house() {
                                              .density = 1800.0,
                                              .friction = 0.8,
                                              .outside = {0.93, 0.77, 0.36},
-                                             .inside = {0.76, 0.66, 0.5}});
+                                             .inside = {0.76, 0.66, 0.5},
+                                             .finish = Finish::Brick});
     const Id tiles = addMaterial(project, {.name = "red tiles",
                                            .density = 1200.0,
                                            .friction = 0.8,
                                            .outside = {0.72, 0.2, 0.15},
-                                           .inside = {0.58, 0.33, 0.26}});
+                                           .inside = {0.58, 0.33, 0.26},
+                                           .finish = Finish::Tiles});
     const Prism wallPrism{{rectangle({-0.5, -0.5}, {0.5, 0.5}), {}}, kWallThickness};
     const Prism gablePrism{{{{-kGableBase / 2.0, 0.0}, {kGableBase / 2.0, 0.0}, {0.0, gableHeight()}}, {}},
                            kWallThickness};

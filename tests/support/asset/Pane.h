@@ -37,7 +37,8 @@ inline Project pane() {
                                            .restitution = 0.2,
                                            .outside = {0.75, 0.88, 0.9},
                                            .inside = {0.55, 0.78, 0.74},
-                                           .opacity = 0.3});
+                                           .opacity = 0.3,
+                                           .finish = Finish::Glass});
     const PlacedSeeds impact = impactSeeds({-0.125, 0.1875});
     const auto others = kPanePieces - static_cast<std::uint32_t>(impact.seeds.size());
     const Asset asset{.name = "pane",

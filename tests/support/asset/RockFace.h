@@ -13,7 +13,8 @@ inline Project rockFace() {
                                              .density = 2650.0,
                                              .friction = 0.6,
                                              .outside = {0.52, 0.50, 0.49},
-                                             .inside = {0.66, 0.64, 0.62}});
+                                             .inside = {0.66, 0.64, 0.62},
+                                             .finish = Finish::Stone});
     const Ring outline{{-4.0, 0.0}, {2.4, 0.0},  {2.8, 2.0},  {5.2, 2.8}, {5.0, 4.4},
                        {1.2, 5.1},  {-0.8, 4.6}, {-2.6, 5.3}, {-4.2, 3.1}};
     Asset asset{.name = "rock face", .material = granite, .shape = Prism{{outline, {}}, 0.9}};

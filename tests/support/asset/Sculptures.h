@@ -150,17 +150,20 @@ inline Project sculptures() {
                                             .density = 2700.0,
                                             .friction = 0.6,
                                             .outside = {0.90, 0.88, 0.84},
-                                            .inside = {0.96, 0.95, 0.93}});
+                                            .inside = {0.96, 0.95, 0.93},
+                                            .finish = Finish::Stone});
     const Id clay = addMaterial(project, {.name = "fired clay",
                                           .density = 1900.0,
                                           .friction = 0.5,
                                           .outside = {0.72, 0.38, 0.22},
-                                          .inside = {0.82, 0.55, 0.38}});
+                                          .inside = {0.82, 0.55, 0.38},
+                                          .finish = Finish::Plaster});
     const Id granite = addMaterial(project, {.name = "granite",
                                              .density = 2650.0,
                                              .friction = 0.6,
                                              .outside = {0.45, 0.46, 0.48},
-                                             .inside = {0.60, 0.61, 0.62}});
+                                             .inside = {0.60, 0.61, 0.62},
+                                             .finish = Finish::Stone});
     const Id column = addColumn(project, marble, importedSculpture(folder.filePath("column.obj")));
     const Id vase = addVase(project, clay, importedSculpture(folder.filePath("vase.obj")));
     const Id head = addHead(project, marble, importedSculpture(folder.filePath("head.obj")));

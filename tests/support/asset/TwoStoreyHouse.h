@@ -50,17 +50,20 @@ public:
                                           .density = 1800.0,
                                           .friction = 0.8,
                                           .outside = {0.93, 0.88, 0.76},
-                                          .inside = {0.70, 0.42, 0.32}});
+                                          .inside = {0.70, 0.42, 0.32},
+                                          .finish = Finish::Plaster});
         m_concrete = addMaterial(project, {.name = "concrete",
                                            .density = 2400.0,
                                            .friction = 0.7,
                                            .outside = {0.66, 0.66, 0.65},
-                                           .inside = {0.56, 0.54, 0.50}});
+                                           .inside = {0.56, 0.54, 0.50},
+                                           .finish = Finish::Concrete});
         m_tiles = addMaterial(project, {.name = "tiles",
                                         .density = 1200.0,
                                         .friction = 0.8,
                                         .outside = {0.68, 0.24, 0.17},
-                                        .inside = {0.55, 0.33, 0.25}});
+                                        .inside = {0.55, 0.33, 0.25},
+                                        .finish = Finish::Tiles});
     }
 
     void addGroundFloor() {

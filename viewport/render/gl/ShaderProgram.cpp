@@ -30,10 +30,12 @@ constexpr Sampler kSamplers[] = {{"poses", TextureUnit::Poses},
                                  {"weights", TextureUnit::Mask},
                                  {"normals", TextureUnit::Mask},
                                  {"baseColour", TextureUnit::BaseColour},
-                                 {"reflections", TextureUnit::Reflections}};
+                                 {"reflections", TextureUnit::Reflections},
+                                 {"restOffsets", TextureUnit::RestOffsets},
+                                 {"finishNoise", TextureUnit::FinishNoise}};
 
 /// The uniform blocks and their binding points.
-constexpr const char* kBlocks[] = {"Frame", "Sky"};
+constexpr const char* kBlocks[] = {"Frame", "Sky", "Finishes"};
 
 /// Joins the lines of a driver's message.
 std::string oneLine(std::string text) {

@@ -56,7 +56,9 @@ enum class TextureUnit : std::uint32_t {
     Depths,
     Mask,
     BaseColour,
-    Reflections
+    Reflections,
+    RestOffsets,
+    FinishNoise
 };
 
 }  // namespace rubble

@@ -16,7 +16,7 @@ std::array<double, 9> polynomials(Vec3 n) {
 }
 
 /// The squares of the factors, times what the cosine leaves of each order: 1, 2/3 and 1/4.
-constexpr std::array<double, 9> kWeights = {
+constexpr std::array<double, 9> kHarmonicWeights = {
     0.25 / kPi,        0.75 / kPi * 2.0 / 3.0, 0.75 / kPi * 2.0 / 3.0, 0.75 / kPi * 2.0 / 3.0, 3.75 / kPi * 0.25,
     3.75 / kPi * 0.25, 0.3125 / kPi * 0.25,    3.75 / kPi * 0.25,      0.9375 / kPi * 0.25};
 
@@ -33,7 +33,8 @@ SphericalHarmonics diffuseLight(const std::function<Vec3(Vec3)>& radiance) {
             const Vec3 direction(horizontal * cosine(azimuth), height, horizontal * sine(azimuth));
             const Vec3 arriving = kSolidAngle * radiance(direction);
             const std::array<double, 9> values = polynomials(direction);
-            for (std::size_t i = 0; i < values.size(); ++i) light.coefficients[i] += kWeights[i] * values[i] * arriving;
+            for (std::size_t i = 0; i < values.size(); ++i)
+                light.coefficients[i] += kHarmonicWeights[i] * values[i] * arriving;
         }
     }
     return light;

@@ -28,6 +28,19 @@ AssetModel projectileModel(const Polytope& hull, const SceneOptions& options) {
     return model;
 }
 
+/// The origins of all bodies' frames in those of their assets.
+std::shared_ptr<const std::vector<glm::vec4>> restOffsets(const RenderScene& scene,
+                                                          std::span<const AssetModel* const> models) {
+    std::vector<glm::vec4> offsets(scene.picks.size(), glm::vec4(0.0f));
+    for (std::size_t k = 0; k < models.size(); ++k) {
+        const std::vector<ModelSolid>& solids = models[k]->solids;
+        for (const std::uint32_t first : scene.batches[k].firstBodies)
+            for (std::size_t solid = 0; solid < solids.size(); ++solid)
+                offsets[first + solid] = glm::vec4(glm::vec3(solids[solid].offset), 0.0f);
+    }
+    return std::make_shared<const std::vector<glm::vec4>>(std::move(offsets));
+}
+
 /// The pose of a body, shrunk by `fade` in [0, 1].
 RenderPose poseOf(const BodyState& state, double fade, Vec3 origin) {
     if (fade <= 0.0) return renderPose(state.pose, origin);
@@ -317,6 +330,7 @@ void SessionSceneBuilder::applyColours() {
     std::vector<const AssetModel*> models;
     for (const Model& model : m_models) models.push_back(&model.drawn);
     colourBodies(m_layout, models, m_scene->project, m_options.colouring);
+    m_layout.restOffsets = restOffsets(m_layout, models);
 }
 
 /// An unreferenced scene of the pool, up to date but for what writePoses() writes.

@@ -1,0 +1,1 @@
+// Selects the variant of a program that draws batches without finishes.

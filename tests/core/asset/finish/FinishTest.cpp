@@ -1,0 +1,115 @@
+// Tests core/asset/finish/FinishNoise.cpp, core/asset/finish/FinishParameters.cpp and
+// core/asset/finish/FinishedSurface.cpp.
+#include "core/asset/finish/FinishNoise.h"
+#include "core/asset/finish/FinishedSurface.h"
+#include "core/base/Hash.h"
+#include "core/base/Random.h"
+#include "tests/support/TestProgram.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace rubble;
+
+namespace {
+
+constexpr FinishSide kSides[] = {FinishSide::Outside, FinishSide::Inside};
+
+Vec3 randomPoint(Random& random, double size) {
+    return {random.between(-size, size), random.between(-size, size), random.between(-size, size)};
+}
+
+}  // namespace
+
+class FinishTest : public QObject {
+    Q_OBJECT
+private slots:
+    /// Pictures and baked textures must not depend on the machine.
+    void noiseIsTheSameEverywhere() {
+        std::uint64_t sum = 0, weighted = 0;
+        for (const std::uint8_t byte : FinishNoise::shared().texels()) weighted += (sum += byte) % 65521;
+        QCOMPARE(FinishNoise::shared().texels().size(), std::size_t{4} * 64 * 64 * 64);
+        QCOMPARE(QString("%1 %2").arg(sum).arg(weighted), QString("123 456"));
+    }
+    void noiseRepeatsAndIsContinuous() {
+        Random random(1);
+        for (int k = 0; k < 500; ++k) {
+            const Vec3 place = randomPoint(random, 2.0), moved = place + Vec3(1.0, -2.0, 3.0);
+            const Vec3 near = place + randomPoint(random, 1e-4);
+            const auto here = FinishNoise::shared().at(place), there = FinishNoise::shared().at(moved),
+                       beside = FinishNoise::shared().at(near);
+            for (std::size_t channel = 0; channel < 4; ++channel) {
+                QVERIFY(std::abs(here[channel] - there[channel]) < 1e-9);
+                QVERIFY(std::abs(here[channel] - beside[channel]) < 0.03);
+                QVERIFY(here[channel] >= 0.0 && here[channel] <= 1.0);
+            }
+        }
+    }
+    void noiseFillsItsRange() {
+        for (std::size_t channel = 0; channel < 4; ++channel) {
+            double sum = 0.0, squares = 0.0;
+            const auto& texels = FinishNoise::shared().texels();
+            for (std::size_t k = channel; k < texels.size(); k += 4) {
+                sum += texels[k];
+                squares += double{1.0} * texels[k] * texels[k];
+            }
+            const double count = static_cast<double>(texels.size() / 4), mean = sum / count;
+            QVERIFY2(std::abs(mean - 127.5) < 20.0, qPrintable(QString::number(mean)));
+            QVERIFY(std::sqrt(squares / count - mean * mean) > 25.0);
+        }
+    }
+    /// A finish changes a colour, not its mean by much: what is white stays bright, what is dark stays dark.
+    void meanColoursStay() {
+        for (std::size_t finish = 0; finish < kFinishNames.size(); ++finish) {
+            for (const FinishSide side : kSides) {
+                const FinishParameters& parameters = finishParameters(static_cast<Finish>(finish), side);
+                Random random(2);
+                double sum = 0.0;
+                constexpr int kPoints = 4000;
+                for (int k = 0; k < kPoints; ++k) {
+                    const FinishedSurface surface = finishedSurface(parameters, randomPoint(random, 3.0),
+                                                                    Vec3(0.0, 0.0, 1.0), Vec3(0.4), Vec2(0.0));
+                    sum += surface.albedo.y;
+                    QVERIFY(surface.roughness >= 0.03 && surface.roughness <= 1.0);
+                    QVERIFY(std::abs(surface.height) < 0.05);
+                }
+                const double mean = sum / kPoints;
+                QVERIFY2(mean > 0.26 && mean < 0.52,
+                         qPrintable(QString("%1 %2").arg(QLatin1StringView(kFinishNames[finish])).arg(mean)));
+            }
+        }
+    }
+    void plainSurfacesArePlain() {
+        const FinishedSurface surface = finishedSurface(finishParameters(Finish::Plain, FinishSide::Outside),
+                                                        Vec3(0.3, 0.1, 0.7), Vec3(0.0, 1.0, 0.0), Vec3(0.2), Vec2(0.0));
+        QCOMPARE(surface.albedo.x, 0.2);
+        QCOMPARE(surface.height, 0.0);
+    }
+    /// In the middle of a joint there is mortar; bricks of one course differ, and a brick is the same everywhere.
+    void bricksLieInCourses() {
+        const FinishParameters& brick = finishParameters(Finish::Brick, FinishSide::Outside);
+        const auto at = [&](double x, double y) {
+            return finishedSurface(brick, Vec3(x, y, 0.0), Vec3(0.0, 0.0, 1.0), Vec3(0.3), Vec2(0.02, 0.01));
+        };
+        const double length = brick.courses.x, height = brick.courses.y;
+        for (int row = -3; row <= 3; ++row) {
+            const double middle = 0.01 + (row + 0.5) * height, shift = row % 2 == 0 ? 0.0 : 0.5 * length;
+            QVERIFY(at(0.02 + shift, middle).height < -0.004);                 // between two bricks
+            QVERIFY(at(0.02 + shift + 0.5 * length, middle).height > -0.002);  // on one
+            QVERIFY(at(0.02 + 0.3 * length, 0.01 + row * height).height < -0.004);
+        }
+    }
+    void coursesOfFragmentsReplaceThoseOfTheFinish() {
+        const FinishParameters& brick = finishParameters(Finish::Brick, FinishSide::Outside);
+        const BrickCourseFrame frame{.isOn = true, .size = {0.3f, 0.1f}, .shift = 0.0f, .jointWidth = 0.0f};
+        const FinishParameters cut = withCourses(brick, frame);
+        QCOMPARE(cut.courses.x, 0.3f);
+        QCOMPARE(cut.courses.z, 0.0f);  // joints are geometry
+        const FinishParameters wood = finishParameters(Finish::Wood, FinishSide::Outside);
+        QCOMPARE(packedFinish(withCourses(wood, frame)), packedFinish(wood));
+    }
+};
+
+RUBBLE_TEST(FinishTest)
+#include "FinishTest.moc"
