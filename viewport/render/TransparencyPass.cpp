@@ -53,7 +53,15 @@ void TransparencyPass::allocate(ImageSize size, int samples) {
     m_size = size;
     m_samples = samples;
     m_colours = texture(size, GL_RGBA16F, GL_RGBA);
-    m_weights = texture(size, GL_R16F, GL_RED);
+    m_weights = texture(size, GL_RGBA16F, GL_RGBA);
+    m_behind = texture(size, GL_RGBA8, GL_RGBA);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_MIRRORED_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_MIRRORED_REPEAT);
+    m_image = GlFramebuffer::create();
+    glBindFramebuffer(GL_FRAMEBUFFER, m_image.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, kColourTargets, GL_TEXTURE_2D, m_behind.id(), 0);
     m_resolved = GlFramebuffer::create();
     glBindFramebuffer(GL_FRAMEBUFFER, m_resolved.id());
     glFramebufferTexture2D(GL_FRAMEBUFFER, kColourTargets, GL_TEXTURE_2D, m_colours.id(), 0);
@@ -63,7 +71,7 @@ void TransparencyPass::allocate(ImageSize size, int samples) {
         m_sums = GlFramebuffer::create();
         glBindFramebuffer(GL_FRAMEBUFFER, m_sums.id());
         m_multisampleColours = attached(kColourTargets, size, GL_RGBA16F, samples);
-        m_multisampleWeights = attached(kWeights, size, GL_R16F, samples);
+        m_multisampleWeights = attached(kWeights, size, GL_RGBA16F, samples);
     }
     m_depths = attached(GL_DEPTH_ATTACHMENT, size, GL_DEPTH_COMPONENT32F, samples);
 }
@@ -76,6 +84,7 @@ void TransparencyPass::draw(const SceneBuffers& scene, ImageSize size, const Pro
     allocate(size, samples);
     const std::uint32_t sums = samples > 0 ? m_sums.id() : m_resolved.id();
     copy(image, sums, size, GL_DEPTH_BUFFER_BIT);
+    copy(image, m_image.id(), size, GL_COLOR_BUFFER_BIT);
 
     glBindFramebuffer(GL_FRAMEBUFFER, sums);
     glDrawBuffers(2, kBoth);
@@ -109,7 +118,9 @@ void TransparencyPass::draw(const SceneBuffers& scene, ImageSize size, const Pro
     glBindFramebuffer(GL_FRAMEBUFFER, image);
     bindTexture(TextureUnit::Source, m_colours);
     bindTexture(TextureUnit::Mask, m_weights);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    bindTexture(TextureUnit::BaseColour, m_behind);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // of what follows
+    glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
     m_blend.use();
     glBindVertexArray(m_emptyArray.id());

@@ -30,6 +30,8 @@ private:
     GlFramebuffer m_sums, m_resolved;  // the same if there is one sample a pixel
     GlRenderbuffer m_multisampleColours, m_multisampleWeights, m_depths;
     GlTexture m_colours, m_weights;
+    GlTexture m_behind;  // the image without them, which they refract
+    GlFramebuffer m_image;
     GlVertexArray m_emptyArray = GlVertexArray::create();
 };
 

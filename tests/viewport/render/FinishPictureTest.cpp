@@ -22,7 +22,7 @@ constexpr ImageSize kFinishPicture{320, 320};
 Project finishedProject(Finish finish) {
     Project project = starterProject();
     project.materials[0].finish = finish;
-    project.materials[0].outside = {0.7, 0.7, 0.7};
+    project.materials[0].outside = {0.35, 0.35, 0.35};
     return project;
 }
 
@@ -104,7 +104,7 @@ private slots:
             }
         }
     }
-    /// Baked textures look as pictures do: brightness follows the formula of core/asset/finish.
+    /// Baked textures look as pictures do: brightness follows the formula of core/asset/finish, besides the relief.
     void pictureFollowsTheFormula() {
         for (const Finish finish : {Finish::Brick, Finish::Wood, Finish::Concrete, Finish::Tiles}) {
             const Project project = finishedProject(finish);
@@ -124,13 +124,13 @@ private slots:
                 Vec3 point = hit->point - scene.origin - Vec3(scene.poses[0].position) + Vec3((*scene.restOffsets)[0]);
                 const FinishParameters& parameters = finishParameters(finish, FinishSide::Outside);
                 const FinishedSurface surface =
-                    finishedSurface(parameters, point, Vec3(0.0, 0.0, 1.0), Vec3(0.45), Vec2(0.0));
+                    finishedSurface(parameters, point, Vec3(0.0, 0.0, 1.0), Vec3(0.1), Vec2(0.0));
                 const double shown = channel(image, column, row, 1), expected = std::sqrt(surface.albedo.y);
                 x += shown, y += expected, xx += shown * shown, yy += expected * expected, xy += shown * expected;
             }
             const double correlation =
                 (kPoints * xy - x * y) / std::sqrt((kPoints * xx - x * x) * (kPoints * yy - y * y));
-            QVERIFY2(correlation > 0.8, qPrintable(QString("%1: %2").arg(static_cast<int>(finish)).arg(correlation)));
+            QVERIFY2(correlation > 0.65, qPrintable(QString("%1: %2").arg(static_cast<int>(finish)).arg(correlation)));
         }
     }
 };
