@@ -1,13 +1,9 @@
 #include "viewport/video/Video.h"
 
-#include "core/io/media/PictureSequence.h"
-#include "core/io/media/VideoFile.h"
 #include "core/io/system/AtomicFile.h"
-#include "core/io/system/Temporary.h"
 #include "core/sound/session/SoundRecorder.h"
 #include "viewport/render/OffscreenRenderer.h"
 #include "viewport/video/CameraListener.h"
-#include "viewport/video/FrameWriter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +14,6 @@ namespace rubble {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr double kRenderingFraction = 0.9;  // of the time that a video takes; the rest is ffmpeg's
 
 /// The frame of all playbacks at a time in steps, side by side. A fractional time interpolates towards the later step.
 Result<Image> frameAt(std::span<SessionPlayback> playbacks, OffscreenRenderer& renderer, const VideoPlan& plan,
@@ -39,22 +33,11 @@ Result<Image> frameAt(std::span<SessionPlayback> playbacks, OffscreenRenderer& r
     return std::move(*frame);
 }
 
-Status renderTo(std::span<SessionPlayback> playbacks, const VideoPlan& plan, PictureSequence& sequence,
-                const TaskContext& task) {
-    Result<OffscreenRenderer> renderer = OffscreenRenderer::create();
-    if (!renderer) return renderer.error();
-    const TaskContext part{.cancel = task.cancel};
-    FrameWriter writer(sequence);
-    for (int frame = 0; frame < plan.frames; ++frame) {
-        Result<Image> image = frameAt(playbacks, *renderer, plan, plan.first + frame * plan.stepsPerFrame, part);
-        if (!image) {
-            (void)writer.finish();  // those before it are complete
-            return image.error();
-        }
-        if (const Status added = writer.add(std::move(*image)); !added) return added;
-        task.report(static_cast<double>(frame + 1) / plan.frames);
-    }
-    return writer.finish();
+FrameSource framesOf(std::span<SessionPlayback> playbacks, const VideoPlan& plan) {
+    const auto frame = [playbacks, &plan](OffscreenRenderer& renderer, int number, const TaskContext& task) {
+        return frameAt(playbacks, renderer, plan, plan.first + number * plan.stepsPerFrame, task);
+    };
+    return {frame, plan.frames};
 }
 
 double secondsOf(const VideoPlan& plan) { return plan.frames / plan.frameRate; }
@@ -79,37 +62,27 @@ int frameCount(double first, double last, double stepsPerFrame) {
 
 Status renderFrames(std::span<SessionPlayback> playbacks, const VideoPlan& plan, const fs::path& folder,
                     Unfinished unfinished, const TaskContext& task) {
-    const auto sequence = PictureSequence::create(folder);
-    if (!sequence) return sequence.error();
-    const Status rendered = renderTo(playbacks, plan, **sequence, task);
-    if (rendered || unfinished == Unfinished::Kept) (*sequence)->keep();
-    return rendered;
+    return renderFrames(framesOf(playbacks, plan), folder, unfinished, task);
 }
 
 Status renderVideo(std::span<SessionPlayback> playbacks, const VideoPlan& plan, const fs::path& video,
                    const TaskContext& task) {
-    if (plan.hasSound) {
-        if (const Status checked = checkTrackLength(secondsOf(plan)); !checked) return checked;
-    }
-    if (const Status replaceable = checkVideoReplaceable(video); !replaceable) return replaceable;
-    removeLeftovers(video.parent_path());
-    const auto folder = TemporaryFolder::create(video.parent_path());
-    if (!folder) return folder.error();
-    const fs::path pictures = (*folder)->path() / "pictures";  // the folder itself is locked already
-    const auto sequence = PictureSequence::create(pictures, video);
-    if (!sequence) return sequence.error();
+    if (!plan.hasSound) return renderVideo(framesOf(playbacks, plan), plan.frameRate, video, {}, task);
+    if (const Status checked = checkTrackLength(secondsOf(plan)); !checked) return checked;
     SoundRecorder recorder;
     SessionPlayback& heard = playbacks.back();
-    if (plan.hasSound) heard.setAfterStep([&recorder](const Session& session) { recorder.add(session); });
-    const Status rendered = renderTo(playbacks, plan, **sequence, task.stage(0.0, kRenderingFraction));
+    heard.setAfterStep([&recorder](const Session& session) { recorder.add(session); });
+    const auto sound = [&](const fs::path& folder) -> Result<std::optional<fs::path>> {
+        const fs::path file = folder / "sound.wav";
+        const Result<StereoTrack> track = trackOf(recorder, heard.session().stepLength(), plan);
+        if (!track) return track.error();
+        const Status written = writeFileAtomically(file, wavFile(*track));
+        if (!written) return written.error();
+        return std::optional(file);
+    };
+    const Status made = renderVideo(framesOf(playbacks, plan), plan.frameRate, video, sound, task);
     heard.setAfterStep({});
-    if (!rendered) return rendered;
-    if (!plan.hasSound) return encodeVideo(pictures, plan.frameRate, video, task);
-    const fs::path sound = (*folder)->path() / "sound.wav";
-    const Result<StereoTrack> track = trackOf(recorder, heard.session().stepLength(), plan);
-    if (!track) return track.error();
-    const Status written = writeFileAtomically(sound, wavFile(*track));
-    return written ? encodeVideo(pictures, plan.frameRate, video, task, sound) : written;
+    return made;
 }
 
 }  // namespace rubble

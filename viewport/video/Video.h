@@ -3,6 +3,7 @@
 #include "core/base/TaskContext.h"
 #include "viewport/render/Renderer.h"
 #include "viewport/scene/play/SessionPlayback.h"
+#include "viewport/video/FrameSource.h"
 
 #include <filesystem>
 #include <span>
@@ -24,9 +25,6 @@ inline constexpr int kPlaybackGap = 8;  // pixels between two playbacks side by 
 
 /// The number of frames from step `first` to step `last`.
 int frameCount(double first, double last, double stepsPerFrame);
-
-/// Whether the frames of a cancelled or failed video stay on disk.
-enum class Unfinished { Kept, Removed };
 
 /// Renders the frames of playbacks without a display, side by side if there are several, and writes them as images: see
 /// PictureSequence. The playbacks must not have started.

@@ -41,6 +41,9 @@ constexpr std::pair<const char*, SkyPreset> kSkies[] = {{"studio", SkyPreset::St
                                                         {"evening", SkyPreset::Evening},
                                                         {"night", SkyPreset::Night}};
 
+/// The values of --quality, in samples.
+constexpr std::pair<const char*, int> kQualities[] = {{"draft", 0}, {"good", 32}, {"best", 128}};
+
 /// Adds an option whose value must be accepted by `parse`.
 template <class Parse>
 void addParsed(Command& command, const char* name, std::string& text, const char* help, const char* label, Parse parse,
@@ -110,6 +113,19 @@ void addSamplesOption(Command& command, PictureOptions& options) {
                 "The number of samples per picture (default: " + std::to_string(options.samples) + ")")
         .wholeInRange(ProjectNumber::ImageSamples)
         .valueName("N");
+    std::vector<std::string> words;
+    for (const auto& [word, samples] : kQualities) words.emplace_back(word);
+    command.option("--quality", options.quality, "draft, good or best: 0, 32 or 128 samples per picture")
+        .oneOf(words)
+        .excludes(command["--samples"])
+        .valueName("WORD");
+}
+
+int samplesOf(const PictureOptions& options) {
+    for (const auto& [word, samples] : kQualities) {
+        if (options.quality == word) return samples;
+    }
+    return options.samples;
 }
 
 SceneOptions sceneOptions(const PictureOptions& options) {

@@ -25,6 +25,7 @@ struct PictureOptions {
     bool hasNoOverlays = false;
     std::vector<std::string> overlays;  // of a simulation
     int samples = 32;
+    std::string quality;  // in place of samples; empty: these
 };
 
 /// Adds --size and --view.
@@ -33,8 +34,10 @@ void addViewOptions(Command& command, PictureOptions& options);
 void addStyleOptions(Command& command, PictureOptions& options);
 /// Adds --overlay, for data of a simulation, after --no-overlays.
 void addOverlayOption(Command& command, PictureOptions& options);
-/// Adds --samples; the default is that of `options`.
+/// Adds --samples, whose default is that of `options`, and --quality.
 void addSamplesOption(Command& command, PictureOptions& options);
+/// Returns the number of samples that either asks for.
+int samplesOf(const PictureOptions& options);
 
 /// Returns the options for the contents of a scene: colouring, hulls and bonds.
 SceneOptions sceneOptions(const PictureOptions& options);

@@ -7,8 +7,13 @@
 #include "app/cli/output/ProjectLoading.h"
 #include "app/cli/verbs/Verb.h"
 #include "core/asset/project/Ranges.h"
+#include "core/base/MessageText.h"
+#include "core/base/QuantityText.h"
+#include "core/io/media/PictureSequence.h"
+#include "core/io/media/VideoFile.h"
 #include "viewport/render/OffscreenRenderer.h"
 #include "viewport/scene/play/SessionSceneBuilder.h"
+#include "viewport/video/Turntable.h"
 
 #include <memory>
 #include <optional>
@@ -26,7 +31,8 @@ Examples:
   rubble-cli render house.rubble --out apart.png --explode 0.4 --colour fragment --size 1920x1080
   rubble-cli render house.rubble --out wall.png --asset wall --view 30,15 --hulls --theme dark
   rubble-cli render house.rubble --out cut-out.png --asset wall --transparent-background
-  rubble-cli render house.rubble --out hit.png --at 60 --shot "box at the door")";
+  rubble-cli render house.rubble --out hit.png --at 60 --shot "box at the door"
+  rubble-cli render house.rubble --out around.mp4 --turntable 90 --sky morning)";
 
 struct RenderOptions {
     std::string file;
@@ -35,6 +41,7 @@ struct RenderOptions {
     double explodeFactor = 0.0;
     bool isWhole = false;
     bool isCutOut = false;
+    std::optional<int> turntableFrames;
     PictureOptions picture;
     std::optional<int> step;  // of the simulation; none: before it
     PlayOptions play;
@@ -102,20 +109,61 @@ Result<Subject> simulatedScene(const RenderOptions& options, const CliContext& c
 
 Result<Image> imageOf(const Subject& subject, const RenderOptions& options, const TaskContext& task) {
     RenderView view = pictureView(options.picture, subject.framed);
-    if (!options.isCutOut) return renderImage(subject.scene, view, options.picture.samples, task);
+    if (!options.isCutOut) return renderImage(subject.scene, view, samplesOf(options.picture), task);
     view.settings.hasOverlays = false;
     Result<OffscreenRenderer> renderer = OffscreenRenderer::create();
     if (!renderer) return renderer.error();
-    return renderer->renderCutOut(subject.scene, view, options.picture.samples, task);
+    return renderer->renderCutOut(subject.scene, view, samplesOf(options.picture), task);
+}
+
+constexpr double kTurntableRate = 30.0;  // pictures per second
+
+/// Writes the pictures of a turntable, or a video of them.
+Status renderTurntable(const Subject& subject, const RenderOptions& options, const CliContext& context,
+                       const TaskContext& task) {
+    if (isVideoPath(options.out) && !findFfmpeg()) {
+        return Error{ErrorCode::NotFound,
+                     "A video needs ffmpeg, which is not installed; give a folder instead to write its pictures."};
+    }
+    const FrameSource frames = turntable(subject.scene, pictureView(options.picture, subject.framed),
+                                         *options.turntableFrames, samplesOf(options.picture));
+    const Status made = isVideoPath(options.out) ? renderVideo(frames, kTurntableRate, options.out, {}, task)
+                                                 : renderFrames(frames, options.out, Unfinished::Kept, task);
+    if (made)
+        context.err << countText(static_cast<std::size_t>(frames.frames), "picture", "pictures") << " written to "
+                    << options.out << "\n";
+    return made;
+}
+
+/// Whether --out is what the other options write.
+Status checkOutput(const RenderOptions& options) {
+    const bool isTurntable = options.turntableFrames.has_value();
+    if (isTurntable && *options.turntableFrames == 0)
+        return Error{ErrorCode::BadInput, "--turntable 0 has no pictures; give it at least 1."};
+    if (isTurntable && (options.out == "-" || options.out.ends_with(".png"))) {
+        return Error{ErrorCode::BadInput,
+                     "--turntable writes several pictures: give --out a folder for them, or a video "
+                     "such as around.mp4."};
+    }
+    if (isTurntable || !isVideoPath(options.out)) return success();
+    return Error{ErrorCode::BadInput, quotedPath(options.out) +
+                                          " would be a video: add --turntable N, or give --out a "
+                                          "picture such as house.png."};
 }
 
 Status render(const RenderOptions& options, const CliContext& context) {
+    if (const Status checked = checkOutput(options); !checked) return checked;
     TaskContext task{.cancel = context.cancel, .threads = options.threads};
     const Result<Subject> subject =
         options.step ? simulatedScene(options, context, task) : fragmentsOf(options, context, task);
     if (!subject) return subject.error();
     ProgressLine line(context, "Rendering");
     task.progress = [&line](double fraction) { line.show(fraction); };
+    if (options.turntableFrames) {
+        const Status made = renderTurntable(*subject, options, context, task);
+        line.clear();
+        return made;
+    }
     const Result<Image> image = imageOf(*subject, options, task);
     line.clear();
     if (!image) return image.error();
@@ -144,7 +192,7 @@ Verb addRender(CLI::App& program) {
     const auto options = std::make_shared<RenderOptions>();
     addProjectArgument(command, options->file);
     command.option("-o,--out", options->out, "The picture to write; - for standard output")
-        .writes({".png"})
+        .writes({".png", ".mp4", ".webm", ".mkv", ".mov"})
         .required()
         .valueName("FILE");
     command.option("-a,--asset", options->assets, "Render this asset instead of the scene").single().valueName("NAME");
@@ -155,6 +203,12 @@ Verb addRender(CLI::App& program) {
     addStyleOptions(command, options->picture);
     const CommandOption cutOut =
         command.flag("--transparent-background", options->isCutOut, "Draw the bodies alone, without sky and ground");
+    command
+        .option("--turntable", options->turntableFrames,
+                "Render this many pictures from all around to the folder --out, or a video: --out VIDEO.mp4")
+        .wholeUpTo(kMaxPictures)
+        .excludes(cutOut)
+        .valueName("N");
     command.flag("--whole", options->isWhole, "Show whole assets instead of their fragments");
     addSimulationOptions(command, *options);
     for (const char* name : {"--hulls", "--bonds", "--overlay"}) cutOut.excludes(command[name]);
