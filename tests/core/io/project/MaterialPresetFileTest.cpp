@@ -32,8 +32,8 @@ nlohmann::json glassJson() { return nlohmann::json::parse(*readFile(kPresets / "
 /// A preset with the required keys only.
 nlohmann::json barestJson() {
     nlohmann::json json = glassJson();
-    for (const char* key :
-         {"note", "tensileStrength", "fractureToughness", "youngsModulus", "opacity", "pattern", "cutAtImpact"})
+    for (const char* key : {"note", "tensileStrength", "fractureToughness", "youngsModulus", "opacity", "finish",
+                            "pattern", "cutAtImpact"})
         json.erase(key);
     for (const char* key : {"density", "friction", "restitution"}) json[key] = {{"value", json[key]["value"]}};
     return json;
