@@ -41,9 +41,9 @@ private slots:
             }
             return columns;
         };
-        QVERIFY2(2 * width(images[1]) < width(images[0]),
+        QVERIFY2(width(images[1]) + 8 < width(images[0]),
                  qPrintable(QString("%1 %2").arg(width(images[1])).arg(width(images[0]))));
-        QVERIFY(2 * width(images[3]) < width(images[2]));
+        QVERIFY(width(images[3]) + 8 < width(images[2]));
     }
     void picturesAreWrittenToAFolder() {
         QTemporaryDir folder;
