@@ -55,7 +55,7 @@ RenderThread::RenderThread(QObject* parent)
 RenderThread::~RenderThread() {
     {
         const std::lock_guard lock(m_mutex);
-        m_request.isStopped = true;
+        m_isStopped = true;
         invalidate();
     }
     m_thread->wait();
@@ -141,7 +141,7 @@ void RenderThread::run() {
         std::unique_lock lock(m_mutex, std::defer_lock);
         if (makeRenderer()) {
             lock.lock();
-            while (!m_request.isStopped) {
+            while (!m_isStopped) {
                 if (!work(lock)) m_changed.wait(lock);
             }
         }
@@ -215,8 +215,10 @@ void RenderThread::drawChange(const Request& request) {
     }
     const auto start = Clock::now();
     const bool isLast = m_quality.isLowest();
-    const bool isDone =
-        draw(view, [&] { return !isLast && m_revision != request.revision && secondsSince(start) > kSlow; });
+    const bool isDone = draw(view, [&] {
+        const bool isOutdated = !isLast && m_revision != request.revision && secondsSince(start) > kSlow;
+        return isOutdated || m_isStopped;
+    });
     if (!m_hasGpu) m_quality.add(secondsSince(start));
     if (isDone) publish(request, {.revision = request.revision, .hovered = request.view.hovered});
 }

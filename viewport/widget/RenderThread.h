@@ -67,7 +67,6 @@ private:
         ProgressiveRendering progressive = ProgressiveRendering::Never;
         std::uint64_t revision = 0;  // counts changes of all but the hovered body
         bool isMoving = false;       // changes follow one another
-        bool isStopped = false;
         Clock::time_point changed;
     };
     /// What the last picture shows.
@@ -98,7 +97,8 @@ private:
 
     mutable std::mutex m_mutex;
     std::condition_variable m_changed;
-    std::atomic<std::uint64_t> m_revision = 0;  // of the request
+    std::atomic<std::uint64_t> m_revision = 0;  // of the request, as is the next
+    std::atomic<bool> m_isStopped = false;
     // Guarded by the mutex:
     Request m_request;
     Shown m_shown;
