@@ -106,11 +106,11 @@ void StructureLines::addCracks(RenderScene& scene, const Session& session, const
             const BondDamage damage = state.damage[edge.bond];
             const std::uint32_t first = bonds[edge.bond].first, number = state.bodyOfNode[first];
             if (damage == kIntact || number == kNone || number != state.bodyOfNode[bonds[edge.bond].second]) continue;
-            const PlayBody& body = *session.body(number);
-            if (session.fadeOf(body) > 0.0) continue;
+            const PlayBody* const body = session.body(number);  // null: it was removed as debris
+            if (body == nullptr || session.fadeOf(*body) > 0.0) continue;
             const float fraction = static_cast<float>(damage) / kBroken;
             const float radius = glm::mix(kThinnestCrack, kWidestCrack, fraction);
-            const StructureFrame frame(scene, session, body, solidOf(body, state.structure->fragmentOf(first)));
+            const StructureFrame frame(scene, session, *body, solidOf(*body, state.structure->fragmentOf(first)));
             for (const auto& [from, to] : crackLines(edge, fragmentsOf(*state.structure)))
                 scene.lines.push_back(frame.line(from, to, radius, LineEnd::OnSurface, crackColour(fraction)));
         }

@@ -112,6 +112,21 @@ private slots:
         for (const SceneLine& line : moment->lines)
             QVERIFY(std::abs(line.previousOffset.y + speed * session.stepLength()) < 0.02);
     }
+    void removedDebrisHasNoCracks() {
+        Project project = softenedWall(60);
+        project.debris = {.lifetime = 0.2, .fade = 0.1};
+        const auto played = test::playSceneOf(project);
+        Session session = Session::start(played, {}).value();
+        SessionSceneBuilder builder(played);
+        test::addInput(session, ShotInput{"blast", Blast{.at = {0.0, 2.0, 0.5}, .impulse = 4e4, .radius = 2.0}});
+        std::size_t removed = 0;
+        for (int k = 0; k < 60; ++k) {
+            session.step();
+            builder.sceneOf(session);
+            for (const PlayRemoval& one : session.events().removed) removed += one.body.nodes.size() > 1;
+        }
+        QVERIFY(removed > 0);  // with cracks between their fragments
+    }
     void bondsAreColouredByDamage() {
         const StruckWall wall(200.0, {.hasBonds = true});
         const std::size_t bonds = wall.session.scene().structures.begin()->second->graph.bondCount();
