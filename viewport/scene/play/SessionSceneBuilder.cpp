@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 
 namespace rubble {
 namespace {
@@ -73,6 +74,7 @@ void SessionSceneBuilder::makeModels() {
     m_previous.reset();
     for (const auto& [id, asset] : m_scene->assets) modelOf({.asset = asset});
     m_layout = emptyLayout();
+    m_sharedLayout.reset();
 }
 
 void SessionSceneBuilder::setOverlays(const PlayOverlays& overlays) {
@@ -110,7 +112,11 @@ std::size_t SessionSceneBuilder::modelOf(const Slot& slot) {
     const auto known = std::ranges::find_if(m_models, isIt);
     if (known != m_models.end()) return static_cast<std::size_t>(known - m_models.begin());
     Model made{slot.asset, slot.hull, {}};
-    if (slot.asset != nullptr) {
+    const auto former = std::ranges::find_if(m_formerModels, isIt);
+    if (former != m_formerModels.end()) {
+        made = std::move(*former);
+        m_formerModels.erase(former);
+    } else if (slot.asset != nullptr) {
         const std::shared_ptr<const Bake>& bake = slot.asset->bake;
         made.drawn = playModelOf(*findAsset(m_scene->project, bake->asset), bake, m_options);
     } else {
@@ -308,8 +314,11 @@ void SessionSceneBuilder::addSlot(const Session& session, std::uint32_t origin, 
 /// projectiles and cuts.
 void SessionSceneBuilder::layOut(const Session& session) {
     m_pool.clear();
-    m_models.resize(m_scene->assets.size());
+    const auto added = m_models.begin() + static_cast<std::ptrdiff_t>(m_scene->assets.size());
+    m_formerModels.assign(std::make_move_iterator(added), std::make_move_iterator(m_models.end()));
+    m_models.erase(added, m_models.end());
     m_layout = emptyLayout();
+    m_sharedLayout.reset();
     const std::vector<Slots> previousSlots = std::exchange(m_slots, std::vector<Slots>(session.origins().size()));
     for (std::uint32_t origin = 0; origin < m_slots.size(); ++origin) {
         const PlayOrigin& playOrigin = session.origins()[origin];
@@ -320,6 +329,7 @@ void SessionSceneBuilder::layOut(const Session& session) {
         if (body.role == PlayRole::Ground || slotOf(body) != nullptr) continue;
         addSlot(session, body.origin, {.asset = body.asset, .hull = body.hull});
     }
+    m_formerModels.clear();
     applyColours();
     remapPrevious(previousSlots);
 }
@@ -365,6 +375,29 @@ std::shared_ptr<const RenderScene> SessionSceneBuilder::sceneOf(const Session& s
     m_previous = scene;
     m_previousStep = session.stepsDone();
     return scene;
+}
+
+std::shared_ptr<const RenderScene> SessionSceneBuilder::sharedLayout() {
+    if (m_sharedLayout == nullptr) {
+        const auto layout = std::make_shared<RenderScene>(m_layout);
+        layout->poses = {};
+        m_sharedLayout = layout;
+    }
+    return m_sharedLayout;
+}
+
+SessionMoment SessionSceneBuilder::momentOf(const Session& session) {
+    RUBBLE_ASSERT(&session.scene() == m_scene.get());
+    const std::shared_ptr<RenderScene> scene = posedScene(session);
+    scene->previousPoses.clear();
+    scene->lines.clear();
+    const auto solid = [this](const PlayBody& body, std::uint32_t fragment) { return solidOf(body, fragment); };
+    m_structureLines.addCracks(*scene, session, solid);
+    SessionMoment moment{.layout = sharedLayout(), .lines = scene->lines, .gravity = session.world().gravity()};
+    for (std::uint32_t k = 0; k < scene->appearances.size(); ++k) {
+        if ((scene->appearances[k].marks & kHidden) == 0) moment.bodies.push_back({k, scene->poses[k]});
+    }
+    return moment;
 }
 
 const PlayBody* bodyOf(const Session& session, const PickId& pick) {

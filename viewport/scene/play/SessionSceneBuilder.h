@@ -5,6 +5,7 @@
 #include "viewport/scene/SceneBuilder.h"
 #include "viewport/scene/play/OverlayColours.h"
 #include "viewport/scene/play/PlayOverlays.h"
+#include "viewport/scene/play/SessionMoment.h"
 #include "viewport/scene/play/StructureLines.h"
 
 #include <array>
@@ -34,6 +35,9 @@ public:
     /// Called after each step, it also fills `previousPoses`. After anything but a single step (a start, several steps,
     /// a seek) these are empty; called again at the same step, it returns the same content.
     std::shared_ptr<const RenderScene> sceneOf(const Session& session);
+
+    /// The same moment for a SceneRecording: without overlays, and without the dust.
+    SessionMoment momentOf(const Session& session);
 
     /// Records what the session's last step reported, of which the following scenes show the dust. Must be called after
     /// each step, also those that are played again to seek; sceneOf() does it for the step that it shows.
@@ -70,6 +74,7 @@ private:
     void addOverlays(const Session& session, RenderScene& scene);
     void addStructureLines(const Session& session, RenderScene& scene);
     void addReportedDust(const Session& session, RenderScene& scene) const;
+    std::shared_ptr<const RenderScene> sharedLayout();
     std::vector<BodyTint> tintsOf(const Session& session) const;
     void recordImpacts(const Session& session);
     void makeModels();
@@ -89,11 +94,13 @@ private:
     std::optional<std::vector<BodyHeat>> m_forecast;  // by ascending body number
     std::vector<BodyHeat> m_impacts;                  // by ascending body number
     std::optional<BodyCollapse> m_collapse;
-    std::vector<Model> m_models;  // one per batch; the scene's assets first
-    std::vector<Slots> m_slots;   // one per origin
-    EventHistory m_history;       // whose dust is shown
+    std::vector<Model> m_models;        // one per batch; the scene's assets first
+    std::vector<Model> m_formerModels;  // while the bodies are laid out anew: their geometry is used again
+    std::vector<Slots> m_slots;         // one per origin
+    EventHistory m_history;             // whose dust is shown
     StructureLines m_structureLines;
-    RenderScene m_layout;  // what all scenes share, with all bodies hidden
+    RenderScene m_layout;                               // what all scenes share, with all bodies hidden
+    std::shared_ptr<const RenderScene> m_sharedLayout;  // for moments; null: not made yet
     std::vector<std::shared_ptr<RenderScene>> m_pool;
     std::shared_ptr<const RenderScene> m_previous;  // the last scene built, in the layout of m_layout
     std::uint64_t m_previousStep = 0;
