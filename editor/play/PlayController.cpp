@@ -386,7 +386,7 @@ void PlayController::applyUpdate() {
     if (m_costs.size() > kShownCosts) m_costs.erase(m_costs.begin(), m_costs.end() - kShownCosts);
     if (update.shot) m_lastShot = update.shot;
     m_frame = std::move(update.frame);
-    if (m_soughtStep == m_frame->step) m_soughtStep.reset();
+    if (!m_frame->isRecorded && m_soughtStep == m_frame->step) m_soughtStep.reset();
     applyDestruction(*m_frame);
     for (const Diagnostic& diagnostic : update.diagnostics)
         emit statusMessage(QString::fromStdString(diagnostic.message));

@@ -101,6 +101,7 @@ Result<std::unique_ptr<PlayEngine>> PlayEngine::create(const std::shared_ptr<con
     std::unique_ptr<PlayEngine> engine(new PlayEngine(scene, std::move(timeline), std::move(script.hashes)));
     engine->m_startsWithDestruction = hasDestruction;
     engine->m_scriptSteps = script.steps;
+    engine->recordFrame();
     const Status started = engine->m_timeline.seek(script.begin, task, [&engine] { engine->recordStep(); });
     if (!started) return started.error();
     return engine;
@@ -108,7 +109,11 @@ Result<std::unique_ptr<PlayEngine>> PlayEngine::create(const std::shared_ptr<con
 
 PlayEngine::PlayEngine(const std::shared_ptr<const PlayScene>& scene, Timeline timeline,
                        std::vector<std::uint64_t> hashes)
-    : m_scene(scene), m_timeline(std::move(timeline)), m_builder(scene), m_hashes(std::move(hashes)) {
+    : m_scene(scene),
+      m_timeline(std::move(timeline)),
+      m_builder(scene),
+      m_recorded(std::make_shared<RecordedFrames>(scene, session().stepLength())),
+      m_hashes(std::move(hashes)) {
     std::ranges::copy_if(scene->diagnostics, std::back_inserter(m_update.diagnostics), isOfSupport);
 }
 
@@ -165,6 +170,7 @@ void PlayEngine::recordStep() {
     const std::uint64_t step = session().stepsDone();
     m_builder.record(session());
     if (!session().isAtRest()) m_lastMotion = step;
+    recordFrame();
     if (step <= m_log.steps()) return;
     if (auto events = m_log.record(session())) m_update.events.push_back(std::move(events));
     std::ranges::copy(session().events().diagnostics, std::back_inserter(m_update.diagnostics));
@@ -174,8 +180,17 @@ void PlayEngine::recordStep() {
     m_hashes.clear();
 }
 
+/// Records how the moment looks, if it is a new one.
+void PlayEngine::recordFrame() {
+    const std::uint64_t step = session().stepsDone();
+    if (m_recorded->isKnown(step)) return;
+    m_recorded->add({step, statisticsOf(session()), hasDestruction()}, m_builder.momentOf(session()),
+                    session().events().report.records);
+}
+
 void PlayEngine::discardRecordsAfter(std::uint64_t step) {
     m_log.discardAfter(step);
+    m_recorded->discardAfter(step);
     m_update.discardAfter = std::min(m_update.discardAfter.value_or(step), step);
     std::erase_if(m_update.events, [step](const auto& events) { return events->step > step; });
     std::erase_if(m_update.costs, [step](const StepCost& cost) { return cost.step > step; });
@@ -189,6 +204,7 @@ void PlayEngine::add(const PlayInput& input) {
     }
     if (m_timeline.currentId() != course) keepLog(course);
     if (m_log.steps() > now) discardRecordsAfter(now);
+    m_recorded->discardAfter(now);
     if (m_hashes.size() > now) m_hashes.resize(now);
     m_scriptSteps = 0;
 }
@@ -315,6 +331,7 @@ void PlayEngine::aim(std::optional<ChargedThrow> thrown, const Ray& ray) {
 }
 
 void PlayEngine::setOverlays(const PlayOverlays& overlays) {
+    if (std::exchange(m_hasHulls, overlays.hasHulls) != overlays.hasHulls) m_recorded->clear();  // of other geometry
     m_hasHeat = overlays.hasHeat;
     m_hasCollapse = overlays.hasCollapse;
     m_builder.setOverlays(overlays);
@@ -408,6 +425,8 @@ PlayFrame PlayEngine::frame() {
                     .loop = m_loop,
                     .branches = branches()};
     if (aimed) frame.trajectory = trajectoryOf(session(), *aimed, kTrajectorySeconds);
+    recordFrame();
+    m_recorded->setNewest(frame);
     return frame;
 }
 

@@ -5,6 +5,7 @@
 #include "editor/play/EventLog.h"
 #include "editor/play/PlayFrame.h"
 #include "editor/play/PlayToolSettings.h"
+#include "editor/play/RecordedFrames.h"
 #include "viewport/scene/play/SessionSceneBuilder.h"
 
 #include <map>
@@ -87,10 +88,13 @@ public:
 
     /// Returns and clears the pending update, with the current frame.
     PlayUpdate takeUpdate();
+    /// The steps of the current course that were played, for any thread.
+    std::shared_ptr<const RecordedFrames> recordedFrames() const { return m_recorded; }
 
 private:
     PlayEngine(const std::shared_ptr<const PlayScene>& scene, Timeline timeline, std::vector<std::uint64_t> hashes);
     void recordStep();
+    void recordFrame();
     void report(DiagnosticCode code, std::string message);
     PlayFrame frame();
     Throw throwOf(const ChargedThrow& charged, const Ray& ray) const;
@@ -109,6 +113,7 @@ private:
     std::shared_ptr<const PlayScene> m_scene;
     Timeline m_timeline;
     SessionSceneBuilder m_builder;
+    std::shared_ptr<RecordedFrames> m_recorded;
     std::vector<std::uint64_t> m_hashes;  // of the script
     bool m_startsWithDestruction = true;
     EventLog m_log;                                  // of the current course
@@ -119,6 +124,7 @@ private:
     std::optional<CollapseForecast> m_collapse;
     BodyPart m_collapsePart;               // without which it is
     std::uint64_t m_collapseStep = 0;      // of which it is
+    bool m_hasHulls = false;               // the overlay is on
     bool m_hasHeat = false;                // the heat overlay is on: it shows what the aimed throw will do
     std::optional<Throw> m_forecastThrow;  // of the newest order
     std::uint64_t m_forecastStep = 0;      // of the newest order

@@ -85,6 +85,7 @@ struct PlayFrame {
     std::optional<GrabbedBody> grabbed;
     bool hasDestruction = true;  // bodies can break from here on
     bool isAtRest = false;       // see PlayEngine::isAtRest()
+    bool isRecorded = false;     // the session is still on its way to the step that is sought; another frame follows
     std::optional<PlayLoop> loop;
     std::vector<PlayBranch> branches;  // oldest first
 };

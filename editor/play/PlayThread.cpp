@@ -4,6 +4,7 @@
 #include "core/base/limits/Threads.h"
 #include "core/sound/session/SoundRecorder.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -71,8 +72,9 @@ void PlayThread::restartWith(EngineFactory factory) {
     m_isStopping = m_thread.joinable();
     m_isStarted = factory != nullptr;
     m_factory = std::move(factory);
-    m_tasks.clear();
-    m_seek.reset();
+    m_work.clear();
+    m_recorded.reset();
+    m_isRecordedShown = false;
     m_update = {};
     m_wake.notify_all();
 }
@@ -92,16 +94,32 @@ bool PlayThread::isStarted() const {
 void PlayThread::post(Task task) {
     const std::lock_guard lock(m_mutex);
     if (!m_isStarted) return;
-    m_tasks.push_back(std::move(task));
+    m_work.push_back({.task = std::move(task), .step = {}});
     m_wake.notify_all();
 }
 
+/// The recorded frame is made here, since the thread may be amid a step that takes long, and signalled as others are:
+/// once the caller has returned to the event loop.
 void PlayThread::seek(std::uint64_t step) {
+    std::shared_ptr<const RecordedFrames> recorded;
+    {
+        const std::lock_guard lock(m_mutex);
+        recorded = m_recorded;
+    }
+    std::optional<PlayFrame> frame = recorded ? recorded->frameUntil(step) : std::nullopt;
     const std::lock_guard lock(m_mutex);
     if (!m_isStarted) return;
-    m_seek = step;
-    m_cancelSeek.cancel();  // of a running seek
+    if (!m_work.empty() && m_work.back().step) m_work.pop_back();
+    if (m_work.empty()) m_cancelSeek.cancel();  // of a running seek
+    m_work.push_back({.task = {}, .step = step});
     m_wake.notify_all();
+    m_isRecordedShown = frame && recorded == m_recorded;
+    if (!m_isRecordedShown) return;
+    frame->shownFrom = nowLocked();
+    m_update.frame = std::move(frame);
+    if (std::exchange(m_isUpdateSignalled, true)) return;
+    QMetaObject::invokeMethod(
+        this, [this] { emit updateReady(); }, Qt::QueuedConnection);
 }
 
 void PlayThread::setPlaying(bool isPlaying) {
@@ -160,7 +178,7 @@ bool PlayThread::isWorkWaiting() const {
     if (m_isQuitting || m_isStopping || m_factory) return true;
     if (!m_hasEngine) return false;
     constexpr double kSlack = 1e-9;  // s: sums of step lengths are rounded
-    return !m_tasks.empty() || m_seek || (m_isPlaying && !m_isResting && nowLocked() + kSlack >= m_due);
+    return !m_work.empty() || (m_isPlaying && !m_isResting && nowLocked() + kSlack >= m_due);
 }
 
 void PlayThread::run() {
@@ -196,35 +214,45 @@ void PlayThread::run() {
 void PlayThread::stopAfter(const Error& error) {
     m_engine.reset();
     m_isStarted = m_hasEngine = false;
-    m_tasks.clear();
-    m_seek.reset();
+    m_work.clear();
+    m_recorded.reset();
     emit failed(QString::fromStdString(error.message));
 }
 
 void PlayThread::work(std::unique_lock<std::mutex>& lock) {
     if (m_isStopping || m_factory) return createEngine(lock);
-    if (!m_tasks.empty()) {
-        const std::deque<Task> tasks = std::exchange(m_tasks, {});
-        lock.unlock();
-        for (const Task& task : tasks) task(*m_engine);
-        const bool isResting = m_engine->isAtRest();
-        lock.lock();
-        if (std::exchange(m_isResting, isResting) && !isResting) m_due = nowLocked() + interval();
-        if ((!m_isPlaying || m_isResting) && !m_seek) publish(lock, 0.0);
-        return;
-    }
-    if (m_seek) {
-        m_cancelSeek = CancelToken();
-        const std::uint64_t step = *std::exchange(m_seek, std::nullopt);
-        const TaskContext task{.cancel = m_cancelSeek};
-        lock.unlock();
-        m_engine->seek(step, task);
-        lock.lock();
-        m_isResting = false;
-        m_due = nowLocked() + interval();
-        return publish(lock, 0.0);
-    }
-    playStep(lock);
+    if (m_work.empty()) return playStep(lock);
+    m_work.front().step ? runSeek(lock) : runTasks(lock);
+}
+
+/// Runs the tasks before the next seek.
+void PlayThread::runTasks(std::unique_lock<std::mutex>& lock) {
+    std::vector<Task> tasks;
+    for (; !m_work.empty() && !m_work.front().step; m_work.pop_front()) tasks.push_back(std::move(m_work.front().task));
+    lock.unlock();
+    for (const Task& task : tasks) task(*m_engine);
+    const bool isResting = m_engine->isAtRest();
+    lock.lock();
+    if (std::exchange(m_isResting, isResting) && !isResting) m_due = nowLocked() + interval();
+    if ((!m_isPlaying || m_isResting) && !isSeekWaiting()) publish(lock, 0.0);
+}
+
+void PlayThread::runSeek(std::unique_lock<std::mutex>& lock) {
+    m_cancelSeek = CancelToken();
+    const std::uint64_t step = *m_work.front().step;
+    m_work.pop_front();
+    const TaskContext task{.cancel = m_cancelSeek};
+    lock.unlock();
+    m_engine->seek(step, task);
+    lock.lock();
+    m_isResting = false;
+    m_due = nowLocked() + interval();
+    // Of a later seek, the recorded frame is shown: on the way to it there is nothing to see.
+    if (!isSeekWaiting() || !m_isRecordedShown) publish(lock, 0.0);
+}
+
+bool PlayThread::isSeekWaiting() const {
+    return std::ranges::any_of(m_work, [](const Work& work) { return work.step.has_value(); });
 }
 
 /// Destroys the engine and creates the requested one, if any.
@@ -245,6 +273,7 @@ void PlayThread::createEngine(std::unique_lock<std::mutex>& lock) {
     }
     m_engine = std::move(*made);
     m_hasEngine = true;
+    m_recorded = m_engine->recordedFrames();
     m_stepLength = m_engine->session().stepLength();
     m_due = nowLocked() + interval();
     emit started();
@@ -273,6 +302,11 @@ void PlayThread::publish(std::unique_lock<std::mutex>& lock, double shownFor) {
     lock.lock();
     if (m_isStopping || m_factory) return;
     if (update.order) m_forecasts.start(std::exchange(update.order, nullptr));
+    const bool isSuperseded = m_isRecordedShown && isSeekWaiting();  // by a seek that came meanwhile
+    if (isSuperseded) {
+        update.frame.reset();
+        return merge(m_update, std::move(update));
+    }
     update.frame->shownFrom = nowLocked();
     update.frame->shownFor = shownFor;
     merge(m_update, std::move(update));

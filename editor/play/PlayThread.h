@@ -15,8 +15,8 @@ namespace rubble {
 
 /// Runs a PlayEngine on a thread, one step every `dt / timeScale` seconds of a clock, and pauses at the end of a
 /// script. Slow steps make play fall behind; it does not catch up. While the engine is at rest no step is played: the
-/// time of the simulation stands still until the next task. Tasks run between steps, in order, asynchronously.
-/// The engine's forecasts are computed beside it.
+/// time of the simulation stands still until the next task. Tasks and seeks run between steps, in order,
+/// asynchronously. The engine's forecasts are computed beside it.
 class PlayThread : public QObject {
     Q_OBJECT
 public:
@@ -35,7 +35,9 @@ public:
     bool isStarted() const;
     /// Queues a task; ignored without an engine.
     void post(Task task);
-    /// Seeks to a step; replaces a pending seek.
+    /// Seeks to a step, after the tasks that were queued before; replaces a seek that no later task waits for. Where
+    /// the step was played before, or one before it, an update with its recorded frame is available at once, and the
+    /// one of the session follows.
     void seek(std::uint64_t step);
     void setPlaying(bool isPlaying);
     void setTimeScale(double scale);
@@ -71,6 +73,9 @@ private:
     void run();
     bool isWorkWaiting() const;
     void work(std::unique_lock<std::mutex>& lock);
+    void runTasks(std::unique_lock<std::mutex>& lock);
+    void runSeek(std::unique_lock<std::mutex>& lock);
+    bool isSeekWaiting() const;
     void stopAfter(const Error& error);
     void createEngine(std::unique_lock<std::mutex>& lock);
     void playStep(std::unique_lock<std::mutex>& lock);
@@ -94,8 +99,14 @@ private:
     double m_due = 0.0;  // when the next step is due
     EngineFactory m_factory;
     bool m_isStopping = false;
-    std::deque<Task> m_tasks;
-    std::optional<std::uint64_t> m_seek;
+    /// A task, or a seek if it has a step.
+    struct Work {
+        Task task;
+        std::optional<std::uint64_t> step;
+    };
+    std::deque<Work> m_work;
+    std::shared_ptr<const RecordedFrames> m_recorded;  // of the engine
+    bool m_isRecordedShown = false;                    // the update has the recorded frame of the last seek, or had
     CancelToken m_cancelStart;
     CancelToken m_cancelSeek;
     PlayUpdate m_update;

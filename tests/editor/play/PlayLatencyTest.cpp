@@ -52,7 +52,9 @@ private slots:
             stage.controller.requestScript([&](const PlayScript& script) { scripts += script.steps == end ? 1 : 0; });
             QCoreApplication::processEvents();
             isReleased.release();
-            QTRY_COMPARE_WITH_TIMEOUT(stage.step(), step, kPatience);
+            QTRY_COMPARE_WITH_TIMEOUT(stage.step(), step, kPatience);  // as it was recorded
+            QTRY_VERIFY_WITH_TIMEOUT(!stage.controller.frame()->isRecorded, kPatience);
+            QCOMPARE(stage.step(), step);
         }
         QTRY_COMPARE_WITH_TIMEOUT(scripts, 6, kPatience);
         qInfo("%s", qPrintable(textOf(watchdog)));
