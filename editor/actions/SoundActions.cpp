@@ -12,6 +12,7 @@
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QActionGroup>
+#include <QEvent>
 #include <QLocale>
 #include <QMainWindow>
 #include <QMenu>
@@ -41,6 +42,7 @@ SoundActions::SoundActions(Views& views, PreferenceStore& preferences, QMenu& me
         if (play.frame() && play.frame()->isAtRest != m_isAtRest) updateHearing();
     });
     connect(&views.scene().viewport(), &ViewportWidget::cameraChanged, this, &SoundActions::updateListener);
+    views.window().installEventFilter(this);
 }
 
 SoundActions::~SoundActions() {
@@ -110,16 +112,23 @@ bool SoundActions::isHeard() const {
     return m_preferences.preferences().hasSound && m_views.workspace().play().isPlaying();
 }
 
-/// Nothing is heard of what is paused or sought; the device keeps running until the simulation ends or is at rest.
+bool SoundActions::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::WindowStateChange) updateHearing();
+    return QObject::eventFilter(watched, event);
+}
+
+/// Nothing is heard of what is paused or sought. While something moves in a visible window, the device is ready for
+/// what hits next.
 void SoundActions::updateHearing() {
     const PlayController& play = m_views.workspace().play();
     m_isAtRest = play.frame() && play.frame()->isAtRest;
-    const bool isWanted = m_preferences.preferences().hasSound && play.isInPlay() && !m_isAtRest;
-    if (isWanted) createPlayer();
+    const bool hasSound = m_preferences.preferences().hasSound;
+    const bool isMoving = play.isPlaying() && !m_isAtRest && !m_views.window().isMinimized();
+    if (hasSound && play.isInPlay()) createPlayer();
     if (!m_player) return;
     updateListener();
     m_player->setHearing(isHeard());
-    isWanted ? m_player->output().start(m_player->stream()) : m_player->output().stop();
+    m_player->setOutputUse(!hasSound ? OutputUse::Never : isMoving ? OutputUse::Always : OutputUse::WhileHeard);
 }
 
 void SoundActions::updateListener() {

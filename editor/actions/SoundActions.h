@@ -36,6 +36,7 @@ private:
     void updateHearing();
     void updateListener();
     bool isHeard() const;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
     Views& m_views;
     PreferenceStore& m_preferences;

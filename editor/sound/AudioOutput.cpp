@@ -138,11 +138,13 @@ QString AudioOutput::fault() const {
 }
 
 void AudioOutput::start(QIODevice& stream) {
+    m_isStarted = true;
     m_devices->stream = &stream;
     m_devices->read(*this);
 }
 
 void AudioOutput::stop() {
+    m_isStarted = false;
     m_devices->stream = nullptr;
     m_devices->end();
 }
@@ -160,8 +162,8 @@ AudioOutput::~AudioOutput() = default;
 QString AudioOutput::fault() const {
     return tr("This program was built without sound. Build it with Qt Multimedia installed.");
 }
-void AudioOutput::start(QIODevice&) {}
-void AudioOutput::stop() {}
+void AudioOutput::start(QIODevice&) { m_isStarted = true; }
+void AudioOutput::stop() { m_isStarted = false; }
 
 }  // namespace rubble
 

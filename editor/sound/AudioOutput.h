@@ -21,6 +21,8 @@ public:
     /// returned. Where there is no device, it starts when there is one.
     void start(QIODevice& stream);
     void stop();
+    /// Whether it was started, and not stopped since, also where there is no device: no timer runs while it is stopped.
+    bool isStarted() const { return m_isStarted; }
 
 signals:
     /// fault() changed.
@@ -29,6 +31,7 @@ signals:
 private:
     struct Devices;
     std::unique_ptr<Devices> m_devices;
+    bool m_isStarted = false;
 };
 
 }  // namespace rubble

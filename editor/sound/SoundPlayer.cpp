@@ -7,7 +7,9 @@
 
 namespace rubble {
 
-SoundPlayer::SoundPlayer(QObject* parent) : QObject(parent) {}
+SoundPlayer::SoundPlayer(QObject* parent) : QObject(parent) {
+    connect(&m_stream, &SoundStreamDevice::quietChanged, this, &SoundPlayer::updateOutput, Qt::QueuedConnection);
+}
 
 SoundPlayer::~SoundPlayer() {
     m_output.stop();
@@ -17,6 +19,17 @@ SoundPlayer::~SoundPlayer() {
     }
     m_wake.notify_all();
     if (m_thread.joinable()) m_thread.join();  // it uses the other members
+}
+
+void SoundPlayer::setOutputUse(OutputUse use) {
+    m_use = use;
+    updateOutput();
+}
+
+/// While the device is stopped, its stream stands still: of a cue that comes then, nothing is lost.
+void SoundPlayer::updateOutput() {
+    const bool isOn = m_use == OutputUse::Always || (m_use == OutputUse::WhileHeard && !m_stream.isQuiet());
+    isOn ? m_output.start(m_stream) : m_output.stop();
 }
 
 void SoundPlayer::setHearing(bool isHearing) {

@@ -10,6 +10,13 @@
 
 namespace rubble {
 
+/// When the audio device runs. A running device wakes a hundred times a second.
+enum class OutputUse {
+    Never,
+    WhileHeard,  // from a cue until a second of silence has passed; the first cue then is heard a little later
+    Always
+};
+
 /// Plays cues while they come, on the default audio device. Samples are made on a thread of their own: who plays a cue
 /// waits for nothing but a lock that is never held for long. Without threads to start there is no sound.
 class SoundPlayer : public QObject {
@@ -21,6 +28,8 @@ public:
     AudioOutput& output() { return m_output; }
     /// What the device reads.
     SoundStreamDevice& stream() { return m_stream; }
+    /// Sets when the audio device runs: never at first.
+    void setOutputUse(OutputUse use);
     /// Whether cues are played; they are not at first. Those that sound fade out within 10 ms when it ends.
     void setHearing(bool isHearing);
     void setListener(const Listener& listener) { m_stream.setListener(listener); }
@@ -42,7 +51,9 @@ private:
         Clock::time_point due;
     };
     void run();
+    void updateOutput();
 
+    OutputUse m_use = OutputUse::Never;
     SoundStreamDevice m_stream;
     std::mutex m_mutex;  // guards what follows, up to the cache
     std::condition_variable m_wake, m_idle;

@@ -123,6 +123,52 @@ private slots:
         player.output().stop();
         player.output().start(player.stream());  // and ends while it waits for a device
     }
+    void deviceStopsAfterASecondOfSilence() {
+        SoundPlayer player;
+        const auto isRunning = [&player] {
+            player.finishSamples();
+            QCoreApplication::sendPostedEvents(&player);
+            return player.output().isStarted();
+        };
+        player.setHearing(true);
+        QVERIFY(!isRunning());
+        player.setOutputUse(OutputUse::WhileHeard);
+        QVERIFY(!isRunning());  // nothing has sounded yet
+        player.play({cueAt(0.0)}, 0.0);
+        QVERIFY(isRunning());
+        player.setHearing(false);
+        heard(player.stream(), 0.9);
+        QVERIFY(isRunning());
+        heard(player.stream(), 0.2);
+        QVERIFY(!isRunning());
+        QVERIFY(isSilent(heard(player.stream(), 1.0)));
+        player.setHearing(true);
+        player.play({cueAt(0.0)}, 0.0);
+        QVERIFY(isRunning());
+        player.setOutputUse(OutputUse::Never);
+        QVERIFY(!isRunning());
+        player.setOutputUse(OutputUse::Always);
+        heard(player.stream(), 20.0);
+        QVERIFY(isRunning());
+        player.setOutputUse(OutputUse::WhileHeard);
+        QVERIFY(!isRunning());
+    }
+    /// Nothing is read until the device runs.
+    void beginningIsHeardAfterSilence() {
+        SoundPlayer ready, stopped;
+        for (SoundPlayer* player : {&ready, &stopped}) {
+            player->setHearing(true);
+            player->setOutputUse(OutputUse::WhileHeard);
+        }
+        heard(stopped.stream(), 3.0);
+        for (SoundPlayer* player : {&ready, &stopped}) {
+            player->play({cueAt(0.0)}, 0.0);
+            player->finishSamples();
+        }
+        const QByteArray expected = heard(ready.stream(), 0.5);
+        QVERIFY(!isSilent(expected));
+        QVERIFY(heard(stopped.stream(), 0.5) == expected);
+    }
     void deviceReadsWhileOthersAdd() {
         SoundPlayer player;
         player.setHearing(true);

@@ -52,10 +52,21 @@ private slots:
         QVERIFY(!play().events().breaks().empty());
         QVERIFY(!isSilent());
     }
+    void deviceStopsInAMinimizedWindow() {
+        QVERIFY(isDeviceRunning());
+        window().setWindowState(Qt::WindowMinimized);
+        QVERIFY(play().isPlaying() && isDeviceRunning());
+        for (int second = 0; second < 5; ++second) (void)isSilent();
+        QVERIFY(!isDeviceRunning());
+        window().setWindowState(Qt::WindowNoState);
+        QVERIFY(isDeviceRunning());
+    }
     void pauseAndSeekAreSilent() {
+        QVERIFY(isDeviceRunning());
         play().pause();
         (void)isSilent();  // it fades out
         QVERIFY(isSilent());
+        QVERIFY(!isDeviceRunning());
         play().seek(0);
         QTRY_COMPARE(play().frame()->step, 0u);
         const std::uint64_t broken = play().events().breaks().front()->record.step;
@@ -92,6 +103,10 @@ private:
     void advance(int steps) {
         for (int k = 0; k < steps; ++k) play().thread().advance(kStep);
         play().applyUpdate();
+    }
+    bool isDeviceRunning() {
+        QCoreApplication::sendPostedEvents(sound().player());
+        return sound().player()->output().isStarted();
     }
     /// Whether an audio device would play nothing for the next second.
     bool isSilent() {
