@@ -5,7 +5,6 @@
 #include "core/play/queries/WouldFall.h"
 #include "core/play/scene/SupportProblems.h"
 #include "core/play/session/PlayTestRun.h"
-#include "viewport/scene/play/Dust.h"
 
 #include <algorithm>
 #include <iterator>
@@ -16,10 +15,10 @@ namespace rubble {
 namespace {
 
 constexpr double kTrajectorySeconds = 4.0;
-constexpr double kLoopBefore = 0.5;            // s
-constexpr double kLoopAfter = 1.0;             // s
-constexpr double kRestTime = kDustTime + 0.5;  // s
-constexpr double kForecastInterval = 0.25;     // s, between forecasts of the same throw while the scene moves
+constexpr double kLoopBefore = 0.5;         // s
+constexpr double kLoopAfter = 1.0;          // s
+constexpr double kRestTime = 1.5;           // s: heat has cooled down then
+constexpr double kForecastInterval = 0.25;  // s, between forecasts of the same throw while the scene moves
 
 StepCost costOf(const Session& session) {
     const StepTimes& times = session.world().times();
@@ -158,7 +157,7 @@ bool PlayEngine::isAtRest() const {
     const std::uint64_t now = session().stepsDone();
     const bool isInputAhead = !m_timeline.inputs().empty() && m_timeline.inputs().back().step >= now;
     if (m_loop || isInputAhead || !m_timeline.isAtEnd() || !session().isAtRest()) return false;
-    return now >= m_lastMotion + stepOf(kRestTime, session().stepLength());
+    return now >= m_lastMotion + stepOf(kRestTime, session().stepLength()) && !m_builder.hasDebris(session());
 }
 
 void PlayEngine::report(DiagnosticCode code, std::string message) {

@@ -19,7 +19,7 @@ layout(std140) uniform Frame {
     vec4 edges;          // x: pixels a point; y: opacity of edges; z: explode factor; w: step fraction
     vec4 right;          // of the camera, as is the next; w: half the image's width at distance 1
     vec4 up;             // w: half its height
-    vec4 depth;          // x, y: third and fourth entry of the projection's depth row; w: brightness of dust
+    vec4 depth;          // x, y: third and fourth entry of the projection's depth row
     vec4 zenith;         // radiance, as are the next two; w: 1 if there is a sky
     vec4 horizon;        // w: halvings of the glow over a right angle
     vec4 sunGlow;        // around the sun

@@ -104,7 +104,6 @@ FrameBlock frameBlock(const RenderView& view, const RenderScene& scene, const Sc
     setCamera(frame, view, scene, summary.bounds, sample.pixelOffset);
     setLight(frame, light, settings.exposure, sample, summary.hasTransparent);
     setSurroundings(frame, environment, static_cast<float>(light.sky.glowSharpness), camera);
-    frame.depth.w = static_cast<float>(environment.dustLight);
     const double below = scene.groundHeight - kGroundBias * camera.distance;
     const double gridRadius =
         std::max(4.0 * camera.distance, summary.bounds.isEmpty() ? 0.0 : summary.bounds.diagonal());

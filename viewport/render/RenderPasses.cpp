@@ -32,6 +32,7 @@ void RenderPasses::setScene(std::shared_ptr<const RenderScene> made) {
     sceneLines.write(std::span(made->lines));
     sceneBoxes.write(std::span(made->boxes));
     particles.write(std::span(made->particles));
+    chips.write(std::span(made->chips));
     scene.upload(std::move(made));
 }
 
@@ -195,6 +196,22 @@ void RenderPasses::drawSceneLines() {
     glDisable(GL_BLEND);
 }
 
+/// Chips with their shadows on the ground, which is not in the depth buffer.
+void RenderPasses::drawChips() {
+    if (chips.count() == 0) return;
+    glDepthFunc(GL_LEQUAL);
+    glEnable(GL_DEPTH_CLAMP);  // the depth range is fitted to the bodies
+    glEnable(GL_BLEND);
+    glDepthMask(GL_FALSE);
+    programs.chipShadows.use();
+    chips.draw(6);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    lit(programs.chips).use();
+    chips.draw(18);
+    glDisable(GL_DEPTH_CLAMP);
+}
+
 void RenderPasses::drawParticles(const RenderView& view) {
     if (particles.count() == 0) return;
     solidDepths.copyBound(view.size);
@@ -202,7 +219,7 @@ void RenderPasses::drawParticles(const RenderView& view) {
     glEnable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);  // the shader compares with the copy
     glEnable(GL_DEPTH_CLAMP);
-    programs.particles.use();
+    lit(programs.particles).use();
     particles.draw(6);
     glDisable(GL_DEPTH_CLAMP);
     glEnable(GL_DEPTH_TEST);
@@ -273,6 +290,7 @@ void RenderPasses::drawImage(const RenderView& view) {
     if (isSolid) drawSolid();
     drawGround(view);
     if (!isSolid) drawWireframe(view);
+    if (isSolid) drawChips();
     if (isSolid) drawTransparent(view);
     const bool hasOverlays = view.settings.hasOverlays;
     if (hasOverlays) {

@@ -45,6 +45,7 @@ struct RenderPasses {
     void drawEdges(const EdgePass& pass);
     void drawGround(const RenderView& view);
     void drawSceneLines();
+    void drawChips();
     void drawParticles(const RenderView& view);
     void drawOutlines(const RenderView& view);
     void drawAxes(const RenderView& view);
@@ -60,6 +61,7 @@ struct RenderPasses {
     InstanceBuffer sceneLines{4, 4, 4, 4};
     InstanceBuffer sceneBoxes{4, 4, 4, 4};
     InstanceBuffer particles{4, 4, 4};
+    InstanceBuffer chips{4, 4, 4, 4};
     DepthCopy solidDepths;
     SceneSummary summary;  // of `scene`
     /// Shadow maps of an image by itself, which stay as long as its scene does, and of one of many, or of one at a low

@@ -54,6 +54,11 @@ Result<RenderPrograms> compilePrograms() {
         .concreteGround = compiler.compileLit(
             {"fullscreen.vert"},
             {"concrete.glsl", "camera.glsl", "light.glsl", "lit_by_buffer.glsl", "background.glsl", "ground.frag"}),
+        .particles = compiler.compileLit({"key_shadow.glsl", "lit_directly.glsl", "sky_light.glsl", "particles.vert"},
+                                         {"camera.glsl", "particles.frag"}),
+        .chips = compiler.compileLit(
+            {"chip_form.glsl", "chips.vert"},
+            {"key_shadow.glsl", "lit_directly.glsl", "sky_light.glsl", "material.glsl", "chips.frag"}),
         .surfaces = compiler.compile({"bodies.glsl", "solid.vert"}, {"surfaces.frag"}),
         .light = compiler.compile({"fullscreen.vert"},
                                   {"camera.glsl", "key_shadow.glsl", "sky.glsl", "light.glsl", "light.frag"}),
@@ -63,7 +68,7 @@ Result<RenderPrograms> compilePrograms() {
         .glassShadow = compiler.compile({"bodies.glsl", "glass_shadow.vert"}, {"glass_shadow.frag"}),
         .screenLines = compiler.compile({"screen_lines.vert"}, {"line.frag"}),
         .sceneLines = compiler.compile({"scene_lines.vert"}, {"line.frag"}),
-        .particles = compiler.compile({"particles.vert"}, {"camera.glsl", "particles.frag"}),
+        .chipShadows = compiler.compile({"chip_form.glsl", "chip_shadows.vert"}, {"chip_shadows.frag"}),
         .mean = compiler.compile({"fullscreen.vert"}, {"mean.frag"}),
     };
     if (compiler.error()) return *compiler.error();

@@ -17,9 +17,9 @@ struct SurfacePrograms {
 /// All shader programs.
 struct RenderPrograms {
     SurfacePrograms solid, transparent;
-    LitPrograms ground, concreteGround;
+    LitPrograms ground, concreteGround, particles, chips;
     ShaderProgram surfaces, light, lightBlur;  // of the light buffer
-    ShaderProgram wires, depth, glassShadow, screenLines, sceneLines, particles, mean;
+    ShaderProgram wires, depth, glassShadow, screenLines, sceneLines, chipShadows, mean;
 };
 
 /// Errors: see ShaderProgram::create(), for the first program that fails.

@@ -74,7 +74,8 @@ RenderPose interpolated(const RenderPose& from, const RenderPose& to, double fra
 }
 
 bool isMoving(const RenderScene& scene) {
-    return !scene.particles.empty() || (!scene.previousPoses.empty() && scene.previousPoses != scene.poses);
+    return !scene.particles.empty() || !scene.chips.empty() ||
+           (!scene.previousPoses.empty() && scene.previousPoses != scene.poses);
 }
 
 RenderPose poseAt(const RenderScene& scene, std::uint32_t body, double stepFraction) {

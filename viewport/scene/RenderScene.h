@@ -88,21 +88,35 @@ enum class LineEnd {
 
 enum class ParticleKind {
     Dust,
-    Splinter,  // slender, glints as it rotates
-    Chip,      // a small fragment
-    Spark,     // a streak along its flight that glows
-    Flash,     // a short glow
+    Spark,  // a streak along its flight that glows
+    Flash,  // a short glow
 };
 
-/// A billboard of dust, or of something small that flies.
+/// A billboard of dust, or of something that glows.
 struct Particle {
     glm::vec4 position{0.0f};  // m, relative to RenderScene::origin; w: radius, m
     glm::vec4 previousOffset{
         0.0f};  // m: its position one step earlier minus its position now; w: opacity at its centre
-    // sRGB; w: its ParticleKind as a number, plus of dust the seed of its noise, else its rotation, in turns: in [0, 1)
+    // sRGB; w: its ParticleKind as a number, plus of dust the seed of its noise in [0, 1)
     glm::vec4 colour{1.0f};
     ParticleKind kind() const { return static_cast<ParticleKind>(static_cast<int>(colour.w)); }
     bool operator==(const Particle&) const = default;
+};
+
+enum class ChipShape {
+    Angular,
+    Flat,  // of glass: glints
+    Long,  // of wood
+};
+
+/// A small solid that came off in a break.
+struct Chip {
+    glm::vec4 position{0.0f};                    // m, relative to RenderScene::origin; w: radius, m
+    glm::vec4 previousOffset{0.0f};              // its position and angle one step earlier minus those now
+    glm::vec4 rotation{1.0f, 0.0f, 0.0f, 0.0f};  // the axis, length 1, and the angle, rad: at 0 it lies flat
+    glm::vec4 colour{1.0f};  // sRGB; w: its ChipShape as a number plus the seed of its form in [0, 1)
+    ChipShape shape() const { return static_cast<ChipShape>(static_cast<int>(colour.w)); }
+    bool operator==(const Chip&) const = default;
 };
 
 /// A closed interval of numbers.
@@ -141,6 +155,7 @@ struct RenderScene {
     std::vector<SceneLine> lines;
     std::vector<SceneLine> boxes;  // axis-aligned, from one corner to the opposite one
     std::vector<Particle> particles;
+    std::vector<Chip> chips;
     std::optional<SceneSummary> summary;  // cached; see summaryOf()
     bool operator==(const RenderScene&) const = default;
 };

@@ -1,4 +1,4 @@
-// Tests the overlays of viewport/render/RenderPasses.cpp: lines, boxes, dust, scale bar.
+// Tests the overlays of viewport/render/RenderPasses.cpp: lines, boxes, dust, chips, scale bar.
 #include "core/asset/library/StarterProject.h"
 #include "core/asset/project/FragmentColours.h"
 #include "tests/support/TestProgram.h"
@@ -27,8 +27,9 @@ RenderScene centredWall() {
 }
 
 /// From the front, without shadows. `scale`: pixels per point.
-QImage picture(const RenderScene& scene, double scale = 1.0) {
+QImage picture(const RenderScene& scene, double scale = 1.0, StandardView from = StandardView::Front) {
     RenderView view{.size = kPictureSize};
+    view.camera = alignedTo(view.camera, from);
     view.camera = framing(view.camera, boundsOf(centredWall()), kPictureSize);
     view.settings.hasShadows = view.settings.hasAxes = false;
     view.settings.msaa = 1;
@@ -89,6 +90,68 @@ private slots:
         QVERIFY(puffAt(1.0f) > 8.0);
         QVERIFY(puffAt(-1.0f) < 0.01);
         QVERIFY(puffAt(0.26f) < puffAt(1.0f));  // it fades at the wall
+    }
+    /// It is lit by the sky and, from above, by the key light: darker at its bottom.
+    void dustIsShaded() {
+        RenderScene scene = centredWall();
+        const QImage clear = picture(scene);
+        scene.particles = {
+            {glm::vec4(0.0f, 0.0f, 1.0f, 0.4f), glm::vec4(0.0f, 0.0f, 0.0f, 1.0f), glm::vec4(0.8f, 0.8f, 0.8f, 0.3f)}};
+        const QImage seen = picture(scene);
+        const auto brightness = [&](int y) {
+            double sum = 0.0;
+            for (int x = 85; x < 115; ++x) {
+                for (int row = y; row < y + 12; ++row) sum += seen.pixelColor(x, row).green();
+            }
+            return sum / (30.0 * 12.0);
+        };
+        QVERIFY2(brightness(75) > brightness(113) + 10.0,
+                 qPrintable(QString("%1 %2").arg(brightness(75)).arg(brightness(113))));
+    }
+    void chipsAreSolidsThatBodiesHide() {
+        RenderScene scene = centredWall();
+        const QImage clear = picture(scene);
+        const auto chipAt = [&](float z, float angle) {
+            scene.chips = {{glm::vec4(0.0f, 0.0f, z, 0.2f), glm::vec4(0.0f), glm::vec4(1.0f, 0.0f, 0.0f, angle),
+                            glm::vec4(0.9f, 0.2f, 0.2f, 0.3f)}};
+            return picture(scene);
+        };
+        QCOMPARE(test::meanDifference(chipAt(-1.0f, 0.0f), clear), 0.0);
+        const QImage seen = chipAt(1.0f, 0.0f);
+        std::set<QRgb> shades;  // of its faces
+        int covered = 0;
+        for (int y = 0; y < 200; ++y) {
+            for (int x = 0; x < 200; ++x) {
+                const QColor colour = seen.pixelColor(x, y);
+                if (seen.pixel(x, y) == clear.pixel(x, y) || colour.red() < 2 * colour.green()) continue;
+                ++covered;
+                shades.insert(qRgb(colour.red() / 8, colour.green() / 8, colour.blue() / 8));
+            }
+        }
+        QVERIFY2(covered > 600 && covered < 8000, qPrintable(QString::number(covered)));
+        QVERIFY2(shades.size() >= 2 && shades.size() < 20, qPrintable(QString::number(shades.size())));
+        QVERIFY(test::meanDifference(chipAt(1.0f, 1.0f), seen) > 0.1);  // rotated
+    }
+    void lyingChipDarkensTheGroundBelowIt() {
+        RenderScene scene = centredWall();
+        for (BodyAppearance& body : scene.appearances) body.marks = kHidden;
+        scene.groundHeight = scene.origin.y - 0.5;
+        const auto from = StandardView::Top;
+        const QImage clear = picture(scene, 1.0, from);
+        const auto darkened = [&](float height) {
+            scene.chips = {{glm::vec4(0.0f, -0.5f + height, 0.0f, 0.1f), glm::vec4(0.0f),
+                            glm::vec4(1.0f, 0.0f, 0.0f, 0.0f), glm::vec4(1.0f, 1.0f, 1.0f, 0.3f)}};
+            const QImage seen = picture(scene, 1.0, from);
+            int count = 0;
+            for (int y = 0; y < 200; ++y) {
+                for (int x = 0; x < 200; ++x) {
+                    count += seen.pixelColor(x, y).green() < clear.pixelColor(x, y).green() - 15 ? 1 : 0;
+                }
+            }
+            return count;
+        };
+        const int lying = darkened(0.02f), flying = darkened(0.5f);
+        QVERIFY2(lying > flying + 20, qPrintable(QString("%1 %2").arg(lying).arg(flying)));
     }
     void outdoorSceneHasHorizonAndScaleBar() {
         RenderScene scene = centredWall();

@@ -18,9 +18,6 @@ constexpr double kGoldenAngle = 2.39996322972865332;
 constexpr double kRegionDistances = 6.0;  // least radius of the lit region, of the camera's distance
 constexpr double kRegionStep = 0.25;      // of its radius, by which the region moves
 
-constexpr double kDustAlbedo = 0.5;
-constexpr double kDustColour = 0.8;  // sRGB, of what dust is shown as in full light
-
 /// Term `index` of an additive recurrence in [0, 1); `step` irrational.
 double quasirandom(int index, double step) {
     const double value = 0.5 + step * static_cast<double>(index);
@@ -70,7 +67,6 @@ void setBackdrop(Environment& made, bool isDark) {
     made.zenith = isDark ? shownAs(0.10, 0.12, 0.16) : shownAs(0.56, 0.70, 0.87);
     made.horizon = isDark ? shownAs(0.27, 0.295, 0.335) : shownAs(0.93, 0.945, 0.955);
     made.soil = isDark ? shownAs(0.235, 0.245, 0.265) : shownAs(0.845, 0.835, 0.815);
-    made.dustLight = isDark ? 0.62 : 1.05;
 }
 
 }  // namespace
@@ -93,8 +89,6 @@ Environment environmentOf(SkyPreset preset, Theme theme, const SkyLight& light) 
     made.backgroundTop = glm::mix(light.sky.zenith, light.sky.horizon, 0.4);
     made.backgroundBottom = light.sky.horizon;
     made.soil = light.sky.groundAlbedo * full;
-    const Vec3 dust = srgbOf(toneMapped(kDustAlbedo * full));
-    made.dustLight = (dust.x + dust.y + dust.z) / (3.0 * kDustColour);
     return made;
 }
 

@@ -19,7 +19,6 @@ struct Environment {
     Vec3 zenith, horizon, glow{0.0};       // radiance
     Vec3 soil;                             // radiance of the ground in full light
     Vec3 groundKey;                        // the part of that which the key light gives
-    double dustLight = 1.0;                // brightness of dust
     bool isDark = false;                   // what is written over it is bright
     bool isConcrete = false;               // the ground
 };

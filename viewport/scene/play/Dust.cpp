@@ -1,302 +1,196 @@
 #include "viewport/scene/play/Dust.h"
 
-#include "core/base/Random.h"
-#include "core/base/math/Roots.h"
-#include "core/base/math/Trigonometry.h"
-#include "viewport/scene/play/DustParticles.h"
-
-#include <glm/geometric.hpp>
+#include "viewport/scene/play/DebrisMaterial.h"
+#include "viewport/scene/play/ParticleEmitters.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace rubble {
 namespace {
 
-constexpr std::size_t kMaxParticles = 2000;  // per scene, latest events first: more would only overlap
-constexpr double kMaxSize = 1.0;             // m: what breaks off a larger body makes no larger clouds
-constexpr Colour kPale{0.90, 0.88, 0.85};    // most of any dust's colour
-constexpr Colour kSoil{0.50, 0.46, 0.40};    // of the ground, which has no material
-constexpr Colour kHot{1.0, 0.78, 0.42};      // of sparks
-constexpr double kNoGround = 1e9;            // m, a depth below all
-constexpr double kMinEnergy = 4.0;           // J: a brick that falls 0.2 m makes no dust
-constexpr double kSparkEnergy = 50.0;        // J
-constexpr double kTough = 5e6;               // Pa·√m: above, as metals are, materials tear and make hardly any dust
-constexpr double kLightest = 800.0;          // kg/m³: below, as wood is, materials make no dust
-constexpr double kMineralDensity = 1000.0;   // kg/m³
-constexpr std::uint64_t kStream = 0xd057;    // of random numbers
+constexpr double kMaxDust = 400.0;                // of a scene: where there were more, each event makes fewer
+constexpr std::size_t kMaxSparks = 600;           // of a scene, latest events first
+constexpr Colour kHot{1.0, 0.78, 0.42};           // of sparks
+constexpr double kMinDustEnergy = 4.0;            // J: a brick that falls 0.2 m makes no dust
+constexpr double kSparkEnergy = 50.0;             // J
+constexpr double kLingerEnergy = 60.0;            // J, of an impact
+constexpr double kBodyDensity = 1000.0;           // kg/m³, of a body without a material
+constexpr double kUnitArea = 3.0;                 // m², of a break: dust lingers in proportion to it,
+constexpr double kMinPart = 0.3, kMaxPart = 2.5;  // within these limits
+constexpr double kMaxLingering = 2.0;             // m: larger bodies raise no larger clouds
+constexpr std::uint64_t kDustStream = 0xd057;     // of random numbers
 
-enum class Debris { Mineral, Glass, Metal, Wood };
-
-Debris debrisOf(const Material& material) {
-    if (material.opacity < 1.0) return Debris::Glass;
-    if (material.fractureToughness.value_or(0.0) > kTough) return Debris::Metal;
-    return material.density < kLightest ? Debris::Wood : Debris::Mineral;
-}
-
-glm::vec3 mixed(const Colour& colour, double pale) {
-    return glm::vec3(
-        glm::mix(Vec3(colour.red, colour.green, colour.blue), Vec3(kPale.red, kPale.green, kPale.blue), pale));
-}
-
-/// What the particles of a material are, and their colours.
-struct ParticleMaterial {
-    Debris debris = Debris::Mineral;
-    Colour inside, outside;
+/// The puffs of one kind of an event.
+struct Puffs {
+    int count = 0;
+    double lifetime = 0.0;  // s
+    double opacity = 0.0;
+    double radius = 0.0;  // m, of the smallest
+    bool isLingering = false;
 };
 
-/// What a body consists of; nothing of a plain projectile, which stays whole.
-std::optional<ParticleMaterial> particleMaterialOf(const Project& project, Id material, bool isGround) {
-    if (const Material* found = findMaterial(project, material)) {
-        return ParticleMaterial{debrisOf(*found), found->inside, found->outside};
+/// The dust of a kind of material: what bursts out of a break, and what lingers near the ground.
+struct DustStyle {
+    Puffs burst, lingering;
+    double pale = 0.3;  // of its colour
+};
+
+/// Of a break; radii are those of a body of 1 m.
+DustStyle dustStyleOf(DebrisKind kind) {
+    constexpr double kLong = 5.5;  // s
+    switch (kind) {
+        case DebrisKind::Mineral: return {{10, 0.8, 0.75, 0.12}, {5, kLong, 0.34, 0.2, true}, 0.3};
+        case DebrisKind::Powder: return {{14, 0.9, 0.85, 0.13}, {7, kLong, 0.4, 0.22, true}, 0.5};
+        case DebrisKind::Glass: return {{3, 0.3, 0.12, 0.13}, {}, 0.9};
+        case DebrisKind::Ice: return {{5, 0.6, 0.3, 0.12}, {1, 2.5, 0.12, 0.2, true}, 0.7};
+        case DebrisKind::Metal: return {{2, 0.3, 0.2, 0.13}, {}, 0.3};
+        case DebrisKind::Wood: return {{3, 0.5, 0.25, 0.13}, {1, 3.0, 0.1, 0.2, true}, 0.3};
     }
-    if (isGround) return ParticleMaterial{Debris::Mineral, kSoil, kSoil};
-    return std::nullopt;
+    return {};
 }
 
-Vec3 randomDirection(Random& random) {
-    const double height = random.between(-1.0, 1.0), angle = random.between(0.0, kFullTurn);
-    const double radius = std::sqrt(1.0 - height * height);
-    return {radius * cosine(angle), height, radius * sine(angle)};
-}
-
-/// In proportion to the cube root of an energy, J: `one` at a joule.
-double scaledByEnergy(double energy, double one, double least, double most) {
-    constexpr double kLeast = 1e-9;  // J: the root is of positive numbers only
-    return std::clamp(one * cubeRoot(std::max(energy, kLeast)), least, most);
-}
 int countOf(double energy, double one, double least, double most) {
     return static_cast<int>(scaledByEnergy(energy, one, least, most));
 }
 
-/// Where the particles of an event start, and how fast.
-class Emitter {
-public:
-    virtual ~Emitter() = default;
-    struct Start {
-        Vec3 from;
-        Vec3 velocity;
-    };
-    virtual Start next(Random& random) const = 0;
+/// Puffs of one material of an event.
+struct PuffGroup {
+    const EventRecord* event = nullptr;
+    Puffs puffs;
+    glm::vec3 colour{1.0f};
+    bool isImpact = false;
+    std::uint64_t stream = 0;  // tells groups of the event apart
 };
 
-/// On the surface that was hit and on the opposite one, away from the point.
-class BreakEmitter : public Emitter {
+/// What the events that are shown raise.
+class DustEvents {
 public:
-    BreakEmitter(const EventRecord& broken, double density)
-        : m_broken(broken), m_extent(broken.box.max - broken.box.min), m_size(sizeOf(m_extent)) {
-        const Vec3 across = glm::abs(broken.normal);
-        const double shown = across.x * m_extent.y * m_extent.z + across.y * m_extent.z * m_extent.x +
-                             across.z * m_extent.x * m_extent.y;  // m²: the box, seen along the normal
-        if (shown > 0.0) m_thickness = std::min(broken.mass / density / shown, glm::dot(across, m_extent));
-    }
-    double size() const { return m_size; }
+    explicit DustEvents(const Project& project) : m_project(project) {}
+    const std::vector<PuffGroup>& puffs() const { return m_puffs; }
+    const std::vector<const EventRecord*>& sparks() const { return m_sparks; }
 
-    Start next(Random& random) const override {
-        const Vec3 place = m_broken.box.min + Vec3(random.unit(), random.unit(), random.unit()) * m_extent;
-        Vec3 from = glm::mix(m_broken.point, place, random.unit());  // denser near the point
-        const bool isOpposite = random.unit() < 0.5;
-        const bool isHit = m_broken.normal != Vec3(0.0);
-        Vec3 out = isHit ? m_broken.normal : randomDirection(random);
-        if (!isOpposite) out = -out;
-        if (isHit) {
-            from -= glm::dot(from - m_broken.point, m_broken.normal) * m_broken.normal;
-            if (isOpposite) from += m_thickness * m_broken.normal;
+    void add(const EventRecord& event, double age) {
+        if (event.kind == EventKind::Bonds || event.kind == EventKind::Broken) addBreak(event, age);
+        if (event.kind == EventKind::Impact && event.energy >= kMinDustEnergy) addImpact(event, age);
+    }
+
+private:
+    void addPuffs(const PuffGroup& group, double age) {
+        constexpr double kOldest = 1.1;  // of the lifetime: see addGroup()
+        if (group.puffs.count > 0 && age < kOldest * group.puffs.lifetime) m_puffs.push_back(group);
+    }
+    void addSparks(const EventRecord& event) {
+        if (event.energy >= kSparkEnergy) m_sparks.push_back(&event);
+    }
+
+    void addBreak(const EventRecord& broken, double age) {
+        const std::optional<DebrisMaterial> fresh = debrisMaterialOf(m_project, broken.materials[1], false);
+        if (!fresh) return;
+        DustStyle style = dustStyleOf(fresh->kind);
+        const BreakEmitter emitter(broken, kBodyDensity);
+        style.burst.radius *= emitter.size();
+        style.lingering.radius *= std::min(emitter.extent(), kMaxLingering);
+        const double part = std::clamp(broken.area / kUnitArea, kMinPart, kMaxPart);
+        style.lingering.count = static_cast<int>(part * style.lingering.count + 0.5);
+        const glm::vec3 colour = paleColour(fresh->inside, style.pale);
+        addPuffs({&broken, style.burst, colour, false, 0}, age);
+        addPuffs({&broken, style.lingering, colour, false, 1}, age);
+        if (fresh->kind == DebrisKind::Metal) addSparks(broken);
+    }
+
+    void addImpact(const EventRecord& impact, double age) {
+        const bool isOnGround = m_project.ground.isOn && impact.other == 0;
+        const double energy = impact.energy, radius = scaledByEnergy(energy, 0.018, 0.03, 0.25);
+        for (std::uint64_t side = 0; side < impact.materials.size(); ++side) {
+            const auto material = debrisMaterialOf(m_project, impact.materials[side], side == 1 && isOnGround);
+            if (!material) continue;
+            if (material->kind == DebrisKind::Metal) addSparks(impact);
+            if (material->kind != DebrisKind::Mineral && material->kind != DebrisKind::Powder) continue;
+            const glm::vec3 colour = paleColour(material->inside, dustStyleOf(material->kind).pale);
+            const double opacity = scaledByEnergy(energy, 0.1, 0.2, 0.7);
+            addPuffs({&impact, {countOf(energy, 0.6, 1.0, 6.0), 0.6, opacity, radius}, colour, true, 2 * side}, age);
+            if (energy < kLingerEnergy) continue;
+            const Puffs lingering{countOf(energy, 0.15, 1.0, 3.0), 4.5, 0.4 * opacity, 1.4 * radius, true};
+            addPuffs({&impact, lingering, colour, true, 2 * side + 1}, age);
         }
-        const Vec3 arm = from - m_broken.point;
-        const Vec3 away = glm::dot(arm, arm) > 1e-12 ? glm::normalize(arm) : out;
-        const Vec3 up(0.0, random.between(0.1, 0.7), 0.0);
-        return {from, m_size * (random.between(0.2, 1.2) * away + random.between(0.2, 1.2) * out + up)};
     }
 
-private:
-    static double sizeOf(Vec3 extent) { return std::min(std::max({extent.x, extent.y, extent.z}), kMaxSize); }
-
-    const EventRecord& m_broken;
-    Vec3 m_extent;
-    double m_size;
-    double m_thickness = 0.0;  // m, of the body along the normal
-};
-
-/// At the point, to all sides along the surface.
-class ImpactEmitter : public Emitter {
-public:
-    explicit ImpactEmitter(const EventRecord& impact)
-        : m_impact(impact), m_speed(scaledByEnergy(impact.energy, 0.3, 0.3, 3.0)) {}
-
-    Start next(Random& random) const override {
-        const Vec3 direction = randomDirection(random);
-        const Vec3 along = direction - glm::dot(direction, m_impact.normal) * m_impact.normal;
-        const Vec3 up(0.0, random.between(0.0, 0.3), 0.0);
-        return {m_impact.point, m_speed * (random.between(0.3, 1.0) * along + 0.3 * direction + up)};
-    }
-
-private:
-    const EventRecord& m_impact;
-    double m_speed;  // m/s
+    const Project& m_project;
+    std::vector<PuffGroup> m_puffs;
+    std::vector<const EventRecord*> m_sparks;
 };
 
 /// Adds the particles of events to a scene.
 class DustWriter {
 public:
     DustWriter(RenderScene& scene, const Project& project, const DustMoment& moment)
-        : m_scene(scene), m_project(project), m_moment(moment) {
-        m_world = {.gravity = moment.gravity,
-                   .ground = scene.hasGround ? scene.groundHeight : -kNoGround,
-                   .origin = scene.origin,
-                   .stepLength = moment.stepLength};
+        : m_scene(scene), m_project(project), m_moment(moment), m_world(particleWorldOf(scene, moment)) {}
+
+    /// `part`: of the puffs that are shown.
+    void add(const PuffGroup& group, double part) {
+        withEmitter(*group.event, group.isImpact, [&](const ParticleEmitter& emitter) {
+            Random random = randomOf(*group.event, kDustStream + 16 * group.stream);
+            const Puffs& puffs = group.puffs;
+            for (int k = 0; k < puffs.count; ++k) {
+                const bool isShown = random.unit() < part;
+                const EmittedStart start = emitter.next(random);
+                const ParticleStart particle{.kind = ParticleKind::Dust,
+                                             .from = start.from,
+                                             .velocity = start.velocity,
+                                             .radius = puffs.radius * random.between(1.0, 2.0),
+                                             .lifetime = puffs.lifetime * random.between(0.65, 1.1),
+                                             .opacity = puffs.opacity,
+                                             .colour = group.colour,
+                                             .seed = random.unit(),
+                                             .isLingering = puffs.isLingering};
+                if (isShown) add(particle, group.event->step);
+            }
+        });
     }
 
-    bool isFull() const { return m_scene.particles.size() >= kMaxParticles; }
-
-    void add(const EventRecord& event) {
-        m_age = m_moment.stepLength * static_cast<double>(m_moment.step + 1 - event.step);
-        Random random(mixSeeds(mixSeeds(kStream + static_cast<std::uint64_t>(event.kind), event.step),
-                               mixSeeds(event.body, event.other)));
-        if (event.kind == EventKind::Bonds || event.kind == EventKind::Broken) addBreak(event, random);
-        if (event.kind == EventKind::Impact && event.energy >= kMinEnergy) addImpact(event, random);
+    /// Adds sparks, and a flash where they come from.
+    void addSparks(const EventRecord& event) {
+        withEmitter(event, event.kind == EventKind::Impact, [&](const ParticleEmitter& emitter) {
+            Random random = randomOf(event, kDustStream + 16 * 4);
+            const glm::vec3 hot(kHot.red, kHot.green, kHot.blue);
+            Vec3 flash(0.0);
+            for (int k = 0, count = countOf(event.energy, 1.5, 6.0, 40.0); k < count; ++k) {
+                const EmittedStart start = emitter.next(random);
+                if (k == 0) flash = start.from;
+                const ParticleStart spark{.kind = ParticleKind::Spark,
+                                          .from = start.from,
+                                          .velocity = random.between(1.5, 4.0) * start.velocity,
+                                          .radius = random.between(0.004, 0.008),
+                                          .lifetime = random.between(0.15, 0.4),
+                                          .colour = hot};
+                add(spark, event.step);
+            }
+            const ParticleStart glow{.kind = ParticleKind::Flash,
+                                     .from = flash,
+                                     .radius = scaledByEnergy(event.energy, 0.03, 0.08, 0.4),
+                                     .lifetime = 0.07,
+                                     .opacity = 0.8,
+                                     .colour = hot};
+            add(glow, event.step);
+        });
     }
 
 private:
-    void addBreak(const EventRecord& broken, Random& random) {
-        const Material* body = findMaterial(m_project, broken.materials[0]);
-        const std::optional<ParticleMaterial> fresh = particleMaterialOf(m_project, broken.materials[1], false);
-        if (!fresh) return;
-        const BreakEmitter emitter(broken, body != nullptr ? body->density : kMineralDensity);
-        const double size = emitter.size(), energy = broken.energy;
-        switch (fresh->debris) {
-            case Debris::Mineral:
-                addDust({14, 0.6, 0.85, 0.13 * size, mixed(fresh->inside, 0.3)}, emitter, random);
-                addChips({ParticleKind::Chip, countOf(energy, 1.0, 4.0, 30.0), 0.012, 0.04, mixed(fresh->inside, 0.0)},
-                         emitter, random);
-                break;
-            case Debris::Glass:
-                addDust({3, 0.3, 0.12, 0.13 * size, mixed(fresh->inside, 0.9)}, emitter, random);
-                addChips(
-                    {ParticleKind::Splinter, countOf(energy, 6.0, 60.0, 90.0), 0.007, 0.02, mixed(fresh->outside, 0.0)},
-                    emitter, random);
-                break;
-            case Debris::Metal:
-                addDust({3, 0.3, 0.2, 0.13 * size, mixed(fresh->inside, 0.3)}, emitter, random);
-                addSparks(energy, emitter, random);
-                break;
-            case Debris::Wood:
-                addDust({3, 0.4, 0.25, 0.13 * size, mixed(fresh->inside, 0.3)}, emitter, random);
-                addChips(
-                    {ParticleKind::Splinter, countOf(energy, 1.5, 12.0, 40.0), 0.02, 0.06, mixed(fresh->inside, 0.0)},
-                    emitter, random);
-                break;
-        }
+    template <class Emit>
+    void withEmitter(const EventRecord& event, bool isImpact, const Emit& emit) const {
+        if (isImpact) return emit(ImpactEmitter(event));
+        const Material* body = findMaterial(m_project, event.materials[0]);
+        emit(BreakEmitter(event, body != nullptr ? body->density : kBodyDensity));
     }
-
-    void addImpact(const EventRecord& impact, Random& random) {
-        const std::optional<ParticleMaterial> sides[] = {
-            particleMaterialOf(m_project, impact.materials[0], false),
-            particleMaterialOf(m_project, impact.materials[1], m_project.ground.isOn && impact.other == 0)};
-        const ImpactEmitter emitter(impact);
-        const double energy = impact.energy;
-        for (const std::optional<ParticleMaterial>& side : sides) {
-            if (!side) continue;
-            switch (side->debris) {
-                case Debris::Mineral:
-                    addDust({countOf(energy, 0.6, 1.0, 6.0), 0.5, scaledByEnergy(energy, 0.1, 0.2, 0.7),
-                             scaledByEnergy(energy, 0.018, 0.03, 0.25), mixed(side->inside, 0.3)},
-                            emitter, random);
-                    addChips(
-                        {ParticleKind::Chip, countOf(energy, 0.5, 1.0, 12.0), 0.008, 0.022, mixed(side->inside, 0.0)},
-                        emitter, random);
-                    break;
-                case Debris::Glass:
-                    addChips({ParticleKind::Splinter, countOf(energy, 1.5, 3.0, 20.0), 0.005, 0.014,
-                              mixed(side->outside, 0.0)},
-                             emitter, random);
-                    break;
-                case Debris::Metal: addSparks(energy, emitter, random); break;
-                case Debris::Wood:
-                    addChips(
-                        {ParticleKind::Splinter, countOf(energy, 0.4, 0.0, 8.0), 0.012, 0.03, mixed(side->inside, 0.0)},
-                        emitter, random);
-                    break;
-            }
-        }
-    }
-
-    struct DustStyle {
-        int count;
-        double lifetime;  // s
-        double opacity;
-        double radius;  // m, of the smallest
-        glm::vec3 colour;
-    };
-    void addDust(const DustStyle& style, const Emitter& emitter, Random& random) {
-        for (int k = 0; k < style.count; ++k) {
-            const Emitter::Start start = emitter.next(random);
-            add({.kind = ParticleKind::Dust,
-                 .from = start.from,
-                 .velocity = start.velocity,
-                 .radius = style.radius * random.between(1.0, 2.0),
-                 .lifetime = style.lifetime * random.between(0.65, 1.1),
-                 .opacity = style.opacity,
-                 .colour = style.colour,
-                 .phase = random.unit()});
-        }
-    }
-
-    struct ChipStyle {
-        ParticleKind kind;
-        int count;
-        double least, most;  // m: radii
-        glm::vec3 colour;
-    };
-    /// Chips or splinters.
-    void addChips(const ChipStyle& style, const Emitter& emitter, Random& random) {
-        for (int k = 0; k < style.count; ++k) {
-            const Emitter::Start start = emitter.next(random);
-            const Vec3 aside(random.between(-0.8, 0.8), random.between(0.0, 1.2), random.between(-0.8, 0.8));
-            add({.kind = style.kind,
-                 .from = start.from,
-                 .velocity = start.velocity + aside,
-                 .radius = random.between(style.least, style.most),
-                 .lifetime = random.between(0.5, 0.9),
-                 .colour = style.colour,
-                 .phase = random.unit(),
-                 .spin = random.between(-4.0, 4.0)});
-        }
-    }
-
-    /// Sparks, and a flash where they come from.
-    void addSparks(double energy, const Emitter& emitter, Random& random) {
-        if (energy < kSparkEnergy) return;
-        const glm::vec3 hot(kHot.red, kHot.green, kHot.blue);
-        const int count = countOf(energy, 1.5, 6.0, 40.0);
-        Vec3 flash(0.0);
-        for (int k = 0; k < count; ++k) {
-            const Emitter::Start start = emitter.next(random);
-            if (k == 0) flash = start.from;
-            add({.kind = ParticleKind::Spark,
-                 .from = start.from,
-                 .velocity = random.between(1.5, 4.0) * start.velocity,
-                 .radius = random.between(0.005, 0.01),
-                 .lifetime = random.between(0.15, 0.4),
-                 .colour = hot});
-        }
-        add({.kind = ParticleKind::Flash,
-             .from = flash,
-             .radius = scaledByEnergy(energy, 0.03, 0.08, 0.4),
-             .lifetime = 0.07,
-             .opacity = 0.8,
-             .colour = hot});
-    }
-
-    void add(const ParticleStart& start) {
-        if (m_age < start.lifetime && !isFull()) m_scene.particles.push_back(particleAt(start, m_age, m_world));
+    void add(const ParticleStart& start, std::uint64_t step) {
+        const double age = m_moment.ageOf(step);
+        if (age < start.lifetime) m_scene.particles.push_back(particleAt(start, age, m_world));
     }
 
     RenderScene& m_scene;
     const Project& m_project;
     DustMoment m_moment;
     ParticleWorld m_world;
-    double m_age = 0.0;  // s, of the event
 };
 
 }  // namespace
@@ -304,11 +198,19 @@ private:
 void addDust(RenderScene& scene, const Project& project, std::span<const EventRecord> events,
              const DustMoment& moment) {
     const auto shown = static_cast<std::uint64_t>(kDustTime / moment.stepLength);
-    DustWriter writer(scene, project, moment);
-    for (auto event = events.rbegin(); event != events.rend() && !writer.isFull(); ++event) {
+    DustEvents raised(project);
+    for (auto event = events.rbegin(); event != events.rend(); ++event) {
         if (event->step > moment.step) continue;
         if (event->step + shown <= moment.step) break;
-        writer.add(*event);
+        raised.add(*event, moment.ageOf(event->step));
+    }
+    double wanted = 0.0;
+    for (const PuffGroup& group : raised.puffs()) wanted += group.puffs.count;
+    DustWriter writer(scene, project, moment);
+    for (const PuffGroup& group : raised.puffs()) writer.add(group, wanted > kMaxDust ? kMaxDust / wanted : 1.0);
+    const std::size_t most = scene.particles.size() + kMaxSparks;
+    for (const EventRecord* event : raised.sparks()) {
+        if (scene.particles.size() < most) writer.addSparks(*event);
     }
 }
 

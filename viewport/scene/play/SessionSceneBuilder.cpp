@@ -5,6 +5,7 @@
 #include "core/play/scene/Projectile.h"
 #include "viewport/scene/BodyColours.h"
 #include "viewport/scene/play/ContactLines.h"
+#include "viewport/scene/play/Debris.h"
 #include "viewport/scene/play/Dust.h"
 
 #include <algorithm>
@@ -230,11 +231,17 @@ void SessionSceneBuilder::record(const Session& session) {
     m_history.add(session.stepsDone(), session.events().report.records);
 }
 
+/// The events whose dust or chips may still be there.
+std::span<const EventRecord> SessionSceneBuilder::shownEvents(const Session& session) const {
+    const std::uint64_t now = session.stepsDone();
+    return m_history.between(now - std::min(now, stepOf(kDebrisTime, session.stepLength())), now);
+}
+
 /// Adds what flies after the events that were reported.
 void SessionSceneBuilder::addReportedDust(const Session& session, RenderScene& scene) const {
     const DustMoment moment{session.stepsDone(), session.stepLength(), session.world().gravity()};
-    const std::uint64_t first = moment.step - std::min(moment.step, stepOf(kDustTime, moment.stepLength));
-    addDust(scene, m_scene->project, m_history.between(first, moment.step), moment);
+    addDust(scene, m_scene->project, shownEvents(session), moment);
+    addDebris(scene, m_scene->project, shownEvents(session), moment);
 }
 
 void SessionSceneBuilder::addStructureLines(const Session& session, RenderScene& scene) {
@@ -247,6 +254,7 @@ void SessionSceneBuilder::addOverlays(const Session& session, RenderScene& scene
     scene.lines.clear();
     scene.boxes.clear();
     scene.particles.clear();
+    scene.chips.clear();
     record(session);
     addReportedDust(session, scene);
     recordImpacts(session);

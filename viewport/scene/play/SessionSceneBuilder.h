@@ -44,6 +44,8 @@ public:
     void record(const Session& session);
     /// Sets what was reported before the first scene, where the session was played without this.
     void setHistory(EventHistory history) { m_history = std::move(history); }
+    /// Whether dust, chips or what a blast leaves may still change in the steps after the session's.
+    bool hasDebris(const Session& session) const { return !shownEvents(session).empty(); }
 
     /// Sets the overlays of the following scenes. Switching hulls rebuilds the geometry; all else is cheap.
     void setOverlays(const PlayOverlays& overlays);
@@ -73,6 +75,7 @@ private:
     bool writePoses(const Session& session, RenderScene& scene) const;
     void addOverlays(const Session& session, RenderScene& scene);
     void addStructureLines(const Session& session, RenderScene& scene);
+    std::span<const EventRecord> shownEvents(const Session& session) const;
     void addReportedDust(const Session& session, RenderScene& scene) const;
     std::shared_ptr<const RenderScene> sharedLayout();
     std::vector<BodyTint> tintsOf(const Session& session) const;
