@@ -33,6 +33,7 @@ void RenderPasses::setScene(std::shared_ptr<const RenderScene> made) {
     sceneBoxes.write(std::span(made->boxes));
     particles.write(std::span(made->particles));
     chips.write(std::span(made->chips));
+    decals.write(std::span(made->decals));
     scene.upload(std::move(made));
 }
 
@@ -196,6 +197,22 @@ void RenderPasses::drawSceneLines() {
     glDisable(GL_BLEND);
 }
 
+/// Draws squares that a shader compares with the depths of what was drawn before.
+void RenderPasses::drawOverDepths(const RenderView& view, const ShaderProgram& program,
+                                  const InstanceBuffer& instances) {
+    if (instances.count() == 0) return;
+    solidDepths.copyBound(view.size);
+    solidDepths.bind();
+    glEnable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_DEPTH_CLAMP);
+    program.use();
+    instances.draw(6);
+    glDisable(GL_DEPTH_CLAMP);
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+}
+
 /// Chips with their shadows on the ground, which is not in the depth buffer.
 void RenderPasses::drawChips() {
     if (chips.count() == 0) return;
@@ -210,20 +227,6 @@ void RenderPasses::drawChips() {
     lit(programs.chips).use();
     chips.draw(18);
     glDisable(GL_DEPTH_CLAMP);
-}
-
-void RenderPasses::drawParticles(const RenderView& view) {
-    if (particles.count() == 0) return;
-    solidDepths.copyBound(view.size);
-    solidDepths.bind();
-    glEnable(GL_BLEND);
-    glDisable(GL_DEPTH_TEST);  // the shader compares with the copy
-    glEnable(GL_DEPTH_CLAMP);
-    lit(programs.particles).use();
-    particles.draw(6);
-    glDisable(GL_DEPTH_CLAMP);
-    glEnable(GL_DEPTH_TEST);
-    glDisable(GL_BLEND);
 }
 
 /// Of the selected bodies, over the bound framebuffer.
@@ -290,6 +293,7 @@ void RenderPasses::drawImage(const RenderView& view) {
     if (isSolid) drawSolid();
     drawGround(view);
     if (!isSolid) drawWireframe(view);
+    if (isSolid) drawOverDepths(view, programs.decals, decals);
     if (isSolid) drawChips();
     if (isSolid) drawTransparent(view);
     const bool hasOverlays = view.settings.hasOverlays;
@@ -297,7 +301,7 @@ void RenderPasses::drawImage(const RenderView& view) {
         drawHulls(view);
         drawSceneLines();
     }
-    if (isSolid) drawParticles(view);
+    if (isSolid) drawOverDepths(view, lit(programs.particles), particles);
     if (!hasOverlays) return;
     drawOutlines(view);
     drawAxes(view);

@@ -45,8 +45,8 @@ struct RenderPasses {
     void drawEdges(const EdgePass& pass);
     void drawGround(const RenderView& view);
     void drawSceneLines();
+    void drawOverDepths(const RenderView& view, const ShaderProgram& program, const InstanceBuffer& instances);
     void drawChips();
-    void drawParticles(const RenderView& view);
     void drawOutlines(const RenderView& view);
     void drawAxes(const RenderView& view);
     void drawScreenLines(const std::vector<ScreenLine>& lines);
@@ -62,6 +62,7 @@ struct RenderPasses {
     InstanceBuffer sceneBoxes{4, 4, 4, 4};
     InstanceBuffer particles{4, 4, 4};
     InstanceBuffer chips{4, 4, 4, 4};
+    InstanceBuffer decals{4, 4, 4};
     DepthCopy solidDepths;
     SceneSummary summary;  // of `scene`
     /// Shadow maps of an image by itself, which stay as long as its scene does, and of one of many, or of one at a low

@@ -69,6 +69,7 @@ Result<RenderPrograms> compilePrograms() {
         .screenLines = compiler.compile({"screen_lines.vert"}, {"line.frag"}),
         .sceneLines = compiler.compile({"scene_lines.vert"}, {"line.frag"}),
         .chipShadows = compiler.compile({"chip_form.glsl", "chip_shadows.vert"}, {"chip_shadows.frag"}),
+        .decals = compiler.compile({"decals.vert"}, {"camera.glsl", "sky_light.glsl", "decals.frag"}),
         .mean = compiler.compile({"fullscreen.vert"}, {"mean.frag"}),
     };
     if (compiler.error()) return *compiler.error();

@@ -119,6 +119,21 @@ struct Chip {
     bool operator==(const Chip&) const = default;
 };
 
+enum class DecalKind {
+    Light,      // of a flash
+    ShockRing,  // of dust, on what faces upwards
+    Scorch,     // on the ground only
+};
+
+/// Something projected onto the surfaces around a point.
+struct Decal {
+    glm::vec4 centre{0.0f};   // m, relative to RenderScene::origin; w: radius, m
+    glm::vec4 colour{1.0f};   // sRGB and opacity
+    glm::vec4 details{0.0f};  // its DecalKind as a number; its radius one step earlier minus now, m; a seed in [0, 1)
+    DecalKind kind() const { return static_cast<DecalKind>(static_cast<int>(details.x)); }
+    bool operator==(const Decal&) const = default;
+};
+
 /// A closed interval of numbers.
 struct ValueRange {
     double least = 0.0;
@@ -156,6 +171,7 @@ struct RenderScene {
     std::vector<SceneLine> boxes;  // axis-aligned, from one corner to the opposite one
     std::vector<Particle> particles;
     std::vector<Chip> chips;
+    std::vector<Decal> decals;
     std::optional<SceneSummary> summary;  // cached; see summaryOf()
     bool operator==(const RenderScene&) const = default;
 };

@@ -137,7 +137,7 @@ private:
             if (task.isCancelled()) return TaskContext::cancelled();
             moved->step();
             observer.afterStep();
-            entry.history.add(moved->stepsDone(), moved->events().report.records);
+            entry.history.add(moved->stepsDone(), moved->events());
         }
         observer.measure(entry.figures);
         entry.figures.isPlayed = true;

@@ -1,4 +1,4 @@
-// Tests the overlays of viewport/render/RenderPasses.cpp: lines, boxes, dust, chips, scale bar.
+// Tests the overlays of viewport/render/RenderPasses.cpp: lines, boxes, dust, chips, decals, scale bar.
 #include "core/asset/library/StarterProject.h"
 #include "core/asset/project/FragmentColours.h"
 #include "tests/support/TestProgram.h"
@@ -152,6 +152,36 @@ private slots:
         };
         const int lying = darkened(0.02f), flying = darkened(0.5f);
         QVERIFY2(lying > flying + 20, qPrintable(QString("%1 %2").arg(lying).arg(flying)));
+    }
+    void decalsCoverWhatIsWithinTheirRadius() {
+        RenderScene scene = centredWall();
+        const QImage clear = picture(scene);
+        const auto differenceOf = [&](DecalKind kind, float z, const QRect& where) {
+            scene.decals = {{glm::vec4(0.0f, 0.0f, z, 0.3f), glm::vec4(0.0f, 0.0f, 0.0f, 1.0f),
+                             glm::vec4(static_cast<float>(kind), 0.0f, 0.5f, 0.0f)}};
+            return test::meanDifference(picture(scene).copy(where), clear.copy(where));
+        };
+        const QRect middle(90, 90, 20, 20), corner(20, 20, 20, 20);
+        QVERIFY(differenceOf(DecalKind::Light, 0.35f, middle) > 20.0);
+        QCOMPARE(differenceOf(DecalKind::Light, 0.35f, corner), 0.0);
+        QCOMPARE(differenceOf(DecalKind::Light, 0.6f, middle), 0.0);   // too far before the wall
+        QCOMPARE(differenceOf(DecalKind::Scorch, 0.3f, middle), 0.0);  // which is not ground
+        QCOMPARE(differenceOf(DecalKind::ShockRing, 0.3f, middle), 0.0);
+    }
+    void scorchAndRingLieOnTheGround() {
+        RenderScene scene = centredWall();
+        for (BodyAppearance& body : scene.appearances) body.marks = kHidden;
+        scene.groundHeight = scene.origin.y - 0.5;
+        const QImage clear = picture(scene, 1.0, StandardView::Top);
+        const auto seen = [&](DecalKind kind) {
+            scene.decals = {{glm::vec4(0.0f, -0.5f, 0.0f, 0.5f), glm::vec4(0.0f, 0.0f, 0.0f, 1.0f),
+                             glm::vec4(static_cast<float>(kind), 0.0f, 0.5f, 0.0f)}};
+            return picture(scene, 1.0, StandardView::Top);
+        };
+        const QRect middle(95, 95, 10, 10);
+        QVERIFY(test::meanDifference(seen(DecalKind::Scorch).copy(middle), clear.copy(middle)) > 60.0);
+        QCOMPARE(test::meanDifference(seen(DecalKind::ShockRing).copy(middle), clear.copy(middle)), 0.0);
+        QVERIFY(test::meanDifference(seen(DecalKind::ShockRing), clear) > 1.0);
     }
     void outdoorSceneHasHorizonAndScaleBar() {
         RenderScene scene = centredWall();

@@ -4,6 +4,7 @@
 #include "core/geometry/hull/MassProperties.h"
 #include "core/play/scene/Projectile.h"
 #include "viewport/scene/BodyColours.h"
+#include "viewport/scene/play/BlastEffects.h"
 #include "viewport/scene/play/ContactLines.h"
 #include "viewport/scene/play/Debris.h"
 #include "viewport/scene/play/Dust.h"
@@ -41,6 +42,12 @@ std::shared_ptr<const std::vector<glm::vec4>> restOffsets(const RenderScene& sce
                 offsets[first + solid] = glm::vec4(glm::vec3(solids[solid].offset), 0.0f);
     }
     return std::make_shared<const std::vector<glm::vec4>>(std::move(offsets));
+}
+
+/// The first step of which dust or chips may still be there.
+std::uint64_t firstShown(const Session& session) {
+    const std::uint64_t now = session.stepsDone();
+    return now - std::min(now, stepOf(std::max(kDebrisTime, kBlastTime), session.stepLength()));
 }
 
 /// The pose of a body, shrunk by `fade` in [0, 1].
@@ -227,14 +234,15 @@ void SessionSceneBuilder::recordImpacts(const Session& session) {
     for (const PlaySplit& split : session.events().splits) heatUp(split.body.number, 1.0);
 }
 
-void SessionSceneBuilder::record(const Session& session) {
-    m_history.add(session.stepsDone(), session.events().report.records);
-}
+void SessionSceneBuilder::record(const Session& session) { m_history.add(session.stepsDone(), session.events()); }
 
 /// The events whose dust or chips may still be there.
 std::span<const EventRecord> SessionSceneBuilder::shownEvents(const Session& session) const {
-    const std::uint64_t now = session.stepsDone();
-    return m_history.between(now - std::min(now, stepOf(kDebrisTime, session.stepLength())), now);
+    return m_history.between(firstShown(session), session.stepsDone());
+}
+
+bool SessionSceneBuilder::hasDebris(const Session& session) const {
+    return !shownEvents(session).empty() || !m_history.blastsBetween(firstShown(session), session.stepsDone()).empty();
 }
 
 /// Adds what flies after the events that were reported.
@@ -242,6 +250,7 @@ void SessionSceneBuilder::addReportedDust(const Session& session, RenderScene& s
     const DustMoment moment{session.stepsDone(), session.stepLength(), session.world().gravity()};
     addDust(scene, m_scene->project, shownEvents(session), moment);
     addDebris(scene, m_scene->project, shownEvents(session), moment);
+    addBlasts(scene, m_history.blastsBetween(0, moment.step), moment);
 }
 
 void SessionSceneBuilder::addStructureLines(const Session& session, RenderScene& scene) {
@@ -255,6 +264,7 @@ void SessionSceneBuilder::addOverlays(const Session& session, RenderScene& scene
     scene.boxes.clear();
     scene.particles.clear();
     scene.chips.clear();
+    scene.decals.clear();
     record(session);
     addReportedDust(session, scene);
     recordImpacts(session);

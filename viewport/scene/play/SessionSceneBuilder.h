@@ -45,7 +45,7 @@ public:
     /// Sets what was reported before the first scene, where the session was played without this.
     void setHistory(EventHistory history) { m_history = std::move(history); }
     /// Whether dust, chips or what a blast leaves may still change in the steps after the session's.
-    bool hasDebris(const Session& session) const { return !shownEvents(session).empty(); }
+    bool hasDebris(const Session& session) const;
 
     /// Sets the overlays of the following scenes. Switching hulls rebuilds the geometry; all else is cheap.
     void setOverlays(const PlayOverlays& overlays);

@@ -63,6 +63,25 @@ private slots:
         QCOMPARE(countOf(history), std::size_t{1});
         QCOMPARE(history.between(0, 1000).front().step, std::uint64_t{2});
     }
+    /// Also where no record tells that the step was another one.
+    void blastsAreKeptWithTheirSteps() {
+        EventHistory history = historyUntil(9);
+        PlayEvents events;
+        events.inputs = {
+            {8, ShotInput{"blast", Blast{.radius = 3.0}}}, {8, ShotInput{"blow", Hammer{}}}, {8, BreakInput{1}}};
+        history.add(10, events);
+        history.add(11, PlayEvents{});
+        QCOMPARE(history.blastsBetween(1, 11).size(), std::size_t{1});
+        QCOMPARE(history.blastsBetween(10, 10).front().blast.radius, 3.0);
+        QCOMPARE(history.blastsBetween(11, 20).size(), std::size_t{0});
+        history.add(10, events);
+        QCOMPARE(countOf(history), std::size_t{9});
+        history.add(5, std::vector{impact(5)}, std::vector{BlastRecord{5, {}}});  // another course
+        QCOMPARE(countOf(history), std::size_t{5});
+        QCOMPARE(history.blastsBetween(1, 20).size(), std::size_t{1});
+        history.add(20, PlayEvents{});  // a gap
+        QCOMPARE(history.blastsBetween(1, 20).size(), std::size_t{0});
+    }
     void oldestStepsAreForgotten() {
         const EventHistory history = historyUntil(100, 20);
         QVERIFY(countOf(history) <= 20 && countOf(history, 92, 100) == 9);
