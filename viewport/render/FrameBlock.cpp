@@ -100,13 +100,13 @@ FrameBlock frameBlock(const RenderView& view, const RenderScene& scene, const Sc
     const Camera& camera = view.camera;
     const RenderSettings& settings = view.settings;
     const Environment environment = environmentOf(settings.sky, settings.theme, light);
+    const Box3& bounds = summary.boundsAt(view.stepFraction);
     FrameBlock frame{};
-    setCamera(frame, view, scene, summary.bounds, sample.pixelOffset);
+    setCamera(frame, view, scene, bounds, sample.pixelOffset);
     setLight(frame, light, settings.exposure, sample, summary.hasTransparent);
     setSurroundings(frame, environment, static_cast<float>(light.sky.glowSharpness), camera);
     const double below = scene.groundHeight - kGroundBias * camera.distance;
-    const double gridRadius =
-        std::max(4.0 * camera.distance, summary.bounds.isEmpty() ? 0.0 : summary.bounds.diagonal());
+    const double gridRadius = std::max(4.0 * camera.distance, bounds.isEmpty() ? 0.0 : bounds.diagonal());
     frame.ground =
         direction(Vec3(camera.target.x, below, camera.target.z) - scene.origin, static_cast<float>(gridRadius));
     const glm::vec2 step = gridStep(camera);

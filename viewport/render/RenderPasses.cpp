@@ -4,7 +4,9 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <string>
 
 namespace rubble {
 
@@ -20,6 +22,9 @@ struct EdgePass {
 namespace {
 
 void setCapability(std::uint32_t capability, bool isOn) { isOn ? glEnable(capability) : glDisable(capability); }
+
+/// Colours over others, by their opacity.
+void setBlending() { glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA); }
 
 glm::vec4 withOpacity(glm::vec4 colour, float opacity) { return {glm::vec3(colour), opacity}; }
 
@@ -83,7 +88,7 @@ void RenderPasses::setShadows(const RenderView& view, const LightSample& sample,
     sky = isSingle ? &singleSky : &sampledSky;
     const KeyContent content{.map = key,
                              .stepFraction = scene.scene()->previousPoses.empty() ? 1.0 : view.stepFraction,
-                             .region = lightRegion(summary.bounds, view.camera),
+                             .region = lightRegion(summary.boundsAt(view.stepFraction), view.camera),
                              .direction = sample.keyDirection};
     if (!isSingle || keyContent != content) {
         key->draw(scene, programs, sample.keyDirection, content.region, summary.hasTransparent);
@@ -213,6 +218,39 @@ void RenderPasses::drawOverDepths(const RenderView& view, const ShaderProgram& p
     glDisable(GL_BLEND);
 }
 
+/// Draws each body that has marks once more, over itself.
+void RenderPasses::drawMarks() {
+    const std::vector<SurfaceMark>& marks = scene.scene()->surfaceMarks;
+    if (marks.empty()) return;
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_DST_COLOR, GL_SRC_COLOR);  // twice the product
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_LEQUAL);
+    glEnable(GL_CULL_FACE);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(-1.0f, -2.0f);
+    programs.marks.use();
+    programs.marks.set("surfaces", kOpaqueSurfaces);
+    for (std::size_t first = 0, next = 0; first < marks.size(); first = next) {
+        while (next < marks.size() && marks[next].body == marks[first].body) ++next;
+        const std::size_t count = std::min(next - first, kMaxMarksOfBody);
+        for (std::size_t k = 0; k < count; ++k) {  // the latest of its marks
+            const std::string index = "[" + std::to_string(k) + "]";
+            programs.marks.set(("markCentres" + index).c_str(), marks[next - count + k].centre);
+            programs.marks.set(("markNormals" + index).c_str(), marks[next - count + k].normal);
+        }
+        programs.marks.set("markCount", static_cast<std::uint32_t>(count));
+        scene.drawBody(marks[first].body);
+    }
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glDisable(GL_CULL_FACE);
+    glDepthMask(GL_TRUE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    setBlending();
+    glDisable(GL_BLEND);
+}
+
 /// Chips with their shadows on the ground, which is not in the depth buffer.
 void RenderPasses::drawChips() {
     if (chips.count() == 0) return;
@@ -284,7 +322,7 @@ void RenderPasses::drawScreenLines(const std::vector<ScreenLine>& lines) {
 }
 
 void RenderPasses::drawImage(const RenderView& view) {
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    setBlending();
     glDepthMask(GL_TRUE);
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
@@ -293,6 +331,7 @@ void RenderPasses::drawImage(const RenderView& view) {
     if (isSolid) drawSolid();
     drawGround(view);
     if (!isSolid) drawWireframe(view);
+    if (isSolid) drawMarks();
     if (isSolid) drawOverDepths(view, programs.decals, decals);
     if (isSolid) drawChips();
     if (isSolid) drawTransparent(view);

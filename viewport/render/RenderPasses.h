@@ -46,6 +46,7 @@ struct RenderPasses {
     void drawGround(const RenderView& view);
     void drawSceneLines();
     void drawOverDepths(const RenderView& view, const ShaderProgram& program, const InstanceBuffer& instances);
+    void drawMarks();
     void drawChips();
     void drawOutlines(const RenderView& view);
     void drawAxes(const RenderView& view);

@@ -70,6 +70,7 @@ Result<RenderPrograms> compilePrograms() {
         .sceneLines = compiler.compile({"scene_lines.vert"}, {"line.frag"}),
         .chipShadows = compiler.compile({"chip_form.glsl", "chip_shadows.vert"}, {"chip_shadows.frag"}),
         .decals = compiler.compile({"decals.vert"}, {"camera.glsl", "sky_light.glsl", "decals.frag"}),
+        .marks = compiler.compile({"bodies.glsl", "marks.vert"}, {"sky_light.glsl", "marks.frag"}),
         .mean = compiler.compile({"fullscreen.vert"}, {"mean.frag"}),
     };
     if (compiler.error()) return *compiler.error();

@@ -19,7 +19,7 @@ struct RenderPrograms {
     SurfacePrograms solid, transparent;
     LitPrograms ground, concreteGround, particles, chips;
     ShaderProgram surfaces, light, lightBlur;  // of the light buffer
-    ShaderProgram wires, depth, glassShadow, screenLines, sceneLines, chipShadows, decals, mean;
+    ShaderProgram wires, depth, glassShadow, screenLines, sceneLines, chipShadows, decals, marks, mean;
 };
 
 /// Errors: see ShaderProgram::create(), for the first program that fails.

@@ -142,7 +142,7 @@ Box3 boundsOfBody(const RenderScene& scene, std::uint32_t body) {
 
 SceneSummary summaryOf(const RenderScene& scene) {
     if (scene.summary) return *scene.summary;
-    return {boundsOf(scene), boundsOf(scene, kSelected), hasTransparentSurface(scene)};
+    return {boundsOf(scene), boundsAt(scene, scene.poses), boundsOf(scene, kSelected), hasTransparentSurface(scene)};
 }
 
 }  // namespace rubble

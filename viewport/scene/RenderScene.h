@@ -134,6 +134,15 @@ struct Decal {
     bool operator==(const Decal&) const = default;
 };
 
+/// What an impact or a blast left on a body. Drawn on its opaque surfaces.
+struct SurfaceMark {
+    glm::vec4 centre{0.0f};  // m, in the frame of the body's solid; w: radius, m
+    glm::vec4 normal{0.0f};  // of the surface, length 1, in that frame; soot has none; w: a seed in [0, 1)
+    std::uint32_t body = 0;
+    bool operator==(const SurfaceMark&) const = default;
+};
+inline constexpr std::size_t kMaxMarksOfBody = 8;  // that are drawn
+
 /// A closed interval of numbers.
 struct ValueRange {
     double least = 0.0;
@@ -144,8 +153,12 @@ struct ValueRange {
 /// Properties of a scene as a whole.
 struct SceneSummary {
     Box3 bounds;    // see boundsOf()
+    Box3 now;       // the same without the previous poses
     Box3 selected;  // of the selected bodies
     bool hasTransparent = false;
+    /// The bounds of what is drawn at a fraction of the step: pictures of the end of a step are the same, whether the
+    /// step before is known, as in play, or not, as after a seek.
+    const Box3& boundsAt(double stepFraction) const { return stepFraction < 1.0 ? bounds : now; }
     bool operator==(const SceneSummary&) const = default;
 };
 
@@ -172,7 +185,8 @@ struct RenderScene {
     std::vector<Particle> particles;
     std::vector<Chip> chips;
     std::vector<Decal> decals;
-    std::optional<SceneSummary> summary;  // cached; see summaryOf()
+    std::vector<SurfaceMark> surfaceMarks;  // by ascending body
+    std::optional<SceneSummary> summary;    // cached; see summaryOf()
     bool operator==(const RenderScene&) const = default;
 };
 

@@ -1,4 +1,4 @@
-// Tests the overlays of viewport/render/RenderPasses.cpp: lines, boxes, dust, chips, decals, scale bar.
+// Tests the overlays of viewport/render/RenderPasses.cpp: lines, boxes, dust, chips, decals, marks, scale bar.
 #include "core/asset/library/StarterProject.h"
 #include "core/asset/project/FragmentColours.h"
 #include "tests/support/TestProgram.h"
@@ -167,6 +167,27 @@ private slots:
         QCOMPARE(differenceOf(DecalKind::Light, 0.6f, middle), 0.0);   // too far before the wall
         QCOMPARE(differenceOf(DecalKind::Scorch, 0.3f, middle), 0.0);  // which is not ground
         QCOMPARE(differenceOf(DecalKind::ShockRing, 0.3f, middle), 0.0);
+    }
+    void marksChangeTheirPlaceOnTheirBody() {
+        RenderScene scene = centredWall();
+        const QImage clear = picture(scene);
+        const auto differenceOf = [&](const glm::vec4& normal, float z, const QRect& where) {
+            scene.surfaceMarks.clear();
+            for (std::uint32_t body = 0; body < scene.poses.size(); ++body) {
+                const glm::vec4 origin = scene.poses[body].position;
+                scene.surfaceMarks.push_back(
+                    {glm::vec4(glm::vec3(0.0f, 0.0f, z) - glm::vec3(origin), 0.15f), normal, body});
+            }
+            return test::meanDifference(picture(scene).copy(where), clear.copy(where));
+        };
+        const QRect middle(80, 80, 40, 40), corner(20, 20, 40, 40);
+        const glm::vec4 outwards(0.0f, 0.0f, 1.0f, 0.4f), soot(0.0f, 0.0f, 0.0f, 0.4f);
+        for (const glm::vec4& normal : {outwards, soot}) {
+            QVERIFY(differenceOf(normal, 0.25f, middle) > 4.0);
+            QCOMPARE(differenceOf(normal, 0.25f, corner), 0.0);
+            QCOMPARE(differenceOf(normal, -0.25f, middle), 0.0);  // on the other side
+        }
+        QCOMPARE(differenceOf(-outwards, 0.25f, middle), 0.0);
     }
     void scorchAndRingLieOnTheGround() {
         RenderScene scene = centredWall();

@@ -195,6 +195,7 @@ void SessionSceneBuilder::writeSummary(std::uint64_t step, RenderScene& scene) {
     scene.summary.reset();
     const Box3 now = boundsAt(scene, scene.poses);
     SceneSummary summary{.bounds = step == m_previousStep ? boundsOf(scene) : now,
+                         .now = now,
                          .hasTransparent = hasTransparentSurface(scene)};
     if (step == m_previousStep + 1 && !scene.previousPoses.empty()) summary.bounds.include(m_previousBounds);
     scene.summary = summary;
@@ -234,7 +235,10 @@ void SessionSceneBuilder::recordImpacts(const Session& session) {
     for (const PlaySplit& split : session.events().splits) heatUp(split.body.number, 1.0);
 }
 
-void SessionSceneBuilder::record(const Session& session) { m_history.add(session.stepsDone(), session.events()); }
+void SessionSceneBuilder::record(const Session& session) {
+    m_history.add(session.stepsDone(), session.events());
+    m_marks.record(session);
+}
 
 /// The events whose dust or chips may still be there.
 std::span<const EventRecord> SessionSceneBuilder::shownEvents(const Session& session) const {
@@ -253,6 +257,14 @@ void SessionSceneBuilder::addReportedDust(const Session& session, RenderScene& s
     addBlasts(scene, m_history.blastsBetween(0, moment.step), moment);
 }
 
+void SessionSceneBuilder::addMarks(const Session& session, RenderScene& scene) const {
+    const auto isApart = [this](const PlayBody& body) { return isDrawnApart(body); };
+    const auto solid = [this](const PlayBody& body, std::uint32_t fragment) {
+        return slotOf(body)->first + (fragment == kNone ? 0 : fragment + 1);
+    };
+    m_marks.addTo(scene, session, solid, isApart);
+}
+
 void SessionSceneBuilder::addStructureLines(const Session& session, RenderScene& scene) {
     const auto solid = [this](const PlayBody& body, std::uint32_t fragment) { return solidOf(body, fragment); };
     m_structureLines.addCracks(scene, session, solid);
@@ -265,8 +277,10 @@ void SessionSceneBuilder::addOverlays(const Session& session, RenderScene& scene
     scene.particles.clear();
     scene.chips.clear();
     scene.decals.clear();
+    scene.surfaceMarks.clear();
     record(session);
     addReportedDust(session, scene);
+    addMarks(session, scene);
     recordImpacts(session);
     addStructureLines(session, scene);
     if (m_overlays.hasContacts || m_overlays.hasNormals || m_overlays.hasImpulses) {

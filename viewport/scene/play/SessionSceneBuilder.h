@@ -3,6 +3,7 @@
 #include "core/play/analysis/Forecast.h"
 #include "core/play/events/EventHistory.h"
 #include "viewport/scene/SceneBuilder.h"
+#include "viewport/scene/play/ImpactMarks.h"
 #include "viewport/scene/play/OverlayColours.h"
 #include "viewport/scene/play/PlayOverlays.h"
 #include "viewport/scene/play/SessionMoment.h"
@@ -78,6 +79,7 @@ private:
     std::span<const EventRecord> shownEvents(const Session& session) const;
     void addReportedDust(const Session& session, RenderScene& scene) const;
     std::shared_ptr<const RenderScene> sharedLayout();
+    void addMarks(const Session& session, RenderScene& scene) const;
     std::vector<BodyTint> tintsOf(const Session& session) const;
     void recordImpacts(const Session& session);
     void makeModels();
@@ -101,6 +103,7 @@ private:
     std::vector<Model> m_formerModels;  // while the bodies are laid out anew: their geometry is used again
     std::vector<Slots> m_slots;         // one per origin
     EventHistory m_history;             // whose dust is shown
+    ImpactMarks m_marks;
     StructureLines m_structureLines;
     RenderScene m_layout;                               // what all scenes share, with all bodies hidden
     std::shared_ptr<const RenderScene> m_sharedLayout;  // for moments; null: not made yet
