@@ -14,9 +14,9 @@ struct BlastRecord {
     bool operator==(const BlastRecord&) const = default;
 };
 
-/// The impacts and breaks that the steps of a session have reported, and the blasts set off before them: for what is seen for a while after it happened. A
-/// step may be added again, as after a seek; one that reports something else than before begins another course, and the
-/// steps after it are forgotten.
+/// The impacts and breaks that the steps of a session have reported, and the blasts set off before them: for what is
+/// seen for a while after it happened. A step may be added again, as after a seek; one that reports something else than
+/// before begins another course, and the steps after it are forgotten.
 class EventHistory {
 public:
     /// Keeps 20 s of steps that report 16 events each, in less than 6 MB.
