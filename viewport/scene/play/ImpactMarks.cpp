@@ -113,7 +113,9 @@ void ImpactMarks::record(const Session& session) {
     std::erase_if(m_marks, [step](const Mark& one) { return one.step >= step; });
     m_marks.insert(m_marks.end(), added.begin(), added.end());
     m_last = step;
-    if (m_marks.size() > kMostKept) m_marks.erase(m_marks.begin(), m_marks.end() - kMostKept / 2);
+    if (m_marks.size() <= kMostKept) return;
+    m_first = m_marks[m_marks.size() - kMostKept / 2].step + 1;
+    std::erase_if(m_marks, [this](const Mark& one) { return one.step < m_first; });
 }
 
 void ImpactMarks::addTo(RenderScene& scene, const Session& session, const SceneBody& sceneBody,
