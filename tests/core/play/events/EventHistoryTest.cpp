@@ -49,7 +49,7 @@ private slots:
     }
     void otherCourseReplacesTheLaterSteps() {
         EventHistory history = historyUntil(9);
-        history.add(5, {});  // nothing happened this time
+        history.add(5, PlayEvents{});  // nothing happened this time
         QCOMPARE(countOf(history), std::size_t{4});
         history.add(6, std::vector{impact(6, 7)});
         QCOMPARE(history.between(6, 6).front().body, 7u);
