@@ -1,4 +1,4 @@
-// Tests that pictures of a moment are the same, bit for bit, whether it was played, sought or replayed.
+// Tests viewport/scene/play/SessionSceneBuilder.cpp: pictures of a moment are the same, bit for bit, however it was reached.
 #include "tests/support/TestProgram.h"
 #include "viewport/render/OffscreenRenderer.h"
 #include "viewport/scene/play/SessionSceneBuilder.h"

@@ -5,8 +5,8 @@
 #include "core/play/scene/Projectile.h"
 #include "viewport/scene/BodyColours.h"
 #include "viewport/scene/play/BlastEffects.h"
+#include "viewport/scene/play/Chips.h"
 #include "viewport/scene/play/ContactLines.h"
-#include "viewport/scene/play/Debris.h"
 #include "viewport/scene/play/Dust.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "viewport/scene/play/Debris.h"
+#include "viewport/scene/play/Chips.h"
 
 #include "core/base/math/Power.h"
 #include "core/base/math/Trigonometry.h"

@@ -1,6 +1,6 @@
-// Tests viewport/scene/play/Debris.cpp and viewport/scene/play/DebrisMaterial.cpp.
+// Tests viewport/scene/play/Chips.cpp and viewport/scene/play/DebrisMaterial.cpp.
 #include "tests/support/TestProgram.h"
-#include "viewport/scene/play/Debris.h"
+#include "viewport/scene/play/Chips.h"
 #include "viewport/scene/play/DebrisMaterial.h"
 
 #include "tests/support/play/ReportedEvents.h"
@@ -32,7 +32,7 @@ ReportedEvents lowBlock(double area = 4.0, const Material& material = {}, double
 
 }  // namespace
 
-class DebrisTest : public QObject {
+class ChipsTest : public QObject {
     Q_OBJECT
 private slots:
     void materialsHaveTheirKinds() {
@@ -128,5 +128,5 @@ private slots:
     }
 };
 
-RUBBLE_TEST_WITH(DebrisTest, QCoreApplication)
-#include "DebrisTest.moc"
+RUBBLE_TEST_WITH(ChipsTest, QCoreApplication)
+#include "ChipsTest.moc"
