@@ -1,4 +1,4 @@
-// Tests viewport/scene/play/SessionSceneBuilder.cpp: pictures of a moment are the same, bit for bit, however it was reached.
+// Tests viewport/scene/play/SessionSceneBuilder.cpp: pictures of a moment are the same, however it was reached.
 #include "tests/support/TestProgram.h"
 #include "viewport/render/OffscreenRenderer.h"
 #include "viewport/scene/play/SessionSceneBuilder.h"
