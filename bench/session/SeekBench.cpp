@@ -43,7 +43,7 @@ struct Played {
 
     void record() {
         const Session& session = timeline.session();
-        recording.add(session.stepsDone(), builder.momentOf(session), session.events().report.records);
+        recording.add(session.stepsDone(), builder.momentOf(session), session.events());
     }
     void step(Times& times) {
         times.seek.push_back(bench::millisecondsOf([&] { static_cast<void>(timeline.step()); }));

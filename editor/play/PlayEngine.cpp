@@ -184,7 +184,7 @@ void PlayEngine::recordFrame() {
     const std::uint64_t step = session().stepsDone();
     if (m_recorded->isKnown(step)) return;
     m_recorded->add({step, statisticsOf(session()), hasDestruction()}, m_builder.momentOf(session()),
-                    session().events().report.records);
+                    session().events());
 }
 
 void PlayEngine::discardRecordsAfter(std::uint64_t step) {

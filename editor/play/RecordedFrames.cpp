@@ -15,10 +15,10 @@ bool RecordedFrames::isKnown(std::uint64_t step) const {
     return m_scenes.isKnown(step);
 }
 
-void RecordedFrames::add(const Step& step, SessionMoment moment, std::span<const EventRecord> reported) {
+void RecordedFrames::add(const Step& step, SessionMoment moment, const PlayEvents& events) {
     const std::lock_guard lock(m_mutex);
     if (m_scenes.isKnown(step.step)) return;
-    m_scenes.add(step.step, std::move(moment), reported);
+    m_scenes.add(step.step, std::move(moment), events);
     m_steps.push_back(step);
 }
 

@@ -24,7 +24,7 @@ public:
     /// Whether the step need not be added: it or a later one is recorded.
     bool isKnown(std::uint64_t step) const;
     /// Adds a step after the last one, with what it has reported.
-    void add(const Step& step, SessionMoment moment, std::span<const EventRecord> reported);
+    void add(const Step& step, SessionMoment moment, const PlayEvents& events);
     void discardAfter(std::uint64_t step);
     void clear();
     /// Sets the newest frame, whose timeline the recorded ones have.

@@ -60,7 +60,8 @@ Motion motionAt(const ChipStart& start, double age, const ParticleWorld& world) 
     bool isFlying = false;
     for (const Flight& flight : flights) {
         const double flown = std::min(left, flight.duration);
-        motion.angle -= spin * (flight.duration - flown);  // 0 once it lies
+        const double whole = flight.duration == kForever ? 0.0 : flight.duration;
+        motion.angle -= spin * (whole - flown);  // 0 once it lies
         if (!isFlying) motion.position = flight.from + flight.velocity * flown + 0.5 * flown * flown * world.gravity;
         isFlying = isFlying || left < flight.duration;
         left = std::max(0.0, left - flight.duration);

@@ -2,7 +2,7 @@
 
 #include "core/base/Assert.h"
 #include "core/play/session/Session.h"
-#include "viewport/scene/play/Dust.h"
+#include "viewport/scene/play/EventEffects.h"
 
 #include <algorithm>
 #include <iterator>
@@ -43,11 +43,19 @@ bool extends(const RenderScene& layout, const RenderScene& earlier) {
            startsWith(layout.picks, earlier.picks) && startsWith(layout.appearances, earlier.appearances);
 }
 
+/// Sets shared values, null if there are none; whether they are others than before.
+template <class Value>
+bool update(std::shared_ptr<const std::vector<Value>>& shared, std::vector<Value> values) {
+    if (shared ? *shared == values : values.empty()) return false;
+    shared = values.empty() ? nullptr : std::make_shared<const std::vector<Value>>(std::move(values));
+    return true;
+}
+
 }  // namespace
 
 std::size_t SceneRecording::Step::bytes() const {
     const std::size_t own = sizeof(Step) + bytesOf(shown) + bytesOf(hidden);
-    return hasOwnLines && lines ? own + bytesOf(*lines) : own;
+    return own + (hasOwnLines && lines ? bytesOf(*lines) : 0) + (hasOwnMarks && marks ? bytesOf(*marks) : 0);
 }
 
 SceneRecording::SceneRecording(std::shared_ptr<const PlayScene> scene, double stepLength, std::size_t maxBytes)
@@ -81,17 +89,16 @@ void SceneRecording::setChanges(Step& step, const std::vector<ShownBody>& bodies
     step.hidden.shrink_to_fit();
 }
 
-void SceneRecording::add(std::uint64_t step, SessionMoment moment, std::span<const EventRecord> reported) {
+void SceneRecording::add(std::uint64_t step, SessionMoment moment, const PlayEvents& events) {
     if (isKnown(step)) return;
-    m_events.add(step, reported);
+    m_events.add(step, events);
     Step added{.step = step, .layout = layoutOf(moment.layout), .gravity = moment.gravity};
-    const Lines before = m_steps.empty() ? nullptr : m_steps.back().lines;
-    added.hasOwnLines = before ? *before != moment.lines : !moment.lines.empty();
-    added.lines = before;
-    if (added.hasOwnLines) {
-        added.lines =
-            moment.lines.empty() ? nullptr : std::make_shared<const std::vector<SceneLine>>(std::move(moment.lines));
+    if (!m_steps.empty()) {
+        added.lines = m_steps.back().lines;
+        added.marks = m_steps.back().marks;
     }
+    added.hasOwnLines = update(added.lines, std::move(moment.lines));
+    added.hasOwnMarks = update(added.marks, std::move(moment.marks));
     const bool isFollowing = !m_steps.empty() && !m_last.empty() && m_steps.back().layout == added.layout;
     if (isFollowing) setChanges(added, moment.bodies);
     m_changes += 1 + added.shown.size() + added.hidden.size();
@@ -132,6 +139,7 @@ SceneRecording::Step SceneRecording::merged(const Step& earlier, Step later) {
         later.isKey = earlier.isKey;
     }
     later.hasOwnLines |= earlier.hasOwnLines;
+    later.hasOwnMarks |= earlier.hasOwnMarks;
     return later;
 }
 
@@ -205,10 +213,10 @@ std::shared_ptr<const RenderScene> SceneRecording::sceneAt(std::uint64_t step) c
         }
     }
     if (last->lines) scene->lines = *last->lines;
-    const std::uint64_t first = step - std::min(step, stepOf(kDustTime, m_stepLength));
-    addDust(*scene, m_scene->project, m_events.between(first, step), {step, m_stepLength, last->gravity});
-    scene->summary =
-        SceneSummary{.bounds = boundsAt(*scene, scene->poses), .hasTransparent = hasTransparentSurface(*scene)};
+    if (last->marks) scene->surfaceMarks = *last->marks;
+    addEventEffects(*scene, m_scene->project, m_events, {step, m_stepLength, last->gravity});
+    const Box3 bounds = boundsAt(*scene, scene->poses);
+    scene->summary = SceneSummary{.bounds = bounds, .now = bounds, .hasTransparent = hasTransparentSurface(*scene)};
     return scene;
 }
 

@@ -24,8 +24,8 @@ public:
     SceneRecording(std::shared_ptr<const PlayScene> scene, double stepLength,
                    std::size_t maxBytes = kMaxRecordingBytes);
 
-    /// Adds a step after the last one, with what it has reported. Steps up to the last one are ignored.
-    void add(std::uint64_t step, SessionMoment moment, std::span<const EventRecord> reported);
+    /// Adds a step after the last one, with what happened in it. Steps up to the last one are ignored.
+    void add(std::uint64_t step, SessionMoment moment, const PlayEvents& events);
     /// Forgets the steps after this one.
     void discardAfter(std::uint64_t step);
     void clear() { *this = SceneRecording(m_scene, m_stepLength, m_maxBytes); }
@@ -44,15 +44,18 @@ public:
 
 private:
     using Lines = std::shared_ptr<const std::vector<SceneLine>>;
+    using Marks = std::shared_ptr<const std::vector<SurfaceMark>>;
     /// What has changed since the recorded step before, or everything if it is a keyframe.
     struct Step {
         std::uint64_t step = 0;
         std::uint32_t layout = 0;  // index
         bool isKey = false;
         bool hasOwnLines = false;           // they are not those of the step before
+        bool hasOwnMarks = false;           // likewise
         std::vector<ShownBody> shown;       // that have moved or appeared, ascending
         std::vector<std::uint32_t> hidden;  // that have disappeared, ascending
         Lines lines;
+        Marks marks;
         Vec3 gravity{0.0, 0.0, 0.0};
         std::size_t bytes() const;
     };

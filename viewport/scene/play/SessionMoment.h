@@ -20,7 +20,8 @@ struct SessionMoment {
     std::shared_ptr<const RenderScene> layout;  // all bodies, hidden, without poses
     std::vector<ShownBody> bodies;              // ascending
     std::vector<SceneLine> lines;               // cracks
-    Vec3 gravity{0.0, 0.0, 0.0};                // m/s²
+    std::vector<SurfaceMark> marks;
+    Vec3 gravity{0.0, 0.0, 0.0};  // m/s²
 };
 
 }  // namespace rubble

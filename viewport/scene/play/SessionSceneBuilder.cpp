@@ -4,10 +4,8 @@
 #include "core/geometry/hull/MassProperties.h"
 #include "core/play/scene/Projectile.h"
 #include "viewport/scene/BodyColours.h"
-#include "viewport/scene/play/BlastEffects.h"
-#include "viewport/scene/play/Chips.h"
 #include "viewport/scene/play/ContactLines.h"
-#include "viewport/scene/play/Dust.h"
+#include "viewport/scene/play/EventEffects.h"
 
 #include <algorithm>
 #include <atomic>
@@ -42,12 +40,6 @@ std::shared_ptr<const std::vector<glm::vec4>> restOffsets(const RenderScene& sce
                 offsets[first + solid] = glm::vec4(glm::vec3(solids[solid].offset), 0.0f);
     }
     return std::make_shared<const std::vector<glm::vec4>>(std::move(offsets));
-}
-
-/// The first step of which dust or chips may still be there.
-std::uint64_t firstShown(const Session& session) {
-    const std::uint64_t now = session.stepsDone();
-    return now - std::min(now, stepOf(std::max(kDebrisTime, kBlastTime), session.stepLength()));
 }
 
 /// The pose of a body, shrunk by `fade` in [0, 1].
@@ -240,21 +232,8 @@ void SessionSceneBuilder::record(const Session& session) {
     m_marks.record(session);
 }
 
-/// The events whose dust or chips may still be there.
-std::span<const EventRecord> SessionSceneBuilder::shownEvents(const Session& session) const {
-    return m_history.between(firstShown(session), session.stepsDone());
-}
-
 bool SessionSceneBuilder::hasDebris(const Session& session) const {
-    return !shownEvents(session).empty() || !m_history.blastsBetween(firstShown(session), session.stepsDone()).empty();
-}
-
-/// Adds what flies after the events that were reported.
-void SessionSceneBuilder::addReportedDust(const Session& session, RenderScene& scene) const {
-    const DustMoment moment{session.stepsDone(), session.stepLength(), session.world().gravity()};
-    addDust(scene, m_scene->project, shownEvents(session), moment);
-    addDebris(scene, m_scene->project, shownEvents(session), moment);
-    addBlasts(scene, m_history.blastsBetween(0, moment.step), moment);
+    return hasEventEffects(m_history, session.stepsDone(), session.stepLength());
 }
 
 void SessionSceneBuilder::addMarks(const Session& session, RenderScene& scene) const {
@@ -279,7 +258,8 @@ void SessionSceneBuilder::addOverlays(const Session& session, RenderScene& scene
     scene.decals.clear();
     scene.surfaceMarks.clear();
     record(session);
-    addReportedDust(session, scene);
+    addEventEffects(scene, m_scene->project, m_history,
+                    {session.stepsDone(), session.stepLength(), session.world().gravity()});
     addMarks(session, scene);
     recordImpacts(session);
     addStructureLines(session, scene);
@@ -425,7 +405,12 @@ SessionMoment SessionSceneBuilder::momentOf(const Session& session) {
     scene->lines.clear();
     const auto solid = [this](const PlayBody& body, std::uint32_t fragment) { return solidOf(body, fragment); };
     m_structureLines.addCracks(*scene, session, solid);
-    SessionMoment moment{.layout = sharedLayout(), .lines = scene->lines, .gravity = session.world().gravity()};
+    scene->surfaceMarks.clear();
+    addMarks(session, *scene);
+    SessionMoment moment{.layout = sharedLayout(),
+                         .lines = scene->lines,
+                         .marks = scene->surfaceMarks,
+                         .gravity = session.world().gravity()};
     for (std::uint32_t k = 0; k < scene->appearances.size(); ++k) {
         if ((scene->appearances[k].marks & kHidden) == 0) moment.bodies.push_back({k, scene->poses[k]});
     }

@@ -76,8 +76,6 @@ private:
     bool writePoses(const Session& session, RenderScene& scene) const;
     void addOverlays(const Session& session, RenderScene& scene);
     void addStructureLines(const Session& session, RenderScene& scene);
-    std::span<const EventRecord> shownEvents(const Session& session) const;
-    void addReportedDust(const Session& session, RenderScene& scene) const;
     std::shared_ptr<const RenderScene> sharedLayout();
     void addMarks(const Session& session, RenderScene& scene) const;
     std::vector<BodyTint> tintsOf(const Session& session) const;

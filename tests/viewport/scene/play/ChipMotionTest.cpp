@@ -92,6 +92,18 @@ private slots:
         world.gravity = {0.0, 3.0, 0.0};
         QVERIFY(chipAt(kFalling, 2.0, world).position.y > 7.0f);
     }
+    /// Without gravity it meets the ground once and floats away from it: all that is drawn stays a number.
+    void floatsAwayAfterABounce() {
+        ParticleWorld space = kEarth;
+        space.gravity = Vec3(0.0);
+        ChipStart down = kFalling;
+        down.velocity = {0.5, -2.0, 0.0};
+        for (double age = 0.05; age < 4.9; age += 0.05) {
+            const Chip chip = chipAt(down, age, space);
+            for (const glm::vec4& numbers : {chip.position, chip.rotation})
+                for (int k = 0; k < 4; ++k) QVERIFY(std::isfinite(numbers[k]));
+        }
+    }
     void previousOffsetMatchesTheStepBefore() {
         for (double age = kChipStep; age < 3.0; age += kChipStep) {
             const Chip now = chipAt(kFalling, age, kEarth), before = chipAt(kFalling, age - kChipStep, kEarth);

@@ -1,4 +1,4 @@
-// Tests viewport/scene/play/SceneRecording.cpp and SessionSceneBuilder::momentOf().
+// Tests viewport/scene/play/SceneRecording.cpp, viewport/scene/play/EventEffects.cpp and what moments have.
 #include "tests/support/TestProgram.h"
 #include "viewport/scene/play/SceneRecording.h"
 
@@ -52,11 +52,25 @@ std::vector<ShownSolid> shownIn(const RenderScene& scene) {
     return shown;
 }
 
+/// The marks with what they are on in place of its index, which depends on the order in which bodies were laid out.
+std::vector<std::pair<PickId, SurfaceMark>> marksIn(const RenderScene& scene) {
+    std::vector<std::pair<PickId, SurfaceMark>> marks;
+    for (SurfaceMark mark : scene.surfaceMarks) {
+        const PickId pick = scene.picks[std::exchange(mark.body, 0)];
+        marks.emplace_back(pick, mark);
+    }
+    std::ranges::stable_sort(marks, {}, [](const auto& mark) { return mark.first; });
+    return marks;
+}
+
 /// Describes what is drawn differently, in any bit; empty if nothing is.
 QString differenceOf(const RenderScene& recorded, const RenderScene& expected) {
     if (shownIn(recorded) != shownIn(expected)) return "other bodies";
     if (recorded.lines != expected.lines) return "other lines";
     if (recorded.particles != expected.particles) return "other particles";
+    if (recorded.chips != expected.chips) return "other chips";
+    if (recorded.decals != expected.decals) return "other decals";
+    if (marksIn(recorded) != marksIn(expected)) return "other marks";
     if (recorded.summary != expected.summary) return "another summary";
     if (!recorded.previousPoses.empty()) return "it moves";
     const auto same = [](const RenderScene& scene) {
@@ -81,7 +95,7 @@ struct Recorded {
     void record() {
         builder.record(session());
         for (SceneRecording* one : {&recording, &unlimited})
-            one->add(session().stepsDone(), builder.momentOf(session()), session().events().report.records);
+            one->add(session().stepsDone(), builder.momentOf(session()), session().events());
     }
     void play(int steps) {
         for (int k = 0; k < steps; ++k) {
@@ -94,7 +108,8 @@ struct Recorded {
         if (!timeline.seek(step, {}, [this] { builder.record(session()); })) qFatal("it does not seek");
         RenderScene sought = *builder.sceneOf(session());
         sought.previousPoses.clear();
-        sought.summary = SceneSummary{boundsAt(sought, sought.poses), {}, hasTransparentSurface(sought)};
+        const Box3 bounds = boundsAt(sought, sought.poses);
+        sought.summary = SceneSummary{bounds, bounds, {}, hasTransparentSurface(sought)};
         return std::make_shared<const RenderScene>(std::move(sought));
     }
     QString differenceAt(std::uint64_t step) { return differenceOf(*recording.sceneAt(step), *soughtScene(step)); }
