@@ -109,7 +109,7 @@ SceneBuffers::Batch SceneBuffers::batchOf(const SceneBatch& batch) {
         describeVertices(hulls.vertices, hulls.indices, made.firstBodies);
     }
     glBindVertexArray(0);
-    if (batch.finish != BatchFinish{} || batch.texture) made.finishes = bufferOf(GL_UNIFORM_BUFFER, finishBlock(batch));
+    if (!batch.finish.isPlain() || batch.texture) made.finishes = bufferOf(GL_UNIFORM_BUFFER, finishBlock(batch));
     return made;
 }
 
@@ -233,9 +233,9 @@ void SceneBuffers::bindTexels() const {
     if (m_hasFinishes) m_restOffsets.bind();
 }
 
-SceneBuffers::Batches SceneBuffers::kindOf(const SceneBatch& source, const Batch& batch) const {
+SceneBuffers::Batches SceneBuffers::kindOf(const SceneBatch& source) const {
     if (source.texture && m_textures.textureOf(source.texture) != 0) return Batches::Textured;
-    return batch.finishes.id() != 0 ? Batches::Finished : Batches::Plain;
+    return source.finish.isPlain() ? Batches::Plain : Batches::Finished;
 }
 
 void SceneBuffers::draw(Part part, Batches batches) const {
@@ -243,7 +243,7 @@ void SceneBuffers::draw(Part part, Batches batches) const {
     for (std::size_t k = 0; k < m_batches.size(); ++k) {
         const SceneBatch& source = m_scene->batches[k];
         const Batch& batch = m_batches[k];
-        if (batches != Batches::All && kindOf(source, batch) != batches) continue;
+        if (batches != Batches::All && kindOf(source) != batches) continue;
         if (batches == Batches::Textured) bindTexture(m_textures.textureOf(source.texture));
         if (batches == Batches::Textured || batches == Batches::Finished)
             glBindBufferBase(GL_UNIFORM_BUFFER, kFinishesBlock, batch.finishes.id());

@@ -82,7 +82,7 @@ private:
     const Geometry& uploaded(const std::shared_ptr<const SceneGeometry>& source);
     Batch batchOf(const SceneBatch& batch);
     void bindTexels() const;
-    Batches kindOf(const SceneBatch& source, const Batch& batch) const;
+    Batches kindOf(const SceneBatch& source) const;
     void drawInstances(const Batch& batch, const GlVertexArray& array, TriangleRange indices, std::size_t begin,
                        std::size_t end) const;
 

@@ -59,6 +59,7 @@ struct BatchFinish {
     Finish outside = Finish::Plain, inside = Finish::Plain;
     BrickCourseFrame courses;
     int grainAxis = 0;  // x, y or z of the asset
+    bool isPlain() const { return outside == Finish::Plain && inside == Finish::Plain; }
     bool operator==(const BatchFinish&) const = default;
 };
 

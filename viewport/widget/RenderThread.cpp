@@ -98,7 +98,7 @@ RenderedPicture RenderThread::picture() const {
 
 bool RenderThread::isCurrent() const {
     const std::lock_guard lock(m_mutex);
-    return m_shown.revision == m_request.revision && m_shown.hovered == m_request.view.hovered;
+    return m_shown.revision == m_request.revision && m_shown.hovered == m_request.view.hovered && m_shown.isSharp;
 }
 
 bool RenderThread::isFinished() const {

@@ -47,7 +47,7 @@ public:
 
     /// The last finished picture.
     RenderedPicture picture() const;
-    /// Whether that shows the scene and the view that were set last.
+    /// Whether that shows the scene and the view that were set last, sharply.
     bool isCurrent() const;
     /// Whether it will not be refined any further either.
     bool isFinished() const;

@@ -25,7 +25,7 @@ public:
     const Camera& shownCamera() const { return m_picture.camera; }
     bool hasPicture() const { return !m_picture.image.isNull(); }
 
-    /// Whether the picture shows the scene and the view as they are now.
+    /// Whether the picture shows the scene and the view as they are now, sharply.
     bool isCurrent();
     /// Whether it will not be refined any further either.
     bool isFinished();

@@ -94,7 +94,7 @@ public:
     /// The same, with the orientation of another camera.
     void frameFrom(const Camera& orientation, const Box3& box);
 
-    /// Whether the picture shows the scene as it is now. Pictures are rendered on another thread.
+    /// Whether the picture shows the scene as it is now, sharply. Pictures are rendered on another thread.
     bool isPictureCurrent();
     /// Whether it will not be refined any further either.
     bool isPictureFinished();

@@ -64,7 +64,7 @@ void visitFields(Self& self, Visit& visit) {
     visit("outside", outside);
     visit("inside", inside);
     visit("opacity", opacity);
-    visit("finish", finish);
+    static_cast<void>(finish);  // pictures take it from the scene: states of earlier versions have none
 }
 
 template <FieldsOf<ShotInput> Self, class Visit>

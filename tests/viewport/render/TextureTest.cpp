@@ -4,6 +4,7 @@
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
 #include "tests/support/files/TestImages.h"
+#include "tests/support/viewport/Pictures.h"
 #include "viewport/render/ImageDecoding.h"
 #include "viewport/render/OffscreenRenderer.h"
 #include "viewport/scene/SceneBuilder.h"
@@ -21,6 +22,7 @@ constexpr std::uint32_t kLongest = 4096;
 /// The starter project with a chessboard of red and blue squares of 0.5 m on its wall.
 Project textured(const std::string& image = checkerPng()) {
     Project project = starterProject();
+    project.materials[0].finish = Finish::Plain;
     project.materials[0].outside = {1.0, 1.0, 1.0};
     project.materials[0].inside = {0.0, 1.0, 0.0};
     project.assets[0].texture =
@@ -135,7 +137,9 @@ private slots:
         project.materials[0].outside = {1.0, 0.0, 0.0};
         const QImage multiplied = texturedPicture(sceneWith(project));
         project.assets[0].texture.reset();
-        QCOMPARE(multiplied, texturedPicture(sceneWith(project)));
+        const QImage red = texturedPicture(sceneWith(project));
+        const double difference = test::meanDifference(multiplied, red);
+        QVERIFY2(difference < 6.0, qPrintable(QString::number(difference)));  // edges with an image are worn
     }
     void otherColouringsIgnoreTheImage() {
         Project project = textured();

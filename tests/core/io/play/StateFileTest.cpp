@@ -74,7 +74,8 @@ private slots:
     /// Saved by the version before bonds.
     void readsStatesOfVersion1() {
         Project pane = *loadProject(RUBBLE_SOURCE_DIR "/projects/pane.rubble");
-        pane.assets[0].cutAtImpact.reset();  // which it got later
+        pane.assets[0].cutAtImpact.reset();  // which it got later, as the next
+        pane.materials[0].finish = Finish::Plain;
         const auto scene = test::playSceneOf(pane);
         Result<Session> session = loadState(RUBBLE_SOURCE_DIR "/tests/data/states/pane-version-1.rubblestate", scene);
         QVERIFY2(session.hasValue(), stateFault(session).c_str());
