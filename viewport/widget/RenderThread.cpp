@@ -65,7 +65,7 @@ RenderThread::~RenderThread() {
 void RenderThread::invalidate() {
     const auto now = Clock::now();
     const bool isPending = m_shown.revision != m_request.revision;
-    m_request.isMoving = m_isAdaptive && (isPending || (m_motionShown && now - *m_motionShown < kMotion));
+    m_request.isMoving = m_request.isAdaptive && (isPending || (m_motionShown && now - *m_motionShown < kMotion));
     m_request.changed = now;
     m_revision = ++m_request.revision;
     m_changed.notify_all();
@@ -89,7 +89,10 @@ void RenderThread::setProgressiveRendering(ProgressiveRendering mode) {
     if (m_request.revision > 0) invalidate();
 }
 
-void RenderThread::setAdaptive(bool isOn) { m_isAdaptive = isOn; }
+void RenderThread::setAdaptive(bool isOn) {
+    const std::lock_guard lock(m_mutex);
+    m_request.isAdaptive = isOn;
+}
 
 RenderedPicture RenderThread::picture() const {
     const std::lock_guard lock(m_mutex);
@@ -205,7 +208,7 @@ void RenderThread::drawChange(const Request& request) {
         m_scene = request.scene;
         updateTextures();
     }
-    const bool isQuick = request.isMoving || (m_isAdaptive && m_sharpSeconds > kSlow);
+    const bool isQuick = request.isMoving || (request.isAdaptive && m_sharpSeconds > kSlow);
     if (!isQuick) return drawSharp(request);
     RenderView view = request.view;
     view.skyMaps = m_hasGpu ? kMovingSkyMaps : kMovingSoftwareSkyMaps;

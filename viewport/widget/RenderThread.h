@@ -67,6 +67,7 @@ private:
         ProgressiveRendering progressive = ProgressiveRendering::Never;
         std::uint64_t revision = 0;  // counts changes of all but the hovered body
         bool isMoving = false;       // changes follow one another
+        bool isAdaptive = true;
         Clock::time_point changed;
     };
     /// What the last picture shows.
@@ -93,7 +94,6 @@ private:
 
     std::unique_ptr<QOffscreenSurface> m_surface;
     std::unique_ptr<QOpenGLContext> m_context;
-    bool m_isAdaptive = true;
 
     mutable std::mutex m_mutex;
     std::condition_variable m_changed;
