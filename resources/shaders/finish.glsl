@@ -9,14 +9,6 @@ in vec3 restPoint;  // in the asset's frame, in which nothing moves when it brea
 in vec3 restNormal;
 flat in int finishSide;
 
-// A number in [0, 1) for a point of the integer lattice.
-// Source: Jarzynski, Olano, "Hash functions for GPU rendering", 2020 (PCG).
-float randomAt(ivec2 at) {
-    uint state = (uint(at.x & 4095) + 4096u * uint(at.y & 4095)) * 747796405u + 2891336453u;
-    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-    return float(((word >> 22u) ^ word) & 0xffffu) / 65536.0;
-}
-
 // 1 as long as what repeats so often from pixel to pixel can be seen, 0 where it would only flicker.
 float resolved(float repetitions) { return 1.0 - smoothstep(0.25, 0.6, repetitions); }
 

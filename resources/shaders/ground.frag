@@ -20,18 +20,11 @@ float gridLines(vec2 p, float distance) {
 }
 
 #ifdef CONCRETE
-// A number in [0, 1) for a point of the integer lattice.
-// Source: Jarzynski, Olano, "Hash functions for GPU rendering", 2020 (PCG).
-float random(ivec2 at) {
-    uint state = (uint(at.x & 4095) + 4096u * uint(at.y & 4095)) * 747796405u + 2891336453u;
-    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-    return float(((word >> 22u) ^ word) & 0xffffu) / 65536.0;
-}
 float noise(vec2 p) {
     vec2 cell = floor(p), part = smoothstep(0.0, 1.0, p - cell);
     ivec2 at = ivec2(cell);
-    return mix(mix(random(at), random(at + ivec2(1, 0)), part.x),
-               mix(random(at + ivec2(0, 1)), random(at + ivec2(1, 1)), part.x), part.y);
+    return mix(mix(randomAt(at), randomAt(at + ivec2(1, 0)), part.x),
+               mix(randomAt(at + ivec2(0, 1)), randomAt(at + ivec2(1, 1)), part.x), part.y);
 }
 // Blotches of 1.6 m and 8 cm, the smaller ones where they are larger than a pixel.
 float groundTexture(vec2 p, float viewDepth) {

@@ -27,15 +27,16 @@ private:
 
 /// `variant`: the file with the names that it defines.
 LitPrograms compileSolid(ProgramCompiler& compiler, std::string_view variant) {
-    return compiler.compileLit({variant, "bodies.glsl", "solid.vert"},
-                               {variant, "light.glsl", "lit_by_buffer.glsl", "edge.glsl", "sky_light.glsl",
-                                "material.glsl", "surface_inputs.glsl", "finish.glsl", "surface.glsl", "solid.frag"});
+    return compiler.compileLit(
+        {variant, "bodies.glsl", "solid.vert"},
+        {variant, "light.glsl", "lit_by_buffer.glsl", "edge.glsl", "sky_light.glsl", "material.glsl",
+         "surface_inputs.glsl", "hash.glsl", "finish.glsl", "surface.glsl", "solid.frag"});
 }
 LitPrograms compileTransparent(ProgramCompiler& compiler, std::string_view variant) {
     return compiler.compileLit(
         {variant, "bodies.glsl", "solid.vert"},
         {variant, "key_shadow.glsl", "lit_directly.glsl", "edge.glsl", "sky_light.glsl", "material.glsl",
-         "surface_inputs.glsl", "finish.glsl", "surface.glsl", "transparent.frag"});
+         "surface_inputs.glsl", "hash.glsl", "finish.glsl", "surface.glsl", "transparent.frag"});
 }
 
 }  // namespace
@@ -49,11 +50,11 @@ Result<RenderPrograms> compilePrograms() {
         .transparent = {.plain = compileTransparent(compiler, "plain.glsl"),
                         .finished = compileTransparent(compiler, "finished.glsl"),
                         .textured = compileTransparent(compiler, "textured.glsl")},
-        .ground = compiler.compileLit(
-            {"fullscreen.vert"}, {"camera.glsl", "light.glsl", "lit_by_buffer.glsl", "background.glsl", "ground.frag"}),
+        .ground = compiler.compileLit({"fullscreen.vert"}, {"camera.glsl", "light.glsl", "lit_by_buffer.glsl",
+                                                            "background.glsl", "hash.glsl", "ground.frag"}),
         .concreteGround = compiler.compileLit(
-            {"fullscreen.vert"},
-            {"concrete.glsl", "camera.glsl", "light.glsl", "lit_by_buffer.glsl", "background.glsl", "ground.frag"}),
+            {"fullscreen.vert"}, {"concrete.glsl", "camera.glsl", "light.glsl", "lit_by_buffer.glsl", "background.glsl",
+                                  "hash.glsl", "ground.frag"}),
         .particles = compiler.compileLit({"key_shadow.glsl", "lit_directly.glsl", "sky_light.glsl", "particles.vert"},
                                          {"camera.glsl", "particles.frag"}),
         .chips = compiler.compileLit(
