@@ -149,12 +149,23 @@ void RenderThread::run() {
             }
         }
     } catch (const std::bad_alloc&) {
+        abandonContext();
         emit failed(QString::fromStdString(outOfMemory("drawing the fragments").message));
+        return;
     }
     m_buffer.reset();
     m_renderer.reset();
     m_context->doneCurrent();
     m_context->moveToThread(thread());
+}
+
+/// Leaks the context with all that is in it: where the exception came out of the driver, the driver may hold locks that
+/// it never releases, and any call that deletes something would wait for them forever.
+void RenderThread::abandonContext() {
+    static_cast<void>(m_buffer.release());
+    static_cast<void>(m_renderer.release());
+    static_cast<void>(m_context.release());
+    static_cast<void>(m_surface.release());
 }
 
 /// Does what comes next, without the lock; false if there is nothing to do.

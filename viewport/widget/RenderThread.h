@@ -84,6 +84,7 @@ private:
 
     void run();
     bool makeRenderer();
+    void abandonContext();
     bool work(std::unique_lock<std::mutex>& lock);
     void drawChange(const Request& request);
     void drawSharp(const Request& request);
