@@ -17,7 +17,7 @@ constexpr double kMarkSize = 0.014;                  // m: the radius at 1 J, as
 constexpr double kMinMark = 0.025, kMaxMark = 0.22;  // m
 constexpr double kSootRadius = 0.75;                 // of a blast's radius
 constexpr std::size_t kMaxSoot = 24;                 // bodies that one blast marks
-constexpr std::size_t kMostKept = 4096;              // marks of a session
+constexpr std::size_t kMaxKept = 4096;              // marks of a session
 constexpr std::uint64_t kMarkStream = 0x3a7c;        // of random numbers
 
 /// A point in the frame of a body's asset, m.
@@ -113,8 +113,8 @@ void ImpactMarks::record(const Session& session) {
     std::erase_if(m_marks, [step](const Mark& one) { return one.step >= step; });
     m_marks.insert(m_marks.end(), added.begin(), added.end());
     m_last = step;
-    if (m_marks.size() <= kMostKept) return;
-    m_first = m_marks[m_marks.size() - kMostKept / 2].step + 1;
+    if (m_marks.size() <= kMaxKept) return;
+    m_first = m_marks[m_marks.size() - kMaxKept / 2].step + 1;
     std::erase_if(m_marks, [this](const Mark& one) { return one.step < m_first; });
 }
 

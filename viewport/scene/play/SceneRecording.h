@@ -51,7 +51,7 @@ private:
         std::uint32_t layout = 0;  // index
         bool isKey = false;
         bool hasOwnLines = false;           // they are not those of the step before
-        bool hasOwnMarks = false;           // likewise
+        bool hasOwnMarks = false;           // nor the marks
         std::vector<ShownBody> shown;       // that have moved or appeared, ascending
         std::vector<std::uint32_t> hidden;  // that have disappeared, ascending
         Lines lines;
