@@ -40,6 +40,7 @@ void applyPattern(const Project& project, const MaterialPreset& preset, Asset& a
     asset.bonding.neverBreaks.clear();
     asset.bonding.clusters.clear();
     asset.edits.clear();
+    asset.shaping.roughness = preset.roughness;
     asset.cutAtImpact = preset.cutAtImpact;
 }
 

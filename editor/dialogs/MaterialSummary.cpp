@@ -69,6 +69,10 @@ QString materialSummary(const LibraryMaterial& material, const Units& units, con
                          MaterialSummaryTexts::tr("(toughness / strength)² / π: deeper cracks lower the strength"));
     }
     summary += rowOf(MaterialSummaryTexts::tr("Pattern"), layerNames(preset.pattern), {});
+    if (preset.roughness.amplitude > 0.0) {
+        const QString text = localizedQuantity(QuantityKind::Length, preset.roughness.amplitude, units, locale);
+        summary += rowOf(MaterialSummaryTexts::tr("Rough cuts"), text, {});
+    }
     if (preset.cutAtImpact) {
         const auto fragments = static_cast<int>(preset.cutAtImpact->fragments);
         summary += rowOf(MaterialSummaryTexts::tr("Breaks"),

@@ -122,13 +122,18 @@ std::string patternText(const Pattern& pattern) {
     return kinds.empty() ? "" : "  " + padded("pattern:", 20) + kinds + '\n';
 }
 
+std::string roughnessText(const Roughness& roughness) {
+    if (!(roughness.amplitude > 0.0)) return "";
+    return "  " + padded("rough cuts:", 20) + quantityText(QuantityKind::Length, roughness.amplitude) + '\n';
+}
+
 std::string detailsText(const LibraryMaterial& material) {
     const MaterialPreset& preset = material.preset;
     std::string text = shownName(preset.name) + (preset.note.empty() ? "" : ": " + preset.note) + '\n';
     for (const Column& column : kColumns) {
         if (const PresetFigure* figure = column.figure(preset)) text += figureText(*figure, column);
     }
-    text += crackText(preset) + patternText(preset.pattern);
+    text += crackText(preset) + patternText(preset.pattern) + roughnessText(preset.roughness);
     return material.file.empty() ? text : text + "  " + padded("file:", 20) + material.file.string() + '\n';
 }
 

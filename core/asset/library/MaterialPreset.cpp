@@ -74,6 +74,7 @@ std::optional<std::string> verifyPreset(const MaterialPreset& preset) {
                std::to_string(preset.pattern.layers[k].id) + "; those of a preset are 1, 2, 3 and so on.";
     }
     if (Sentence fault = verifyPattern(preset.pattern)) return owner + ": " + *fault;
+    if (Sentence fault = verifyShaping({.roughness = preset.roughness})) return owner + ": " + *fault;
     return preset.cutAtImpact ? cutFault(owner, *preset.cutAtImpact) : std::nullopt;
 }
 
@@ -126,6 +127,7 @@ MaterialPreset presetOf(const Material& material, const Asset* asset) {
             .opacity = material.opacity,
             .finish = material.finish,
             .pattern = std::move(pattern),
+            .roughness = asset != nullptr ? asset->shaping.roughness : Roughness(),
             .cutAtImpact = asset != nullptr ? asset->cutAtImpact : std::nullopt};
 }
 

@@ -31,6 +31,7 @@ struct MaterialPreset {
     double opacity = 1.0;
     Finish finish = Finish::Plain;
     Pattern pattern;                         // its typical fracture, with layer ids 1, 2, ...; may be empty
+    Roughness roughness;                     // of cuts along that pattern
     std::optional<CutAtImpact> cutAtImpact;  // brittle ones crack where they are hit
     bool operator==(const MaterialPreset&) const = default;
 };
@@ -48,7 +49,7 @@ Material materialOf(const MaterialPreset& preset, Id id);
 Pattern patternWithin(const MaterialPreset& preset, const Box2& bounds, double height = 0.0);
 
 /// A preset of a project's material, without sources. `asset` of this material gives the pattern, whose layers are
-/// renumbered, and the cut; null: none.
+/// renumbered, the roughness and the cut; null: none.
 MaterialPreset presetOf(const Material& material, const Asset* asset);
 
 }  // namespace rubble

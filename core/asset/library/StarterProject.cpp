@@ -5,13 +5,15 @@
 namespace rubble {
 namespace {
 
-/// Adds a wall and an instance of it to a project with one material. An empty pattern becomes 20 scattered seeds.
-Project withWall(Project project, Pattern pattern, const std::optional<CutAtImpact>& cut) {
+/// Adds a wall that breaks like a preset, and an instance of it, to a project with one material. An empty pattern
+/// becomes 20 scattered seeds.
+Project withWall(Project project, const MaterialPreset& preset) {
     Asset wall{.id = project.nextId++, .name = "wall", .material = project.materials[0].id};
     wall.prism() = {{{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}, {}}, 0.5};
     deriveThresholdIfKnown(wall, project.materials[0]);
-    wall.pattern = std::move(pattern);
-    wall.cutAtImpact = cut;
+    wall.pattern = patternWithin(preset, {{-0.5, -0.5}, {0.5, 0.5}});
+    wall.shaping.roughness = preset.roughness;
+    wall.cutAtImpact = preset.cutAtImpact;
     if (wall.pattern.layers.empty()) {
         wall.pattern.layers = {{.randomSeed = 1, .parameters = UniformScatter{.count = 20}}};
     }
@@ -47,10 +49,8 @@ Project emptyProject(const MaterialPreset& material) {
     return project;
 }
 
-Project starterProject() { return withWall(emptyProject(), {}, {}); }
+Project starterProject() { return withWall(emptyProject(), {}); }
 
-Project starterProject(const MaterialPreset& material) {
-    return withWall(emptyProject(material), patternWithin(material, {{-0.5, -0.5}, {0.5, 0.5}}), material.cutAtImpact);
-}
+Project starterProject(const MaterialPreset& material) { return withWall(emptyProject(material), material); }
 
 }  // namespace rubble

@@ -6,6 +6,7 @@
 #include "core/io/json/JsonWriter.h"
 #include "core/io/project/ColourJson.h"
 #include "core/io/project/PatternJson.h"
+#include "core/io/project/ShapingJson.h"
 #include "core/io/project/StrengthRequirementJson.h"
 #include "core/io/system/AtomicFile.h"
 #include "core/io/system/FileErrors.h"
@@ -63,6 +64,7 @@ void writePreset(JsonWriter& json, const MaterialPreset& preset) {
     writeOpacity(json, preset.opacity);
     writeFinish(json, preset.finish);
     if (!preset.pattern.layers.empty()) writePattern(json, preset.pattern);
+    if (preset.roughness.amplitude > 0.0) writeRoughness(json, preset.roughness);
     if (preset.cutAtImpact) writeCutAtImpact(json, preset.cutAtImpact);
 }
 
@@ -80,7 +82,7 @@ void writeLibraryMaterial(JsonWriter& json, const LibraryMaterial& material) {
 MaterialPreset readPreset(const JsonValue& root) {
     root.requireObject({"format", "version", "name", "density", "friction", "restitution", "outside", "inside"},
                        {"note", "tensileStrength", "fractureToughness", "youngsModulus", "opacity", "finish", "pattern",
-                        "cutAtImpact"});
+                        "roughness", "cutAtImpact"});
     return {.name = root["name"].text(),
             .note = root["note"].isPresent() ? root["note"].text() : std::string(),
             .density = readProperty(root["density"]),
@@ -94,6 +96,7 @@ MaterialPreset readPreset(const JsonValue& root) {
             .opacity = readOpacity(root),
             .finish = readFinish(root),
             .pattern = root["pattern"].isPresent() ? readPattern(root["pattern"]) : Pattern{},
+            .roughness = root["roughness"].isPresent() ? readRoughness(root["roughness"]) : Roughness{},
             .cutAtImpact =
                 root["cutAtImpact"].isPresent() ? std::optional(readCutAtImpact(root["cutAtImpact"])) : std::nullopt};
 }

@@ -26,6 +26,21 @@ SmallPieces readSmallPieces(const JsonValue& value) {
             .limit = value["limit"].number()};
 }
 
+void writeMembers(JsonWriter& json, const FragmentMerge& merge) {
+    json.text("into", merge.into);
+    json.openArray("merged", JsonLayout::Inline);
+    for (const FragmentPath& path : merge.merged) json.text({}, path);
+    json.close();
+}
+
+void writeMembers(JsonWriter& json, const FragmentSplit& split) {
+    json.text("fragment", split.fragment);
+    json.numbers("point", {split.line.point.x, split.line.point.y});
+    json.numbers("direction", {split.line.direction.x, split.line.direction.y});
+}
+
+}  // namespace
+
 void writeRoughness(JsonWriter& json, const Roughness& roughness) {
     json.openObject("roughness", JsonLayout::Inline);
     json.number("amplitude", roughness.amplitude);
@@ -42,21 +57,6 @@ Roughness readRoughness(const JsonValue& value) {
             .octaves = value["octaves"].index(),
             .randomSeed = value["randomSeed"].wholeNumber()};
 }
-
-void writeMembers(JsonWriter& json, const FragmentMerge& merge) {
-    json.text("into", merge.into);
-    json.openArray("merged", JsonLayout::Inline);
-    for (const FragmentPath& path : merge.merged) json.text({}, path);
-    json.close();
-}
-
-void writeMembers(JsonWriter& json, const FragmentSplit& split) {
-    json.text("fragment", split.fragment);
-    json.numbers("point", {split.line.point.x, split.line.point.y});
-    json.numbers("direction", {split.line.direction.x, split.line.direction.y});
-}
-
-}  // namespace
 
 void writeShaping(JsonWriter& json, const Shaping& shaping) {
     json.openObject("shaping");

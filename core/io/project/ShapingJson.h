@@ -6,6 +6,11 @@
 
 namespace rubble {
 
+/// Write and read the roughness of cuts as the member "roughness" of an object. Reading checks types only;
+/// verifyShaping() checks the values.
+void writeRoughness(JsonWriter& json, const Roughness& roughness);
+Roughness readRoughness(const JsonValue& value);
+
 /// Write and read the shaping of an asset's fragments as the member "shaping" of an object. Reading checks types only;
 /// verifyShaping() checks the values.
 void writeShaping(JsonWriter& json, const Shaping& shaping);

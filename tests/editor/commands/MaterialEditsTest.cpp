@@ -47,6 +47,16 @@ private slots:
         QCOMPARE(thresholdOf(project, asset),
                  bendingStrength(asset, *findMaterial(project, asset.material))->threshold());
     }
+    void cutsAreAsRoughAsThoseOfTheMaterial() {
+        Project project = starterProject();
+        const Id wall = project.assets[0].id;
+        for (const auto& [name, amplitude] : {std::pair{"stone", 0.02}, {"concrete", 0.012}, {"glass", 0.0}}) {
+            project = test::editedProject(project, applyPreset(project, wall, preset(name), {.appliesPattern = true}));
+            QCOMPARE(findAsset(project, wall)->shaping.roughness.amplitude, amplitude);
+            const Project kept = test::editedProject(project, applyPreset(project, wall, preset("plaster"), {}));
+            QCOMPARE(findAsset(kept, wall)->shaping.roughness.amplitude, amplitude);
+        }
+    }
     void keepsTheContactTimeOfDerivedThresholds() {
         Project before = starterProject();
         before.assets[0].contactTime = 0.004;
@@ -87,6 +97,7 @@ private slots:
         QCOMPARE(made.pattern.layers.size(), std::size_t{1});
         QCOMPARE(made.pattern.layers[0].id, Id{1});
         QVERIFY(!verifyPreset(made));
+        QVERIFY(made.roughness == before.assets[0].shaping.roughness);
         const Project alone = emptyProject();
         QVERIFY(presetFrom(alone, alone.materials[0].id, 0).pattern.layers.empty());
     }

@@ -217,9 +217,11 @@ private slots:
     }
     void savedMaterialsRoundTrip() {
         Project project = starterProject();
+        project.assets[0].shaping.roughness = {.amplitude = 0.01, .frequency = 7.0, .octaves = 2, .randomSeed = 5};
         project.assets[0].cutAtImpact = CutAtImpact{.fragments = 12, .falloffRadius = 0.2};
         const MaterialPreset preset = presetOf(project.materials[0], &project.assets[0]);
         QVERIFY(preset.cutAtImpact == project.assets[0].cutAtImpact);
+        QVERIFY(preset.roughness == project.assets[0].shaping.roughness);
         const fs::path file = materialPresetPath(folder(), preset.name);
         QVERIFY(saveMaterialPreset(file, preset));
         QVERIFY(*loadMaterialPreset(file) == preset);
@@ -301,6 +303,8 @@ private slots:
         test::addWrongValue(
             "Material \"glass\": layer 1 of the pattern has the id 9; those of a preset are 1, 2, 3 and so on.",
             "/pattern/0/id", "9");
+        test::addWrongValue("Material \"glass\": The roughness has 9 octaves, but it must have from 1 to 8.",
+                            "/roughness", R"({"amplitude": 0.01, "frequency": 10, "octaves": 9, "randomSeed": 0})");
     }
     void wrongValuesAreReported() {
         QCOMPARE(presetFault(test::withWrongValue(glassJson())), std::string(QTest::currentDataTag()));
