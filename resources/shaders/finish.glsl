@@ -1,13 +1,16 @@
 // What a surface is made of: core/asset/finish has the same formula for nearby points, which describes the parameters.
 #ifdef FINISHED
 uniform sampler3D finishNoise;
-const int kFinishSize = 11;
+const int kFinishSize = 12;
 layout(std140) uniform Finishes {
-    vec4 finishes[3 * 11];  // of the outside, of the inside, of mortar
+    vec4 finishes[3 * 12];  // of the outside, of the inside, of mortar
 };
 in vec3 restPoint;  // in the asset's frame, in which nothing moves when it breaks
 in vec3 restNormal;
 flat in int finishSide;
+
+const float kLapShade = 0.75;  // of the light that is lost beside the edge of a course
+const float kLapRun = 0.85;    // the part of a course from its top to its highest place
 
 // 1 as long as what repeats so often from pixel to pixel can be seen, 0 where it would only flicker.
 float resolved(float repetitions) { return 1.0 - smoothstep(0.25, 0.6, repetitions); }
@@ -23,19 +26,22 @@ vec3 raised(vec3 n, float height) {
 }
 
 // Along courses and across them, m: in the plane that the face is nearest to.
-vec2 courseCoordinates() {
-    vec3 size = abs(restNormal);
-    if (size.z >= size.x && size.z >= size.y) return restPoint.xy;
-    return size.y >= size.x ? restPoint.xz : restPoint.zy;
+vec2 courseCoordinates(vec3 point, vec3 normal) {
+    vec3 size = abs(normal);
+    if (size.z >= size.x && size.z >= size.y) return point.xy;
+    return size.y >= size.x ? point.xz : point.zy;
 }
+
+vec3 alongGrain(vec3 v, float axis) { return axis < 0.5 ? v : axis < 1.5 ? v.yzx : v.zxy; }
 
 Surface finished(Surface plain) {
     int first = kFinishSize * finishSide;
     vec4 scales = finishes[first], tones = finishes[first + 1], stain = finishes[first + 2], speckColour = finishes[first + 3];
     vec4 specks = finishes[first + 4], heights = finishes[first + 5], bandCentre = finishes[first + 6];
     vec4 bandAxes = finishes[first + 7], courses = finishes[first + 8], joint = finishes[first + 9];
-    vec4 origin = finishes[first + 10];  // x, y: of the courses; w: the axis of the grain
-    vec3 p = origin.w < 0.5 ? restPoint : origin.w < 1.5 ? restPoint.yzx : restPoint.zxy;
+    vec3 lap = finishes[first + 10].xyz;  // z: 1 for courses along the grain
+    vec4 origin = finishes[first + 11];  // x, y: of the courses; w: the axis of the grain
+    vec3 p = alongGrain(restPoint, origin.w);
     vec3 stretched = p * vec3(scales.z, 1.0, 1.0);
     vec4 broad = texture(finishNoise, scales.x * stretched), fine = texture(finishNoise, scales.y * stretched);
 
@@ -49,14 +55,19 @@ Surface finished(Surface plain) {
     float height = dot(heights.xyz, vec3(broad.x, fine.x, band)) + specks.z * speck;
     float roughness = specks.w + heights.w * (2.0 * fine.y - 1.0), metalness = bandAxes.w;
 
-    vec2 place = courseCoordinates() - origin.xy, rows = place / courses.xy;
+    float courseAxis = lap.z * origin.w;
+    vec2 place = courseCoordinates(alongGrain(restPoint, courseAxis), alongGrain(restNormal, courseAxis)) - origin.xy;
+    vec2 rows = place / courses.xy;
     float row = floor(rows.y), along = rows.x + joint.a * (row - 2.0 * floor(0.5 * row)), column = floor(along);
     vec2 cell = vec2(along - column, rows.y - row), apart = min(cell, 1.0 - cell) * courses.xy;
     vec2 perPixel = fwidth(place);
     float pixel = max(perPixel.x, perPixel.y);
+    float shownBricks = resolved(pixel / courses.y);
+    float reach = max(lap.y, pixel), shaded = 1.0 - smoothstep(0.0, reach, (1.0 - cell.y) * courses.y);
+    albedo *= 1.0 - kLapShade * shaded * lap.y / max(reach, 1e-6);
+    height += lap.x * shownBricks * min((1.0 - cell.y) / kLapRun, cell.y / (1.0 - kLapRun));
     float edge = (min(apart.x, apart.y) - 0.5 * courses.z) / max(0.3 * courses.z, pixel);
     float inJoint = courses.z > 0.0 ? (1.0 - smoothstep(-0.5, 0.5, edge)) * min(1.0, courses.z / pixel) : 0.0;
-    float shownBricks = resolved(pixel / courses.y);
     float brick = tones.w * (2.0 * randomAt(ivec2(column, row)) - 1.0) * shownBricks;
     albedo = mix(albedo * (1.0 + brick), joint.rgb * (0.85 + 0.3 * fine.x), inJoint);
     height = mix(height, courses.w, inJoint);

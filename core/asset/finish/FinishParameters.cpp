@@ -181,7 +181,10 @@ Sides tiles() {
                         .fineHeight = 0.0006f,
                         .roughnessTone = 0.12f,
                         .courses = {0.20f, 0.28f, 0.008f, -0.010f},
-                        .joint = {0.05f, 0.04f, 0.035f, 0.5f}},
+                        .joint = {0.05f, 0.04f, 0.035f, 0.5f},
+                        .lap = 0.016f,
+                        .lapShade = 0.03f,
+                        .hasCoursesAlongGrain = true},
             .inside = clay.inside};
 }
 
@@ -221,10 +224,11 @@ FinishParameters withCourses(FinishParameters parameters, const BrickCourseFrame
     if (!courses.isOn || parameters.courses.z == 0.0f) return parameters;
     parameters.courses = {courses.size, courses.jointWidth, courses.jointWidth > 0.0f ? parameters.courses.w : 0.0f};
     parameters.joint.w = courses.shift;
+    parameters.hasCoursesAlongGrain = false;
     return parameters;
 }
 
-std::array<glm::vec4, 10> packedFinish(const FinishParameters& parameters) {
+std::array<glm::vec4, 11> packedFinish(const FinishParameters& parameters) {
     const FinishParameters& p = parameters;
     return {glm::vec4(p.broadScale, p.fineScale, 1.0f / p.stretch, p.warp),
             {p.broadTone, p.fineTone, p.bandTone, p.courseTone},
@@ -235,7 +239,8 @@ std::array<glm::vec4, 10> packedFinish(const FinishParameters& parameters) {
             p.bandCentre,
             p.bandAxes,
             p.courses,
-            p.joint};
+            p.joint,
+            {p.lap, p.lapShade, p.hasCoursesAlongGrain ? 1.0f : 0.0f, 0.0f}};
 }
 
 }  // namespace rubble

@@ -32,6 +32,9 @@ struct FinishParameters {
     glm::vec4 courses{1.0f, 1.0f, 0.0f,
                       0.0f};  // m: length and height of a brick with its joint, width of joints, their height
     glm::vec4 joint{0.0f};    // linear colour; w: the part of a length by which every second course is shifted
+    float lap = 0.0f;         // m: how far the lower edge of a course stands out above the course below, as of tiles
+    float lapShade = 0.0f;    // m: as far down from that edge the course below is in its shade
+    bool hasCoursesAlongGrain = false;  // instead of along x on the outline: tiles lie along the longer side of a roof
 };
 
 enum class FinishSide { Outside, Inside };
@@ -49,6 +52,6 @@ struct BrickCourseFrame {
 FinishParameters withCourses(FinishParameters parameters, const BrickCourseFrame& courses);
 
 /// The parameters in the order of finish.glsl.
-std::array<glm::vec4, 10> packedFinish(const FinishParameters& parameters);
+std::array<glm::vec4, 11> packedFinish(const FinishParameters& parameters);
 
 }  // namespace rubble

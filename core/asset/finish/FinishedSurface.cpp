@@ -12,6 +12,9 @@
 namespace rubble {
 namespace {
 
+constexpr double kLapShade = 0.75;  // of the light that is lost beside the edge of a course
+constexpr double kLapRun = 0.85;    // the part of a course from its top to its highest place
+
 double smoothstep(double low, double high, double value) {
     const double t = std::clamp((value - low) / (high - low), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -59,6 +62,9 @@ FinishedSurface finishedSurface(const FinishParameters& parameters, Vec3 point, 
         const double row = std::floor(place.y / size.y);
         const double along = place.x / size.x + p.joint.w * (row - 2.0 * std::floor(0.5 * row));
         const double column = std::floor(along), u = along - column, v = place.y / size.y - row;
+        const double below = 1.0 - smoothstep(0.0, p.lapShade, (1.0 - v) * size.y);
+        surface.albedo *= 1.0 - (p.lapShade > 0.0f ? kLapShade * below : 0.0);
+        surface.height += p.lap * std::min((1.0 - v) / kLapRun, v / (1.0 - kLapRun));
         const double edge = std::min(std::min(u, 1.0 - u) * size.x, std::min(v, 1.0 - v) * size.y);
         const double width = p.courses.z, inner = (edge - 0.5 * width) / (0.3 * width);
         const double joint = width > 0.0 ? 1.0 - smoothstep(-0.5, 0.5, inner) : 0.0;

@@ -39,8 +39,8 @@ struct DustStyle {
 DustStyle dustStyleOf(DebrisKind kind) {
     constexpr double kLong = 5.5;  // s
     switch (kind) {
-        case DebrisKind::Mineral: return {{10, 0.8, 0.75, 0.12}, {5, kLong, 0.34, 0.2, true}, 0.3};
-        case DebrisKind::Powder: return {{14, 0.9, 0.85, 0.13}, {7, kLong, 0.4, 0.22, true}, 0.5};
+        case DebrisKind::Mineral: return {{10, 0.8, 0.75, 0.12}, {5, kLong, 0.34, 0.2, true}, 0.55};
+        case DebrisKind::Powder: return {{14, 0.9, 0.85, 0.13}, {7, kLong, 0.4, 0.22, true}, 0.6};
         case DebrisKind::Glass: return {{3, 0.3, 0.12, 0.13}, {}, 0.9};
         case DebrisKind::Ice: return {{5, 0.6, 0.3, 0.12}, {1, 2.5, 0.12, 0.2, true}, 0.7};
         case DebrisKind::Metal: return {{2, 0.3, 0.2, 0.13}, {}, 0.3};

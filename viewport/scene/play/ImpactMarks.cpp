@@ -17,7 +17,7 @@ constexpr double kMarkSize = 0.014;                  // m: the radius at 1 J, as
 constexpr double kMinMark = 0.025, kMaxMark = 0.22;  // m
 constexpr double kSootRadius = 0.75;                 // of a blast's radius
 constexpr std::size_t kMaxSoot = 24;                 // bodies that one blast marks
-constexpr std::size_t kMaxKept = 4096;              // marks of a session
+constexpr std::size_t kMaxKept = 4096;               // marks of a session
 constexpr std::uint64_t kMarkStream = 0x3a7c;        // of random numbers
 
 /// A point in the frame of a body's asset, m.
