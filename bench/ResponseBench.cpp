@@ -1,7 +1,7 @@
 // Measures how the window responds while its 3D view draws a project, on a display: the time until the project is open
 // and drawn sharply, the pictures a second while the camera orbits, the time until a selection is seen, and in play,
 // with a blast that breaks much, the pictures a second and the time until a step that was sought is seen. Beside each
-// the longest time in which the window did not respond.
+// the longest time in which the window did not respond, and the peak memory.
 //
 //   ResponseBench PROJECT [STEPS]    STEPS of play; none by default
 #include "editor/document/Document.h"
@@ -25,7 +25,7 @@ using namespace rubble;
 
 namespace {
 
-constexpr QSize kWindow{1600, 900};
+constexpr QSize kView{1280, 720};  // the 3D view's
 constexpr int kMotionMilliseconds = 6'000;
 constexpr int kWarmUpMilliseconds = 3'000;  // until the quality fits
 
@@ -78,7 +78,9 @@ public:
     void measureAll(int steps) {
         std::printf("| act | time, s | processor time, s | pictures/s | longest event, ms |\n");
         std::printf("| --- | --- | --- | --- | --- |\n");
-        m_window->resize(kWindow);
+        m_window->resize(kView + QSize(400, 300));
+        QCoreApplication::processEvents();
+        m_window->resize(m_window->size() + kView - view().size());
         Workspace& workspace = m_window->workspace();
         m_loop.runUntil([&] { return workspace.bakes().areCurrent(workspace.project()) && view().isPictureCurrent(); });
         report("open");
@@ -93,6 +95,10 @@ public:
         m_loop.runUntil([&] { return view().isPictureCurrent(); });
         report("select");
         if (steps > 0) play(static_cast<std::uint64_t>(steps));
+        rusage used{};
+        getrusage(RUSAGE_SELF, &used);
+        std::printf("view of %d x %d, peak memory %ld MiB\n", view().width(), view().height(), used.ru_maxrss / 1024);
+        std::fflush(stdout);
     }
 
 private:

@@ -13,6 +13,8 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
+constexpr double kMaxShownFor = 1.0;  // s
+
 /// Appends a newer update to an older one.
 void merge(PlayUpdate& update, PlayUpdate&& newer) {
     if (newer.discardAfter) {
@@ -280,20 +282,26 @@ void PlayThread::createEngine(std::unique_lock<std::mutex>& lock) {
     publish(lock, 0.0);
 }
 
+/// A step that takes longer than it shows is shown as slowly as it was computed, so that motion stays smooth.
 void PlayThread::playStep(std::unique_lock<std::mutex>& lock) {
-    const double shownAfter = interval();
+    const double started = nowLocked();
     lock.unlock();
     const bool isStep = m_engine->advance();
     const bool isResting = m_engine->isAtRest();
     const std::vector<SoundCue> cues = isStep ? cuesOf(m_engine->session()) : std::vector<SoundCue>();
-    if (!cues.empty()) emit cuesPlayed(cues, shownAfter);
     lock.lock();
+    const double shownFor = std::clamp(nowLocked() - started, interval(), std::max(interval(), kMaxShownFor));
+    if (!cues.empty()) {
+        lock.unlock();
+        emit cuesPlayed(cues, shownFor);
+        lock.lock();
+    }
     m_due = std::max(m_due + interval(), nowLocked());
     m_isResting = isResting;
     const bool isReplayOver = m_engine->isAtScriptEnd();
     if (isReplayOver) m_isPlaying = false;
     m_update.isReplayOver |= isReplayOver;
-    publish(lock, isStep ? interval() : 0.0);
+    publish(lock, isStep ? shownFor : 0.0);
 }
 
 void PlayThread::publish(std::unique_lock<std::mutex>& lock, double shownFor) {
