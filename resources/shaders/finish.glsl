@@ -4,6 +4,7 @@ uniform sampler3D finishNoise;
 const int kFinishSize = 12;
 layout(std140) uniform Finishes {
     vec4 finishes[3 * 12];  // of the outside, of the inside, of mortar
+    vec4 wholeSize;         // m: of the asset's box
 };
 in vec3 restPoint;  // in the asset's frame, in which nothing moves when it breaks
 in vec3 restNormal;
@@ -75,6 +76,20 @@ Surface finished(Surface plain) {
                    clamp(mix(roughness, 0.95, inJoint), 0.03, 1.0), metalness * (1.0 - inJoint), plain.occlusion);
 }
 
+const float kRefractiveIndex = 1.5;
+const float kLongestWay = 6.0;  // times the thickness
+
+// How far light goes through the asset to a point of its surface, times its thickness; at least 1. `facingEye`: the
+// cosine of the angle between the normal and the direction to the eye.
+float wayThrough(float facingEye) {
+    vec3 n = abs(restNormal), size = max(wholeSize.xyz, 1e-6);
+    float thickness = min(size.x, min(size.y, size.z));
+    vec3 across = n.x >= n.y && n.x >= n.z ? size.yzz : n.y >= n.z ? size.xzz : size.xyy;
+    float sine = sqrt(max(1.0 - facingEye * facingEye, 0.0)) / kRefractiveIndex, cosine = sqrt(1.0 - sine * sine);
+    float way = min(dot(n, size) / cosine, min(across.x, across.y) / max(sine, 1e-3));
+    return clamp(way / thickness, 1.0, kLongestWay);
+}
+
 const float kEdgeShade = 0.5;      // brightness of edges, of that of the surface
 const float kBevelWidth = 0.006;   // m
 const float kMaxBevelPixels = 5.0;
@@ -92,4 +107,5 @@ Surface bevelled(Surface surface) {
 const float kEdgeShade = 0.22;
 Surface finished(Surface plain) { return plain; }
 Surface bevelled(Surface surface) { return surface; }
+float wayThrough(float facingEye) { return 1.0; }
 #endif

@@ -22,10 +22,13 @@ vec3 edgeColour(vec3 shaded, vec3 mirrored) { return shaded * kEdgeShade; }
 void main() {
     Surface surface = surfaceHere();
     vec3 shaded = shadedSurface(surface), toEye = towardsEye(), n = surface.normal;
-    float mirror = kReflectance + (1.0 - kReflectance) * pow(1.0 - clamp(dot(n, toEye), 0.0, 1.0), 5.0);
+    float facingEye = clamp(dot(n, toEye), 0.0, 1.0);
+    float mirror = kReflectance + (1.0 - kReflectance) * pow(1.0 - facingEye, 5.0);
     float line = edgeCover();
-    float wide = mix(kLeastFraction, 1.0, smoothstep(kNarrowest, kWholeWidth, pixelsAcross(placeAcross)));
-    float alpha = wide * max(opacity + (1.0 - opacity) * mirror, kEdgeOpacity * line);
+    float seenWidth = smoothstep(kNarrowest, kWholeWidth, pixelsAcross(placeAcross));
+    float wide = mix(kLeastFraction, 1.0, seenWidth), way = mix(1.0, wayThrough(facingEye), seenWidth);
+    float absorbed = 1.0 - pow(1.0 - opacity, way);  // Lambert's law
+    float alpha = wide * max(absorbed + (1.0 - absorbed) * mirror, kEdgeOpacity * line);
     vec3 mirrored = reflected(reflect(-toEye, n), kGlossiness);
     vec3 seen = displayed(mix(mix(shaded, mirrored, mirror), edgeColour(shaded, mirrored), line));
     float far = dot(eye.xyz - scenePoint, back.xyz) / focusDistance;

@@ -34,7 +34,13 @@ void bindTexture(std::uint32_t texture) {
 
 constexpr GLuint kFinishesBlock = 2;  // see ShaderProgram
 
-/// The uniform block of finish.glsl: of the outside, of the inside, of mortar.
+/// Of the box of an asset, m.
+Vec3 wholeSize(const SceneGeometry& geometry) {
+    if (geometry.whole != SceneGeometry::Whole::None) return geometry.wholeBox.max - geometry.wholeBox.min;
+    return geometry.boxes.empty() ? Vec3(1.0) : geometry.boxes.front().max - geometry.boxes.front().min;
+}
+
+/// The uniform block of finish.glsl: of the outside, of the inside, of mortar; the size of the asset.
 std::vector<glm::vec4> finishBlock(const SceneBatch& batch) {
     static const FinishParameters mortar{
         .fineScale = 9.0f, .fineTone = 0.12f, .roughness = 0.95f, .fineHeight = 0.002f};
@@ -50,6 +56,7 @@ std::vector<glm::vec4> finishBlock(const SceneBatch& batch) {
     add(finishParameters(outside, FinishSide::Outside));
     add(finishParameters(finish.inside, FinishSide::Inside));
     add(mortar);
+    block.emplace_back(glm::vec3(wholeSize(*batch.geometry)), 0.0f);
     return block;
 }
 

@@ -156,6 +156,25 @@ private slots:
         const double apart = test::meanDifference(shadow(*test::starterScene(), true), whole);
         QVERIFY2(depth > 5.0 && apart < 0.3 * depth, qPrintable(QString("%1 of %2").arg(apart).arg(depth)));
     }
+    /// Light goes a longer way through a pane along it than across.
+    void longerWaysAbsorbMore() {
+        Project project = starterProject();
+        project.assets[0].prism().depth = 0.05;
+        project.materials[0].finish = Finish::Glass;
+        project.materials[0].opacity = 0.3;
+        project.materials[0].outside = project.materials[0].inside = {0.1, 0.3, 0.2};
+        const RenderScene scene = sceneOf(project, {}, {.isWhole = true});
+        RenderView view = panesFromFront(scene);
+        view.settings.hasGrid = false;
+        view.camera.projection = Projection::Orthographic;
+        const auto darkness = [&](StandardView from) {
+            view.camera = framing(alignedTo(view.camera, from), boundsOf(scene), kPaneSize);
+            const QImage picture = panePicture(scene, view);
+            return picture.pixelColor(2, 40).lightness() - picture.pixelColor(80, 80).lightness();
+        };
+        const int across = darkness(StandardView::Front), along = darkness(StandardView::Right);
+        QVERIFY2(across > 10 && along > 1.5 * across, qPrintable(QString("%1, %2").arg(across).arg(along)));
+    }
     /// The sides of shards, a fraction of a pixel wide, hit some pixels and miss others.
     void thinSidesHaveNoSpeckles() {
         Project project = starterProject();
