@@ -145,8 +145,13 @@ private:
             restart();
             play.seek(step);
             m_loop.runUntil([&] { return play.frame()->step == step; });
-            m_loop.runUntil([&] { return view().isPictureCurrent(); });
+            int pictures = 0;
+            const auto counting = QObject::connect(&view(), &ViewportWidget::drawn, qApp, [&] { ++pictures; });
+            m_loop.runUntil([&] { return pictures > 0; });
+            QObject::disconnect(counting);
             report("seek");
+            m_loop.runUntil([&] { return view().isPictureCurrent(); });
+            report("seek, sharp");
         }
     }
 
