@@ -2,6 +2,11 @@
 
 namespace rubble {
 
+OverlayInk overlayInk(Theme theme) {
+    if (theme == Theme::Dark) return {.ink = QColor(235, 235, 235), .halo = QColor(13, 13, 13, 190)};
+    return {.ink = QColor(30, 30, 30), .halo = QColor(255, 255, 255, 190)};
+}
+
 QRect paintPlate(QPainter& painter, const QRect& plate) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(kPlateColour);

@@ -1,5 +1,6 @@
 #include "viewport/widget/ScaleBarItem.h"
 
+#include "viewport/widget/OverlayPlate.h"
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QFontMetrics>
@@ -48,9 +49,7 @@ void ScaleBarItem::paint(QPainter& painter, QSize size) const {
     if (all.empty()) return;
     const QRectF plate = all.front();
     const QString text = QString::fromStdString(length().length.text);
-    const bool isDark = m_viewport.settings().theme == Theme::Dark;
-    const QColor ink = isDark ? QColor(235, 235, 235) : QColor(30, 30, 30);
-    const QColor halo = isDark ? QColor(13, 13, 13, 140) : QColor(255, 255, 255, 140);
+    const auto& [ink, halo] = overlayInk(m_viewport.settings().theme);
     QPainterPath letters;
     letters.addText(plate.center().x() - 0.5 * painter.fontMetrics().horizontalAdvance(text),
                     plate.top() + painter.fontMetrics().ascent(), painter.font(), text);
