@@ -44,16 +44,15 @@ Vec3 wholeSize(const SceneGeometry& geometry) {
 std::vector<glm::vec4> finishBlock(const SceneBatch& batch) {
     static const FinishParameters mortar{
         .fineScale = 9.0f, .fineTone = 0.12f, .roughness = 0.95f, .fineHeight = 0.002f};
-    const BatchFinish& finish = batch.finish;
+    const AssetFinish& finish = batch.finish;
     const BrickCourseFrame& courses = finish.courses;
-    const Finish outside = batch.texture ? Finish::Plain : finish.outside;
     std::vector<glm::vec4> block;
     const auto add = [&](const FinishParameters& parameters) {
         const auto packed = packedFinish(withCourses(parameters, courses));
         block.insert(block.end(), packed.begin(), packed.end());
         block.emplace_back(courses.origin.x, courses.origin.y, 0.0f, static_cast<float>(finish.grainAxis));
     };
-    add(finishParameters(outside, FinishSide::Outside));
+    add(finishParameters(finish.outside, FinishSide::Outside));
     add(finishParameters(finish.inside, FinishSide::Inside));
     add(mortar);
     block.emplace_back(glm::vec3(wholeSize(*batch.geometry)), 0.0f);

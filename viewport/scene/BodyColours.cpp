@@ -4,7 +4,6 @@
 #include "core/asset/project/Variants.h"
 #include "core/asset/strength/FragmentThresholds.h"
 #include "core/asset/strength/Threshold.h"
-#include "core/fracture/kinds/BrickBond.h"
 #include "core/play/scene/PlayAsset.h"
 #include "core/structure/clusters/ClusterColours.h"
 #include "viewport/scene/BondStrengths.h"
@@ -18,7 +17,6 @@ namespace {
 
 constexpr Colour kWithoutValue{0.66, 0.66, 0.66};
 constexpr Colour kNeverBreaks{0.52, 0.27, 0.72};
-constexpr float kHairline = 0.004f;  // m: joints of bricks without mortar
 
 /// The material that the asset has in the project now: the model may be older.
 const Material* materialOf(const AssetModel& model, const Project& project) {
@@ -151,41 +149,11 @@ std::vector<Colour> coloursByCluster(const AssetModel& model, const Project& pro
     return colours;
 }
 
-/// The courses of the first brick layer that is on, if each course has bricks of one size.
-BrickCourseFrame coursesOf(const Asset& asset) {
-    for (const PatternLayer& layer : asset.pattern.layers) {
-        const auto* bricks = std::get_if<BrickBond>(&layer.parameters);
-        if (bricks == nullptr || !layer.isOn) continue;
-        const bool isMixed = bricks->bond == BondKind::English || bricks->bond == BondKind::Flemish;
-        const double length = bricks->bond == BondKind::Header ? bricks->width : bricks->length;
-        return {.isOn = true,
-                .origin = glm::vec2(bricks->origin),
-                .size = isMixed ? glm::vec2(1e3) : glm::vec2(Vec2(length, bricks->height) + bricks->mortar),
-                .shift = bricks->bond == BondKind::Stack ? 0.0f : 0.5f,
-                .jointWidth = bricks->mortar > 0.0 || isMixed ? 0.0f : kHairline};
-    }
-    return {};
-}
-
-/// The axis of an asset's longest side.
-int grainAxisOf(const SceneGeometry& geometry) {
-    Box3 box;
-    if (geometry.whole != SceneGeometry::Whole::None)
-        box = geometry.wholeBox;
-    else if (!geometry.boxes.empty())
-        box = geometry.boxes.front();
-    const Vec3 size = box.max - box.min;
-    return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-}
-
-BatchFinish finishOf(const AssetModel& model, const Project& project) {
+AssetFinish finishOf(const AssetModel& model, const Project& project) {
     const Material* material = materialOf(model, project);
     if (material == nullptr) return {};
     const Material* inside = insideOf(model, project);
-    return {.outside = material->finish,
-            .inside = (inside != nullptr ? inside : material)->finish,
-            .courses = coursesOf(model.asset),
-            .grainAxis = grainAxisOf(*model.geometry)};
+    return assetFinish(model.asset, {*material, inside != nullptr ? *inside : *material});
 }
 
 }  // namespace
@@ -194,7 +162,7 @@ void colourBodies(RenderScene& scene, std::span<const AssetModel* const> models,
                   SceneColouring colouring) {
     scene.colourRange.reset();
     for (std::size_t k = 0; k < models.size(); ++k)
-        scene.batches[k].finish = colouring == SceneColouring::Material ? finishOf(*models[k], project) : BatchFinish{};
+        scene.batches[k].finish = colouring == SceneColouring::Material ? finishOf(*models[k], project) : AssetFinish{};
     const bool isOnRamp = isQuantity(colouring) && !scene.picks.empty();
     if (isOnRamp) scene.colourRange = rangeOf(scene, models, project, colouring);
     const auto colourOf = [&](double value) {

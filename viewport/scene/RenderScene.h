@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/asset/finish/FinishParameters.h"
+#include "core/asset/finish/AssetFinish.h"
 #include "core/asset/project/Project.h"
 #include "viewport/scene/SceneGeometry.h"
 
@@ -54,22 +54,13 @@ inline constexpr std::uint32_t kHidden = 1;
 inline constexpr std::uint32_t kSelected = 2;
 inline constexpr std::uint32_t kHovered = 4;
 
-/// The finishes of a batch.
-struct BatchFinish {
-    Finish outside = Finish::Plain, inside = Finish::Plain;
-    BrickCourseFrame courses;
-    int grainAxis = 0;  // x, y or z of the asset
-    bool isPlain() const { return outside == Finish::Plain && inside == Finish::Plain; }
-    bool operator==(const BatchFinish&) const = default;
-};
-
 /// All instances of one geometry.
 struct SceneBatch {
     std::shared_ptr<const SceneGeometry> geometry;
     std::shared_ptr<const SceneGeometry> hulls;   // the same solids as convex hulls; null if not shown
     std::vector<std::uint32_t> firstBodies;       // per instance: the body of its solid 0; the other solids follow
     std::shared_ptr<const EncodedImage> texture;  // of its textured vertices; null: they are as others
-    BatchFinish finish;
+    AssetFinish finish;
     bool operator==(const SceneBatch&) const = default;
 };
 

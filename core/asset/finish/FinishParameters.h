@@ -11,8 +11,8 @@ namespace rubble {
 
 /// A finish of one side as the parameters of one formula, which finish.glsl and finishedSurface() evaluate: two
 /// samples of FinishNoise, one of broad and one of fine features, change the brightness of the material's colour and
-/// its height; specks (cells of the fine sample), bands and courses are added. Lengths in metres, in the asset's frame,
-/// in which the grain is along x; brightness and colours are factors of the material's colour, which is linear.
+/// its height; specks (cells of the fine sample), bands and courses are added. Lengths in metres, in the asset's frame
+/// with the grain along x; brightness and colours are factors of the material's colour, which is linear.
 struct FinishParameters {
     float broadScale = 1.0f;  // repetitions of the noise a metre, as the next
     float fineScale = 6.0f;

@@ -36,15 +36,19 @@ Vec2 courseCoordinates(Vec3 point, Vec3 normal) {
     return size.y >= size.x ? Vec2(point.x, point.z) : Vec2(point.z, point.y);
 }
 
+/// The point with the axis of the grain first.
+Vec3 alongGrain(Vec3 point, int axis) { return {point[axis], point[(axis + 1) % 3], point[(axis + 2) % 3]}; }
+
 }  // namespace
 
 FinishedSurface finishedSurface(const FinishParameters& parameters, Vec3 point, Vec3 normal, Vec3 colour,
-                                Vec2 courseOrigin) {
+                                Vec2 courseOrigin, int grainAxis) {
     const FinishParameters& p = parameters;
-    const Vec3 stretched = point * Vec3(1.0 / static_cast<double>(p.stretch), 1.0, 1.0);
+    const Vec3 place = alongGrain(point, grainAxis);
+    const Vec3 stretched = place * Vec3(1.0 / static_cast<double>(p.stretch), 1.0, 1.0);
     const auto broad = FinishNoise::shared().at(static_cast<double>(p.broadScale) * stretched);
     const auto fine = FinishNoise::shared().at(static_cast<double>(p.fineScale) * stretched);
-    const double distance = glm::length((point - Vec3(p.bandCentre)) * Vec3(p.bandAxes));
+    const double distance = glm::length((place - Vec3(p.bandCentre)) * Vec3(p.bandAxes));
     const double bands = (distance + p.warp * (broad[0] - 0.5)) * p.bandCentre.w, t = bands - std::floor(bands);
     const double band = p.bandCentre.w > 0.0f ? t * (1.0 - smoothstep(0.7, 1.0, t)) : 0.35;
     const double speck = 1.0 - smoothstep(p.speckSize - p.speckSoftness, p.speckSize + p.speckSoftness, fine[2]);
@@ -58,10 +62,14 @@ FinishedSurface finishedSurface(const FinishParameters& parameters, Vec3 point, 
     surface.roughness = p.roughness + p.roughnessTone * (2.0 * fine[1] - 1.0);
     surface.metalness = p.bandAxes.w;
     if (p.courseTone != 0.0f) {
-        const Vec2 place = courseCoordinates(point, normal) - courseOrigin, size(p.courses.x, p.courses.y);
-        const double row = std::floor(place.y / size.y);
-        const double along = place.x / size.x + p.joint.w * (row - 2.0 * std::floor(0.5 * row));
-        const double column = std::floor(along), u = along - column, v = place.y / size.y - row;
+        const bool isAlongGrain = p.hasCoursesAlongGrain;
+        const Vec2 offset =
+            courseCoordinates(isAlongGrain ? place : point, isAlongGrain ? alongGrain(normal, grainAxis) : normal) -
+            courseOrigin;
+        const Vec2 size(p.courses.x, p.courses.y);
+        const double row = std::floor(offset.y / size.y);
+        const double along = offset.x / size.x + p.joint.w * (row - 2.0 * std::floor(0.5 * row));
+        const double column = std::floor(along), u = along - column, v = offset.y / size.y - row;
         const double below = 1.0 - smoothstep(0.0, p.lapShade, (1.0 - v) * size.y);
         surface.albedo *= 1.0 - (p.lapShade > 0.0f ? kLapShade * below : 0.0);
         surface.height += p.lap * std::min((1.0 - v) / kLapRun, v / (1.0 - kLapRun));

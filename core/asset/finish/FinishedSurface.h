@@ -13,9 +13,9 @@ struct FinishedSurface {
     double height = 0.0;  // m, along the normal
 };
 
-/// A finish at a point of an asset (m, in its frame with the grain along x), on a face with a normal, of a material
-/// with a linear colour: what finish.glsl computes, as seen from nearby. `courseOrigin`: see BrickCourseFrame.
+/// A finish at a point of an asset (m, in its frame), on a face with a normal, of a material with a linear colour: what
+/// finish.glsl computes, as seen from nearby. `courseOrigin`: see BrickCourseFrame. `grainAxis`: x, y or z.
 FinishedSurface finishedSurface(const FinishParameters& parameters, Vec3 point, Vec3 normal, Vec3 colour,
-                                Vec2 courseOrigin);
+                                Vec2 courseOrigin, int grainAxis = 0);
 
 }  // namespace rubble

@@ -69,7 +69,7 @@ private slots:
         const Project project = finishedProject(Finish::Brick);
         const SceneOptions options{.asset = project.assets[0].id, .colouring = SceneColouring::Volume};
         for (const SceneBatch& batch : sceneOf(project, bakesOf(project).value(), options).batches)
-            QVERIFY(batch.finish == BatchFinish{});
+            QVERIFY(batch.finish == AssetFinish{});
     }
     /// Nothing moves when it breaks: away from cracks, fragments have the colours of the whole.
     void fragmentsHaveThePatternOfTheWhole() {

@@ -1,10 +1,12 @@
-// Tests core/asset/finish/FinishNoise.cpp, core/asset/finish/FinishParameters.cpp and
-// core/asset/finish/FinishedSurface.cpp.
+// Tests core/asset/finish/FinishNoise.cpp, core/asset/finish/FinishParameters.cpp,
+// core/asset/finish/FinishedSurface.cpp and core/asset/finish/AssetFinish.cpp.
+#include "core/asset/finish/AssetFinish.h"
 #include "core/asset/finish/FinishNoise.h"
 #include "core/asset/finish/FinishedSurface.h"
 #include "core/base/Hash.h"
 #include "core/base/Random.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
 
@@ -108,6 +110,34 @@ private slots:
         QCOMPARE(cut.courses.z, 0.0f);  // joints are geometry
         const FinishParameters wood = finishParameters(Finish::Wood, FinishSide::Outside);
         QCOMPARE(packedFinish(withCourses(wood, frame)), packedFinish(wood));
+    }
+    /// Bands and noise are turned with the grain, courses are not.
+    void grainIsAlongTheLongestSide() {
+        Material material{.id = 1, .name = "wood", .finish = Finish::Wood};
+        Asset board{.id = 2, .name = "board", .material = 1};
+        board.shape = Prism{{rectangle({-0.1, -1.5}, {0.1, 1.5}), {}}, 0.05};
+        const AssetFinish finish = assetFinish(board, material);
+        QCOMPARE(finish.grainAxis, 1);
+        QVERIFY(finish.outside == Finish::Wood && finish.inside == Finish::Wood);
+        const Vec3 point(0.03, 1.1, 0.025), front(0.0, 0.0, 1.0);
+        const FinishedSurface surface = surfaceFinish(finish, FinishSide::Outside, Vec3(0.4)).at(point, front);
+        const FinishParameters& wood = finishParameters(Finish::Wood, FinishSide::Outside);
+        const Vec3 turned(point.y, point.z, point.x);
+        QCOMPARE(surface.albedo.x, finishedSurface(wood, turned, front, Vec3(0.4), Vec2(0.0)).albedo.x);
+        material.finish = Finish::Brick;
+        const FinishParameters& brick = finishParameters(Finish::Brick, FinishSide::Outside);
+        const Vec3 joint(0.03, 3.0 * brick.courses.y, 0.025);
+        const double height =
+            surfaceFinish(assetFinish(board, material), FinishSide::Outside, Vec3(0.4)).at(joint, front).height;
+        QVERIFY(height < -0.004);
+    }
+    void imagesTakeThePlaceOfFinishesOutside() {
+        const Material material{.id = 1, .name = "stone", .finish = Finish::Stone};
+        Asset asset{.id = 2, .name = "block", .material = 1};
+        asset.shape = Prism{unitSquare(), 0.5};
+        asset.texture = Texture{};
+        const AssetFinish finish = assetFinish(asset, material);
+        QVERIFY(finish.outside == Finish::Plain && finish.inside == Finish::Stone && !finish.isPlain());
     }
 };
 
