@@ -92,7 +92,7 @@ def use_eevee(scene):
     scene.render.engine = "BLENDER_EEVEE"
     scene.eevee.use_gtao, scene.eevee.gtao_distance, scene.eevee.taa_render_samples = True, 1.0, 32
     scene.eevee.use_soft_shadows, scene.eevee.shadow_cascade_size = True, "2048"
-    scene.view_settings.view_transform, scene.view_settings.look = "Filmic", "Medium High Contrast"
+    scene.view_settings.look = "Medium High Contrast"
 
 
 def use_workbench(scene):
