@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/base/image/PngEncoding.h"
 
 #include <cstdint>
 #include <string>
@@ -23,9 +24,6 @@ Image cutOut(const Image& onBlack, const Image& onWhite);
 
 /// Two opaque images of equal height side by side, with a white gap of `gap` pixels.
 Image besideEachOther(const Image& left, const Image& right, int gap);
-
-/// How a PNG file is compressed: as well as possible, or in a fifth of the time, a fifth larger.
-enum class PngEffort { Thorough, Quick };
 
 /// Encodes an image as PNG.
 ///
