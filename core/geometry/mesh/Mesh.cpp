@@ -6,9 +6,10 @@ namespace rubble {
 
 namespace {
 
-/// Adds a face with the normal, material and side of `like`.
-void addFace(Mesh& mesh, const MeshFace& like, std::initializer_list<MeshCorner> corners) {
-    MeshFace face = like;
+/// Adds a face with the normal, material, side and tangent of a face of `source`.
+void addFace(Mesh& mesh, const Mesh& source, std::size_t like, std::initializer_list<MeshCorner> corners) {
+    MeshFace face = source.faces[like];
+    if (!source.tangents.empty()) mesh.tangents.push_back(source.tangents[like]);
     face.firstCorner = static_cast<std::uint32_t>(mesh.corners.size());
     face.cornerCount = static_cast<std::uint32_t>(corners.size());
     mesh.corners.insert(mesh.corners.end(), corners);
@@ -52,19 +53,20 @@ double volumeOf(const Mesh& mesh) {
 }
 
 Mesh triangulated(const Mesh& mesh) {
-    Mesh result{mesh.positions, mesh.uvs, mesh.normals, {}, {}};
+    Mesh result{mesh.positions, mesh.uvs, mesh.normals, {}, {}, {}};
     result.corners.reserve(3 * mesh.corners.size());
     result.faces.reserve(mesh.corners.size());
-    for (const MeshFace& face : mesh.faces) {
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        const MeshFace& face = mesh.faces[f];
         const std::span<const MeshCorner> corners = mesh.cornersOf(face);
         if (corners.size() > 3 && isAcrossZ(mesh.normals[face.normal])) {
             const MeshCorner centre = addCentre(result, corners);
             for (std::size_t k = 0; k < corners.size(); ++k) {
-                addFace(result, face, {centre, corners[k], corners[(k + 1) % corners.size()]});
+                addFace(result, mesh, f, {centre, corners[k], corners[(k + 1) % corners.size()]});
             }
         } else {
             for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
-                addFace(result, face, {corners[0], corners[k], corners[k + 1]});
+                addFace(result, mesh, f, {corners[0], corners[k], corners[k + 1]});
             }
         }
     }

@@ -2,6 +2,8 @@
 
 #include "core/geometry/predicates/Vec.h"
 
+#include <glm/vec4.hpp>
+
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -35,6 +37,9 @@ struct Mesh {
     std::vector<Vec3> normals;  // length 1
     std::vector<MeshCorner> corners;
     std::vector<MeshFace> faces;
+    /// One per face, where there are any: the direction in which u grows, of length 1 and across the normal; w is the
+    /// sign of the direction in which v grows, across both.
+    std::vector<glm::dvec4> tangents;
 
     std::span<const MeshCorner> cornersOf(const MeshFace& face) const {
         return std::span(corners).subspan(face.firstCorner, face.cornerCount);
