@@ -51,8 +51,8 @@ struct MeshCharts {
     std::vector<std::uint32_t> ofFaces;
 };
 
-/// Groups the faces of a mesh at `offset` in the frame of its asset: connected faces of one side whose normals differ by
-/// less than 37 degrees from that of the first of them, onto whose plane all are projected. O(n log n).
+/// Groups the faces of a mesh at `offset` in the frame of its asset: connected faces of one side whose normals differ
+/// by less than 37 degrees from that of the first of them, onto whose plane all are projected. O(n log n).
 MeshCharts chartsOf(const Mesh& mesh, Vec3 offset, TexturedSides sides);
 
 }  // namespace rubble

@@ -96,7 +96,7 @@ private:
         writeGlbTextures(m_json, m_scene.images, m_keys.firstImageView());
         m_json.openArray("accessors");
         for (const std::vector<GlbPrimitive>& primitives : m_primitives) {
-            for (const GlbPrimitive& primitive : primitives) writeGlbAccessors(m_json, primitive);
+            for (const GlbPrimitive& primitive : primitives) writeGlbAccessors(m_json, primitive, m_buffer);
         }
         writeKeyAccessors();
         m_json.close();
@@ -141,7 +141,7 @@ private:
             for (const GlbPrimitive& primitive : m_primitives[mesh]) {
                 const bool isInside = primitive.material == GlbBuffer::kInside;
                 const std::uint32_t material = isInside ? materials.back() : materials[primitive.material];
-                writeGlbPrimitive(m_json, m_accessorCount, material);
+                writeGlbPrimitive(m_json, m_accessorCount, material, m_buffer);
                 m_accessorCount += 4;
             }
             m_json.close();

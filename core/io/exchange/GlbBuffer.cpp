@@ -45,15 +45,17 @@ void setBounds(GlbPrimitive& primitive, const std::vector<std::array<float, 3>>&
 
 std::vector<GlbPrimitive> GlbBuffer::add(const Mesh& mesh) {
     const Mesh triangles = triangulated(mesh);
+    RUBBLE_ASSERT(!m_hasTangents || triangles.tangents.size() == triangles.faces.size());
     m_last.assign(triangles.positions.size(), {});
     std::vector<GlbPrimitive> primitives;
-    for (const MeshFace& face : triangles.faces) {
+    for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
+        const MeshFace& face = triangles.faces[f];
         if (primitives.empty() || primitives.back().material != materialOf(face)) {
             primitives.push_back({vertexCount(), 0, indexCount(), 0, materialOf(face), {}, {}});
         }
         GlbPrimitive& primitive = primitives.back();
         for (const MeshCorner corner : triangles.cornersOf(face)) {
-            m_indices.push_back(vertexOf(triangles, corner, face.normal, primitive) - primitive.firstVertex);
+            m_indices.push_back(vertexOf(triangles, corner, f, primitive) - primitive.firstVertex);
         }
         primitive.vertexCount = vertexCount() - primitive.firstVertex;
         primitive.indexCount = indexCount() - primitive.firstIndex;
@@ -76,8 +78,9 @@ void GlbBuffer::addHull(const Polytope& hull) {
     m_hulls.push_back(primitive);
 }
 
-std::uint32_t GlbBuffer::vertexOf(const Mesh& mesh, MeshCorner corner, std::uint32_t normal,
+std::uint32_t GlbBuffer::vertexOf(const Mesh& mesh, MeshCorner corner, std::size_t face,
                                   const GlbPrimitive& primitive) {
+    const std::uint32_t normal = mesh.faces[face].normal;
     LastVertex& last = m_last[corner.position];
     const bool exists = last.vertex && *last.vertex >= primitive.firstVertex;
     if (exists && last.normal == normal && last.uv == corner.uv) return *last.vertex;
@@ -86,18 +89,23 @@ std::uint32_t GlbBuffer::vertexOf(const Mesh& mesh, MeshCorner corner, std::uint
     m_positions.push_back(toFloats(mesh.positions[corner.position]));
     m_normals.push_back(toFloats(mesh.normals[normal]));
     m_uvs.push_back({static_cast<float>(uv.x) + 0.0f, static_cast<float>(1.0 - uv.y) + 0.0f});
+    if (m_hasTangents) {
+        const std::array<float, 3> along = toFloats(Vec3(mesh.tangents[face]));
+        m_tangents.push_back({along[0], along[1], along[2], static_cast<float>(mesh.tangents[face].w)});
+    }
     return *last.vertex;
 }
 
 std::size_t GlbBuffer::size() const {
-    return sizeOf(m_positions) + sizeOf(m_normals) + sizeOf(m_uvs) + sizeOf(m_indices) + sizeOf(m_hullPositions) +
-           sizeOf(m_hullIndices);
+    return sizeOf(m_positions) + sizeOf(m_normals) + sizeOf(m_uvs) + sizeOf(m_tangents) + sizeOf(m_indices) +
+           sizeOf(m_hullPositions) + sizeOf(m_hullIndices);
 }
 
 void GlbBuffer::appendTo(std::string& bytes) const {
     appendArray(bytes, m_positions);
     appendArray(bytes, m_normals);
     appendArray(bytes, m_uvs);
+    appendArray(bytes, m_tangents);
     appendArray(bytes, m_indices);
     appendArray(bytes, m_hullPositions);
     appendArray(bytes, m_hullIndices);

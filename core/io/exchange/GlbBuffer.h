@@ -23,10 +23,14 @@ struct GlbPrimitive {
     std::array<float, 3> max{};
 };
 
-/// The binary chunk of a GLB file: four arrays, one after the other, and two more if there are hulls.
+/// The binary chunk of a GLB file: four arrays, one after the other, or five with tangents, and two more if there are
+/// hulls.
 class GlbBuffer {
 public:
     static constexpr std::uint32_t kInside = 0xffffffff;
+    enum class Tangents { None, OfMeshes };
+    /// OfMeshes: all meshes that are added have tangents.
+    explicit GlbBuffer(Tangents tangents = Tangents::None) : m_hasTangents(tangents == Tangents::OfMeshes) {}
 
     /// Adds a mesh as triangles, a primitive for each run of faces with the same material. Inside faces have the
     /// material kInside. Corners with equal position, normal and texture coordinates share a vertex.
@@ -45,10 +49,13 @@ public:
     std::span<const std::array<float, 3>> normals() const { return m_normals; }
     std::span<const std::array<float, 2>> uvs() const { return m_uvs; }
     std::span<const std::uint32_t> indices() const { return m_indices; }
+    bool hasTangents() const { return m_hasTangents; }
+    /// Of meshes: the last is that of indices.
+    std::uint64_t arrayCount() const { return m_hasTangents ? 5 : 4; }
     /// The size of all arrays in bytes.
     std::size_t size() const;
-    /// Appends the arrays: positions, normals, texture coordinates (v down, as in glTF), indices; positions and indices
-    /// of hulls; little-endian.
+    /// Appends the arrays: positions, normals, texture coordinates (v down, as in glTF), tangents, indices; positions
+    /// and indices of hulls; little-endian.
     void appendTo(std::string& bytes) const;
 
 private:
@@ -58,11 +65,13 @@ private:
         std::uint32_t normal = 0;
         std::uint32_t uv = 0;
     };
-    std::uint32_t vertexOf(const Mesh& mesh, MeshCorner corner, std::uint32_t normal, const GlbPrimitive& primitive);
+    std::uint32_t vertexOf(const Mesh& mesh, MeshCorner corner, std::size_t face, const GlbPrimitive& primitive);
 
+    bool m_hasTangents;
     std::vector<std::array<float, 3>> m_positions;
     std::vector<std::array<float, 3>> m_normals;
     std::vector<std::array<float, 2>> m_uvs;
+    std::vector<std::array<float, 4>> m_tangents;
     std::vector<std::uint32_t> m_indices;  // relative to the primitive's first vertex
     std::vector<GlbPrimitive> m_hulls;
     std::vector<std::array<float, 3>> m_hullPositions;

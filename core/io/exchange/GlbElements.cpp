@@ -11,6 +11,21 @@ void writeBound(JsonWriter& json, std::string_view key, const std::array<float, 
     json.numbers(key, {double{bound[0]}, double{bound[1]}, double{bound[2]}});
 }
 
+void writeTexture(JsonWriter& json, std::string_view key, std::uint64_t texture) {
+    json.openObject(key);
+    json.wholeNumber("index", texture);
+    json.close();
+}
+
+/// Without factors: those of glTF are 1, also that of metalness.
+void writeBakedMaterial(JsonWriter& json, std::uint64_t firstTexture) {
+    json.openObject("pbrMetallicRoughness");
+    writeTexture(json, "baseColorTexture", firstTexture);
+    writeTexture(json, "metallicRoughnessTexture", firstTexture + 2);
+    json.close();
+    writeTexture(json, "normalTexture", firstTexture + 1);
+}
+
 }  // namespace
 
 void writeGlbAsset(JsonWriter& json) {
@@ -37,15 +52,16 @@ void writeGlbMaterial(JsonWriter& json, const MeshMaterial& material, std::uint6
     const bool isTransparent = material.opacity < 1.0;
     json.openObject();
     json.text("name", material.name);
+    if (material.isBaked) {
+        writeBakedMaterial(json, texture);
+        json.close();
+        return;
+    }
     json.openObject("pbrMetallicRoughness");
     json.numbers("baseColorFactor", {colour.x, colour.y, colour.z, material.opacity});
     json.wholeNumber("metallicFactor", std::uint64_t{0});
     json.number("roughnessFactor", material.roughness());
-    if (material.isTextured) {
-        json.openObject("baseColorTexture");
-        json.wholeNumber("index", texture);
-        json.close();
-    }
+    if (material.isTextured) writeTexture(json, "baseColorTexture", texture);
     json.close();
     if (isTransparent) json.text("alphaMode", "BLEND");
     json.close();
@@ -53,25 +69,34 @@ void writeGlbMaterial(JsonWriter& json, const MeshMaterial& material, std::uint6
 
 void writeGlbMaterials(JsonWriter& json, const MeshMaterials& materials) {
     json.openArray("materials");
-    for (const MeshMaterial& material : materials.outside) writeGlbMaterial(json, material);
-    writeGlbMaterial(json, materials.inside);
+    const auto write = [&](const MeshMaterial& material) {
+        writeGlbMaterial(json, material, material.isBaked && materials.image ? 1 : 0);
+    };
+    for (const MeshMaterial& material : materials.outside) write(material);
+    write(materials.inside);
     json.close();
 }
 
 std::vector<GlbImage> glbImages(const MeshMaterials& materials) {
-    if (!materials.image) return {};
-    return {{materials.imageFile, materials.image}};
+    std::vector<GlbImage> images;
+    if (materials.image) images.push_back({materials.imageFile, materials.image});
+    if (!materials.baked) return images;
+    const auto& [colour, normal, surface, areBeside] = *materials.baked;
+    for (const MeshImage* image : {&colour, &normal, &surface})
+        images.push_back({image->name, image->image, areBeside});
+    return images;
 }
 
 void writeGlbTextures(JsonWriter& json, std::span<const GlbImage> images, std::uint64_t firstView) {
     constexpr std::uint64_t kLinear = 9729, kLinearMipmapLinear = 9987, kRepeat = 10497;
     if (images.empty()) return;
     json.openArray("images");
-    for (std::size_t k = 0; k < images.size(); ++k) {
+    std::uint64_t view = firstView;
+    for (const GlbImage& image : images) {
         json.openObject();
-        json.text("name", images[k].name);
-        json.text("mimeType", images[k].image->mediaType());
-        json.wholeNumber("bufferView", firstView + k);
+        json.text("name", image.name);
+        json.text("mimeType", image.image->mediaType());
+        image.isBeside ? json.text("uri", image.name) : json.wholeNumber("bufferView", view++);
         json.close();
     }
     json.close();
@@ -93,14 +118,15 @@ void writeGlbTextures(JsonWriter& json, std::span<const GlbImage> images, std::u
     json.close();
 }
 
-void writeGlbPrimitive(JsonWriter& json, std::uint64_t accessor, std::uint64_t material) {
+void writeGlbPrimitive(JsonWriter& json, std::uint64_t accessor, std::uint64_t material, const GlbBuffer& buffer) {
     json.openObject();
     json.openObject("attributes");
     json.wholeNumber("POSITION", accessor);
     json.wholeNumber("NORMAL", accessor + 1);
     json.wholeNumber("TEXCOORD_0", accessor + 2);
+    if (buffer.hasTangents()) json.wholeNumber("TANGENT", accessor + 3);
     json.close();
-    json.wholeNumber("indices", accessor + 3);
+    json.wholeNumber("indices", accessor + buffer.arrayCount() - 1);
     json.wholeNumber("material", material);
     json.close();
 }
@@ -128,14 +154,18 @@ void writeGlbIndices(JsonWriter& json, std::uint64_t view, const GlbPrimitive& p
     json.close();
 }
 
-void writeGlbAccessors(JsonWriter& json, const GlbPrimitive& primitive) {
+void writeGlbAccessors(JsonWriter& json, const GlbPrimitive& primitive, const GlbBuffer& buffer) {
     const std::uint64_t vertex = primitive.firstVertex;
     writeGlbPositions(json, 0, primitive);
     openGlbAccessor(json, 1, 12 * vertex, gltf::kFloat, primitive.vertexCount, "VEC3");
     json.close();
     openGlbAccessor(json, 2, 8 * vertex, gltf::kFloat, primitive.vertexCount, "VEC2");
     json.close();
-    writeGlbIndices(json, 3, primitive);
+    if (buffer.hasTangents()) {
+        openGlbAccessor(json, 3, 16 * vertex, gltf::kFloat, primitive.vertexCount, "VEC4");
+        json.close();
+    }
+    writeGlbIndices(json, buffer.arrayCount() - 1, primitive);
 }
 
 GlbViews::GlbViews(JsonWriter& json) : m_json(json) { m_json.openArray("bufferViews"); }
@@ -155,6 +185,7 @@ void GlbViews::addArrays(const GlbBuffer& buffer) {
     addArray(buffer.vertexCount(), 12, gltf::kArrayBuffer);
     addArray(buffer.vertexCount(), 12, gltf::kArrayBuffer);
     addArray(buffer.vertexCount(), 8, gltf::kArrayBuffer);
+    if (buffer.hasTangents()) addArray(buffer.vertexCount(), 16, gltf::kArrayBuffer);
     addArray(buffer.indexCount(), 4, gltf::kElementArrayBuffer);
     if (buffer.hulls().empty()) return;
     addArray(buffer.hullVertexCount(), 12, gltf::kArrayBuffer);

@@ -18,7 +18,7 @@ void writeGlbAsset(JsonWriter& json);
 /// Writes the members "scene" and "scenes": one with all nodes below `nodeCount`. Without a name if it is empty.
 void writeGlbScene(JsonWriter& json, std::uint64_t nodeCount, std::string_view name = {});
 
-/// Writes a material, with a texture if it is textured.
+/// Writes a material, with a texture if it is textured, and with this and the next two if it is baked.
 void writeGlbMaterial(JsonWriter& json, const MeshMaterial& material, std::uint64_t texture = 0);
 /// Writes the member "materials": the outside ones, then the inside.
 void writeGlbMaterials(JsonWriter& json, const MeshMaterials& materials);
@@ -27,17 +27,18 @@ void writeGlbMaterials(JsonWriter& json, const MeshMaterials& materials);
 struct GlbImage {
     std::string name;
     std::shared_ptr<const EncodedImage> image;
+    bool isBeside = false;  // a file of that name beside it, and not a part of it
 };
-/// The image of materials, if they have one.
+/// The image of materials, if they have one, and then those that are baked: of colours, normals, and roughness.
 std::vector<GlbImage> glbImages(const MeshMaterials& materials);
-/// Writes the members "images", "samplers" and "textures": one that repeats each image. Their views follow each other
-/// from `firstView` on. Without images, writes nothing.
+/// Writes the members "images", "samplers" and "textures": one that repeats each image. The views of those that are
+/// parts of the file follow each other from `firstView` on. Without images, writes nothing.
 void writeGlbTextures(JsonWriter& json, std::span<const GlbImage> images, std::uint64_t firstView);
 
-/// Writes a primitive, whose four accessors start at `accessor`.
-void writeGlbPrimitive(JsonWriter& json, std::uint64_t accessor, std::uint64_t material);
-/// Writes the four accessors of a primitive, in the order of the buffer's arrays.
-void writeGlbAccessors(JsonWriter& json, const GlbPrimitive& primitive);
+/// Writes a primitive, whose accessors, as many as the buffer has arrays, start at `accessor`.
+void writeGlbPrimitive(JsonWriter& json, std::uint64_t accessor, std::uint64_t material, const GlbBuffer& buffer);
+/// Writes the accessors of a primitive, in the order of the buffer's arrays.
+void writeGlbAccessors(JsonWriter& json, const GlbPrimitive& primitive, const GlbBuffer& buffer);
 /// Writes the accessor of positions or indices of a primitive in a view.
 void writeGlbPositions(JsonWriter& json, std::uint64_t view, const GlbPrimitive& primitive);
 void writeGlbIndices(JsonWriter& json, std::uint64_t view, const GlbPrimitive& primitive);

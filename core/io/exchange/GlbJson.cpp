@@ -7,12 +7,8 @@
 namespace rubble {
 namespace {
 
-// Views of hulls, behind those of the four arrays of meshes.
-constexpr std::uint64_t kHullPositionView = 4;
-constexpr std::uint64_t kHullIndexView = 5;
-
-/// The view of the image, behind those of the arrays.
-std::uint64_t imageView(const GlbBuffer& buffer) { return buffer.hulls().empty() ? 4 : 6; }
+/// The view of the first image, behind those of the arrays: of meshes, then positions and indices of hulls.
+std::uint64_t imageView(const GlbBuffer& buffer) { return buffer.arrayCount() + (buffer.hulls().empty() ? 0 : 2); }
 
 void writeNodes(JsonWriter& json, std::span<const MeshPart> parts, PartPlacement place) {
     writeGlbScene(json, parts.size());
@@ -29,8 +25,8 @@ void writeNodes(JsonWriter& json, std::span<const MeshPart> parts, PartPlacement
 }
 
 void writeMeshes(JsonWriter& json, std::span<const MeshPart> parts,
-                 std::span<const std::vector<GlbPrimitive>> primitives, const MeshMaterials& materials,
-                 const GlbPhysics* physics) {
+                 std::span<const std::vector<GlbPrimitive>> primitives, const GlbBuffer& buffer,
+                 const MeshMaterials& materials, const GlbPhysics* physics) {
     json.openArray("meshes");
     std::uint64_t accessor = 0;
     for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -39,8 +35,8 @@ void writeMeshes(JsonWriter& json, std::span<const MeshPart> parts,
         json.openArray("primitives");
         for (const GlbPrimitive& primitive : primitives[k]) {
             const bool isInside = primitive.material == GlbBuffer::kInside;
-            writeGlbPrimitive(json, accessor, isInside ? materials.outside.size() : primitive.material);
-            accessor += 4;
+            writeGlbPrimitive(json, accessor, isInside ? materials.outside.size() : primitive.material, buffer);
+            accessor += buffer.arrayCount();
         }
         json.close();
         json.close();
@@ -61,21 +57,24 @@ std::string glbJson(std::span<const MeshPart> parts, std::span<const std::vector
         writePhysicsExtensions(json, *physics, parts.size());
     if (physics != nullptr) writePhysicsNodes(json, parts, place, *physics);
     if (physics == nullptr) writeNodes(json, parts, place);
-    writeMeshes(json, parts, primitives, materials, physics);
+    writeMeshes(json, parts, primitives, buffer, materials, physics);
     writeGlbMaterials(json, materials);
-    writeGlbTextures(json, glbImages(materials), imageView(buffer));
+    const std::vector<GlbImage> images = glbImages(materials);
+    writeGlbTextures(json, images, imageView(buffer));
     json.openArray("accessors");
     for (const std::vector<GlbPrimitive>& part : primitives) {
-        for (const GlbPrimitive& primitive : part) writeGlbAccessors(json, primitive);
+        for (const GlbPrimitive& primitive : part) writeGlbAccessors(json, primitive, buffer);
     }
     for (const GlbPrimitive& hull : buffer.hulls()) {
-        writeGlbPositions(json, kHullPositionView, hull);
-        writeGlbIndices(json, kHullIndexView, hull);
+        writeGlbPositions(json, buffer.arrayCount(), hull);
+        writeGlbIndices(json, buffer.arrayCount() + 1, hull);
     }
     json.close();
     GlbViews views(json);
     views.addArrays(buffer);
-    if (materials.image) views.addBytes(materials.image->bytes().size());
+    for (const GlbImage& image : images) {
+        if (!image.isBeside) views.addBytes(image.image->bytes().size());
+    }
     views.end();
     json.close();
     return std::move(json).contents();

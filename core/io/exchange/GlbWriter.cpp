@@ -2,6 +2,7 @@
 
 #include "core/base/Assert.h"
 #include "core/io/exchange/GlbContainer.h"
+#include "core/io/exchange/GlbElements.h"
 #include "core/io/exchange/GlbJson.h"
 
 #include <limits>
@@ -9,7 +10,7 @@
 namespace rubble {
 namespace {
 
-constexpr std::size_t kVertexSize = 32;  // bytes: position, normal, texture coordinates
+constexpr std::size_t kVertexSize = 48;  // bytes: position, normal, texture coordinates, tangent
 constexpr std::size_t kIndexSize = 4;
 constexpr std::size_t kJsonSize = 1000;  // bytes: an upper bound for a node or the accessors of a primitive
 
@@ -27,10 +28,17 @@ std::size_t maxPhysicsSize(const GlbPhysics& physics) {
     return size;
 }
 
+/// The size of the images that are parts of a file.
+std::size_t imageBytes(std::span<const GlbImage> images) {
+    std::size_t bytes = 0;
+    for (const GlbImage& image : images) bytes += image.isBeside ? 0 : image.image->bytes().size();
+    return bytes;
+}
+
 /// Returns an upper bound for the size of a file with these parts.
 std::size_t maxFileSize(std::span<const MeshPart> parts, const MeshMaterials& materials, const GlbPhysics* physics) {
     std::size_t size = physics == nullptr ? 0 : maxPhysicsSize(*physics);
-    size += materials.image ? materials.image->bytes().size() : 0;
+    size += imageBytes(glbImages(materials));
     for (const MeshPart& part : parts) {
         size += (materials.outside.size() + 2) * kJsonSize;
         for (const MeshFace& face : part.mesh.faces) {
@@ -51,7 +59,7 @@ Result<std::string> glbFile(std::span<const MeshPart> parts, const MeshMaterials
                      std::to_string(parts.size()) +
                          " bodies exceed 4 GiB, the maximum of a GLB file; export one file per fragment."};
     }
-    GlbBuffer buffer;
+    GlbBuffer buffer(materials.baked ? GlbBuffer::Tangents::OfMeshes : GlbBuffer::Tangents::None);
     std::vector<std::vector<GlbPrimitive>> primitives;
     for (const MeshPart& part : parts) primitives.push_back(buffer.add(part.mesh));
     if (physics != nullptr) {
@@ -61,9 +69,12 @@ Result<std::string> glbFile(std::span<const MeshPart> parts, const MeshMaterials
     }
     std::string json = glbJson(parts, primitives, buffer, materials, place, physics);
     std::string binary;
-    binary.reserve(buffer.size() + (materials.image ? materials.image->bytes().size() : 0) + 3);
+    const std::vector<GlbImage> images = glbImages(materials);
+    binary.reserve(buffer.size() + imageBytes(images) + 3);
     buffer.appendTo(binary);
-    if (materials.image) binary += materials.image->bytes();
+    for (const GlbImage& image : images) {
+        if (!image.isBeside) binary += image.image->bytes();
+    }
     return glbContainer(std::move(json), std::move(binary));
 }
 

@@ -31,8 +31,21 @@ struct MeshMaterial {
     Colour colour;
     double opacity = 1.0;
     bool isTextured = false;  // its colour is multiplied by the image
+    bool isBaked = false;     // its colour, normals, roughness and metalness are those of baked images
     double roughness() const { return opacity < 1.0 ? 0.1 : 0.9; }
     bool operator==(const MeshMaterial&) const = default;
+};
+
+/// An image and the name of its file.
+struct MeshImage {
+    std::string name;
+    std::shared_ptr<const EncodedImage> image;
+};
+
+/// The images of baked materials, see BakedMaps.
+struct BakedImages {
+    MeshImage colour, normal, surface;
+    bool areBeside = false;  // GLB files refer to them instead of containing them
 };
 
 /// The materials of an asset, with unique names.
@@ -41,6 +54,7 @@ struct MeshMaterials {
     MeshMaterial inside;
     std::shared_ptr<const EncodedImage> image;  // null: no material is textured
     std::string imageFile;                      // a name without spaces, with the suffix of its type
+    std::optional<BakedImages> baked;           // none: no material is baked
 };
 
 /// A colour in linear light, as glTF and USD have it.

@@ -82,7 +82,8 @@ private:
         m_lines.setFloat("float physics:staticFriction", own.friction);
         m_lines.end();
         const auto addSurface = [&](const MeshMaterial& material) {
-            m_surfaces.push_back(writeUsdMaterial(m_lines, names, material, m_materials.imageFile));
+            const BakedImages* baked = material.isBaked ? &*m_materials.baked : nullptr;
+            m_surfaces.push_back(writeUsdMaterial(m_lines, names, material, m_materials.imageFile, baked));
         };
         std::ranges::for_each(m_materials.outside, addSurface);
         addSurface(m_materials.inside);

@@ -23,21 +23,66 @@ std::string scaleText(const Colour& colour) {
     return text + "1)";
 }
 
-void writeImage(UsdWriter& usd, const std::string& path, const MeshMaterial& material, const std::string& imageFile) {
-    usd.begin("Shader", "Image");
+void beginImage(UsdWriter& usd, const std::string& path, std::string_view name, const std::string& file) {
+    usd.begin("Shader", name);
     usd.setText("uniform token info:id", "UsdUVTexture");
-    usd.setAsset(usdInput("asset", "file"), imageFile);
-    usd.setWord(usdInput("float4", "scale"), scaleText(material.colour));
+    usd.setAsset(usdInput("asset", "file"), file);
     usd.setTarget("float2 inputs:st.connect", path + "/Coordinates.outputs:result");
     usd.setText(usdInput("token", "wrapS"), "repeat");
     usd.setText(usdInput("token", "wrapT"), "repeat");
-    usd.addOutput("float3 outputs:rgb");
-    usd.end();
+}
+
+void writeCoordinates(UsdWriter& usd) {
     usd.begin("Shader", "Coordinates");
     usd.setText("uniform token info:id", "UsdPrimvarReader_float2");
     usd.setText(usdInput("string", "varname"), "st");
     usd.addOutput("float2 outputs:result");
     usd.end();
+}
+
+void writeImage(UsdWriter& usd, const std::string& path, const MeshMaterial& material, const std::string& imageFile) {
+    beginImage(usd, path, "Image", imageFile);
+    usd.setWord(usdInput("float4", "scale"), scaleText(material.colour));
+    usd.addOutput("float3 outputs:rgb");
+    usd.end();
+    writeCoordinates(usd);
+}
+
+void writeBakedSurface(UsdWriter& usd, const std::string& path) {
+    usd.setTarget("color3f inputs:diffuseColor.connect", path + "/Colour.outputs:rgb");
+    usd.setTarget("float inputs:metallic.connect", path + "/RoughnessMetalness.outputs:b");
+    usd.setTarget("normal3f inputs:normal.connect", path + "/Normal.outputs:rgb");
+    usd.setTarget("float inputs:roughness.connect", path + "/RoughnessMetalness.outputs:g");
+}
+
+/// Normals of 8 bits become [-1, 1] by scale and bias.
+/// Source: Pixar, "UsdPreviewSurface specification", 2.6: "Texture reader".
+void writeBakedImages(UsdWriter& usd, const std::string& path, const BakedImages& baked) {
+    beginImage(usd, path, "Colour", baked.colour.name);
+    usd.setText(usdInput("token", "sourceColorSpace"), "sRGB");
+    usd.addOutput("float3 outputs:rgb");
+    usd.end();
+    beginImage(usd, path, "Normal", baked.normal.name);
+    usd.setText(usdInput("token", "sourceColorSpace"), "raw");
+    usd.setWord(usdInput("float4", "scale"), "(2, 2, 2, 1)");
+    usd.setWord(usdInput("float4", "bias"), "(-1, -1, -1, 0)");
+    usd.addOutput("float3 outputs:rgb");
+    usd.end();
+    beginImage(usd, path, "RoughnessMetalness", baked.surface.name);
+    usd.setText(usdInput("token", "sourceColorSpace"), "raw");
+    usd.addOutput("float outputs:g");
+    usd.addOutput("float outputs:b");
+    usd.end();
+    writeCoordinates(usd);
+}
+
+void writePlainSurface(UsdWriter& usd, const std::string& path, const MeshMaterial& material) {
+    if (material.isTextured)
+        usd.setTarget("color3f inputs:diffuseColor.connect", path + "/Image.outputs:rgb");
+    else
+        usd.setFloats(usdInput("color3f", "diffuseColor"), linearColour(material.colour));
+    if (material.opacity < 1.0) usd.setFloat(usdInput("float", "opacity"), material.opacity);
+    usd.setFloat(usdInput("float", "roughness"), material.roughness());
 }
 
 void writeSubsets(UsdWriter& usd, const std::map<std::size_t, std::vector<std::uint32_t>>& faces,
@@ -58,20 +103,16 @@ void writeSubsets(UsdWriter& usd, const std::map<std::size_t, std::vector<std::u
 }  // namespace
 
 std::string writeUsdMaterial(UsdWriter& usd, UsdNames& names, const MeshMaterial& material,
-                             const std::string& imageFile) {
+                             const std::string& imageFile, const BakedImages* baked) {
     const std::string path = usd.begin("Material", names.unique(material.name));
     usd.setTarget("token outputs:surface.connect", path + "/Surface.outputs:surface");
     usd.begin("Shader", "Surface");
     usd.setText("uniform token info:id", "UsdPreviewSurface");
-    if (material.isTextured)
-        usd.setTarget("color3f inputs:diffuseColor.connect", path + "/Image.outputs:rgb");
-    else
-        usd.setFloats(usdInput("color3f", "diffuseColor"), linearColour(material.colour));
-    if (material.opacity < 1.0) usd.setFloat(usdInput("float", "opacity"), material.opacity);
-    usd.setFloat(usdInput("float", "roughness"), material.roughness());
+    baked != nullptr ? writeBakedSurface(usd, path) : writePlainSurface(usd, path, material);
     usd.addOutput("token outputs:surface");
     usd.end();
-    if (material.isTextured) writeImage(usd, path, material, imageFile);
+    if (baked != nullptr) writeBakedImages(usd, path, *baked);
+    if (baked == nullptr && material.isTextured) writeImage(usd, path, material, imageFile);
     usd.end();
     return path;
 }

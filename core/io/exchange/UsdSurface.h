@@ -6,9 +6,10 @@
 
 namespace rubble {
 
-/// Writes a material that is drawn, textured with an image file beside the layer if it is textured; returns its path.
+/// Writes a material that is drawn, textured with image files beside the layer if it is textured or baked; returns its
+/// path. `baked`: null if it is not baked.
 std::string writeUsdMaterial(UsdWriter& usd, UsdNames& names, const MeshMaterial& material,
-                             const std::string& imageFile);
+                             const std::string& imageFile, const BakedImages* baked = nullptr);
 
 /// Writes the extent, the faces (`counts`: corners of each) and the points of a Mesh that was begun. Not empty.
 void writeUsdFaces(UsdWriter& usd, std::span<const std::uint32_t> counts, std::span<const std::uint32_t> indices,

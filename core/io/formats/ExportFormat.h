@@ -7,6 +7,7 @@
 #include "core/io/exchange/MeshPart.h"
 #include "core/io/exchange/PackBuilder.h"
 #include "core/io/formats/ExportOption.h"
+#include "core/io/formats/TextureBaking.h"
 
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct FormatInput {
     const MeshMaterials& materials;
     const FragmentMesher& mesher;
     const RoughCuts& cuts;
+    const BakedTextures* textures;  // null: finishes are not baked
     const TaskContext& task;
 };
 
@@ -38,7 +40,8 @@ struct ExportFormat {
     std::string_view caption;  // in the dialog, with its mnemonic
     std::string_view hint;     // in the dialog and on the command line
     std::span<const ExportOption* const> options;
-    bool hasImageFile = false;  // its files refer to a file with the image of a texture
+    bool hasImageFile = false;                             // its files refer to a file with the image of a texture
+    bool (*hasBakedImages)(const MeshOptions&) = nullptr;  // whether its files show them; null: never
     /// The memory that a fragment takes while it is exported, bytes. Measured with 20,000 fragments.
     double (*bytesPerFragment)(const MeshOptions&) = nullptr;
 

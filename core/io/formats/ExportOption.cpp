@@ -18,6 +18,9 @@ constexpr Value kPlaces[] = {{"assembled", "Assembled"}, {"centred", "Centred on
 constexpr Value kFaces[] = {{"polygons", "Polygons"}, {"triangles", "Triangles"}};
 constexpr Value kUpAxes[] = {{"y", "Y up"}, {"z", "Z up"}};
 constexpr Value kUnits[] = {{"m", "Metres"}, {"cm", "Centimetres"}, {"mm", "Millimetres"}};
+constexpr Value kTextures[] = {{"none", "None"}, {"baked", "Of finishes"}};
+constexpr Value kTextureSizes[] = {
+    {"512", "512 × 512"}, {"1024", "1024 × 1024"}, {"2048", "2048 × 2048"}, {"4096", "4096 × 4096"}};
 constexpr Value kPackFiles[] = {{"json", "pack.json"}, {"bin", "pack.bin"}, {"both", "Both"}};
 constexpr Value kTopologies[] = {{"full", "Edges and planes"}, {"loops", "Loops only"}};
 
@@ -70,6 +73,14 @@ constinit const ExportOption kUnitOption = row(
     "unit", "The unit of OBJ files (default: m)",
     "OBJ &unit:", "Select the unit of OBJ files; GLB files are always in metres", kUnits,
     [](auto& options) -> auto& { return options.meshes.objFrame.unit; });
+constinit const ExportOption kTexturesOption = row(
+    "textures", "Images of the finishes of materials in GLB and USD files (default: none)",
+    "&Baked textures:", "Select whether the finishes of materials are baked into textures of GLB and USD files",
+    kTextures, [](auto& options) -> auto& { return options.meshes.textures; });
+constinit const ExportOption kTextureSizeOption = row(
+    "texture-size", "The side of these images in texels (default: 2048)",
+    "Texture si&ze:", "Select the size of the images that finishes are baked into", kTextureSizes,
+    [](auto& options) -> auto& { return options.meshes.textureSize; });
 constinit const ExportOption kPackFilesOption = row(
     "pack", "The files that describe the bodies (default: both)", {}, {}, kPackFiles,
     [](auto& options) -> auto& { return options.files; });
@@ -78,9 +89,9 @@ constinit const ExportOption kTopologyOption = row(
     [](auto& options) -> auto& { return options.topology; });
 
 std::span<const ExportOption* const> exportOptions() {
-    static constexpr const ExportOption* kOptions[] = {&kGlbKindOption,   &kSplitOption,   &kPlaceOption,
-                                                       &kFacesOption,     &kUpAxisOption,  &kUnitOption,
-                                                       &kPackFilesOption, &kTopologyOption};
+    static constexpr const ExportOption* kOptions[] = {
+        &kGlbKindOption, &kSplitOption,    &kPlaceOption,       &kFacesOption,     &kUpAxisOption,
+        &kUnitOption,    &kTexturesOption, &kTextureSizeOption, &kPackFilesOption, &kTopologyOption};
     return kOptions;
 }
 

@@ -27,7 +27,7 @@ struct ExportOption {
 };
 
 extern const ExportOption kGlbKindOption, kSplitOption, kPlaceOption, kFacesOption, kUpAxisOption, kUnitOption,
-    kPackFilesOption, kTopologyOption;
+    kTexturesOption, kTextureSizeOption, kPackFilesOption, kTopologyOption;
 
 /// All options, in the order of the dialog.
 std::span<const ExportOption* const> exportOptions();

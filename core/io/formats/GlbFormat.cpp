@@ -5,7 +5,8 @@
 namespace rubble {
 namespace {
 
-constexpr const ExportOption* kGlbOptions[] = {&kGlbKindOption, &kSplitOption, &kPlaceOption};
+constexpr const ExportOption* kGlbOptions[] = {&kGlbKindOption, &kSplitOption, &kPlaceOption, &kTexturesOption,
+                                               &kTextureSizeOption};
 
 double glbBytes(const MeshOptions& options) {
     switch (options.glbKind) {
@@ -38,8 +39,19 @@ Result<std::string> glbParts(const FormatInput& input, const PartFile& file, std
     const PartPlacement place = input.options.place;
     if (input.options.glbKind == GlbKind::Compact) return compactGlbFile(parts, input.materials, place, file.name);
     const std::optional<GlbPhysics> physics = physicsOf(input, file);
-    return glbFile(parts, input.materials, place, physics ? &*physics : nullptr);
+    const GlbPhysics* bodies = physics ? &*physics : nullptr;
+    if (input.textures == nullptr) return glbFile(parts, input.materials, place, bodies);
+    std::vector<MeshPart> textured(parts.begin(), parts.end());
+    for (std::size_t k = 0; k < textured.size(); ++k) {
+        Mesh& mesh = textured[k].mesh;
+        mesh = file.bodies == PackMeshBodies::Whole ? input.textures->wholeMesh(mesh)
+                                                    : input.textures->fragmentMesh(file.fragments[k], mesh);
+    }
+    return glbFile(textured, input.textures->materials, place, bodies);
 }
+
+/// Those of compact files have the colours of materials.
+bool hasImages(const MeshOptions& options) { return options.glbKind != GlbKind::Compact; }
 
 }  // namespace
 
@@ -48,6 +60,7 @@ constinit const ExportFormat kGlbFormat{.word = "glb",
                                         .caption = "&GLB",
                                         .hint = "Write binary glTF files",
                                         .options = kGlbOptions,
+                                        .hasBakedImages = hasImages,
                                         .bytesPerFragment = glbBytes,
                                         .suffix = ".glb",
                                         .partFile = glbParts};

@@ -35,6 +35,16 @@ enum class PackTopology {
     Loops,  // nothing
 };
 
+/// The images of the surfaces in mesh files.
+enum class SurfaceTextures {
+    None,   // only those that were imported
+    Baked,  // of the finishes of materials, see bakedTextures()
+};
+
+/// The side of the images that are baked.
+enum class TextureSize { Texels512, Texels1024, Texels2048, Texels4096 };
+inline int texelsOf(TextureSize size) { return 512 << static_cast<int>(size); }
+
 /// The words of rows of exportFormats(), ascending.
 class FormatSet {
 public:
@@ -63,6 +73,8 @@ struct MeshOptions {
     FaceShape faces = FaceShape::Polygons;
     ObjFrame objFrame;
     GlbKind glbKind = GlbKind::Plain;
+    SurfaceTextures textures = SurfaceTextures::None;
+    TextureSize textureSize = TextureSize::Texels2048;
     bool operator==(const MeshOptions&) const = default;
 };
 

@@ -11,6 +11,7 @@
 #include "core/base/Version.h"
 #include "core/io/formats/ExportFormat.h"
 #include "core/io/formats/ExportTarget.h"
+#include "core/io/formats/TextureBaking.h"
 #include "core/io/output/ExportCheck.h"
 #include "core/io/output/ExportIndex.h"
 #include "core/io/pack/PackBinary.h"
@@ -161,7 +162,7 @@ Result<std::vector<double>> memoryOf(std::span<const PackedAsset> packed, const 
         if (const std::optional<std::string> fault =
                 sizeFault(estimate) ? std::nullopt : stageFault(estimate, MemoryStage::Export))
             return Error{ErrorCode::Limit, "Asset " + quotedName(asset.name) + ": " + *fault};
-        bytes.push_back(estimate.bytes(MemoryStage::Export));
+        bytes.push_back(estimate.bytes(MemoryStage::Export) + bakingBytes(options.meshes));
     }
     return bytes;
 }
@@ -252,7 +253,8 @@ std::vector<PackListing> packListings(const Project& project, std::span<const Id
         PackFileNames files;
         if (hasJson(options)) files.names.push_back(kPackName);
         if (hasBinary(options)) files.names.push_back(kPackBinaryName);
-        PackFileNames meshes = meshFileNames(packed.asset, packed.names, options.meshes);
+        PackFileNames meshes =
+            meshFileNames(packed.asset, materialsOf(project, packed.asset), packed.names, options.meshes);
         files.names.insert(files.names.end(), meshes.names.begin(), meshes.names.end());
         files.names.push_back(kManifestName);
         files.areAll = meshes.areAll;

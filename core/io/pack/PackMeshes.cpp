@@ -1,6 +1,7 @@
 #include "core/io/pack/PackMeshes.h"
 
 #include "core/io/formats/ExportFormat.h"
+#include "core/io/formats/TextureBaking.h"
 #include "core/io/system/FileName.h"
 
 #include <algorithm>
@@ -87,6 +88,10 @@ public:
         }
         if (hasImageFile(m_formats) && m_input.materials.image)
             m_meshes.files.push_back({m_input.materials.imageFile, m_input.materials.image->bytes()});
+        if (m_input.textures == nullptr || !areImagesBeside(m_input.options)) return success();
+        const auto& [colour, normal, surface, areBeside] = *m_input.textures->materials.baked;
+        for (const MeshImage* image : {&colour, &normal, &surface})
+            m_meshes.files.push_back({image->name, image->image->bytes()});
         return success();
     }
 
@@ -131,7 +136,8 @@ private:
 
 }  // namespace
 
-PackFileNames meshFileNames(const Asset& asset, const PackNames& names, const MeshOptions& options) {
+PackFileNames meshFileNames(const Asset& asset, const AssetMaterials& materials, const PackNames& names,
+                            const MeshOptions& options) {
     const std::vector<const ExportFormat*> formats = formatsOf(options.formats);
     std::vector<std::string> parts{wholeFileName(names)};
     if (options.split == FileSplit::Single) parts.push_back(fragmentsFile(names));
@@ -146,6 +152,10 @@ PackFileNames meshFileNames(const Asset& asset, const PackNames& names, const Me
         for (std::string& name : format->assetFileNames(names)) files.names.push_back(std::move(name));
     }
     if (hasImageFile(formats) && asset.texture) files.names.push_back(imageFileName(*asset.texture));
+    const TexturedSides baked = bakedSides(asset, materials, options);
+    if ((baked.outside || baked.inside) && areImagesBeside(options)) {
+        for (std::string& name : bakedImageNames(names)) files.names.push_back(std::move(name));
+    }
     const auto breaks = [](const FragmentLevel& single) { return single.level.has_value(); };
     const bool hasLevels = !asset.levels.empty() || std::ranges::any_of(asset.fragmentLevels, breaks);
     const bool dependsOnFragments = options.split == FileSplit::PerFragment || hasLevels;
@@ -166,7 +176,12 @@ Result<PackMeshes> packMeshes(const PackBuilder& builder, const MeshOptions& opt
     const FragmentMesher mesher(pack.asset);
     const RoughCuts cuts(pack.bake, pack.asset);
     const MeshMaterials materials = meshMaterials(pack.asset, pack.material);
-    MeshFileWriter files({builder, options, materials, mesher, cuts, task}, std::move(formats));
+    const Result<std::optional<BakedTextures>> textures =
+        bakedTextures(pack, options, mesher, cuts, materials, task.stage(0.0, 0.5));
+    if (!textures) return textures.error();
+    const TaskContext writing = *textures ? task.stage(0.5, 1.0) : task;
+    MeshFileWriter files({builder, options, materials, mesher, cuts, *textures ? &**textures : nullptr, writing},
+                         std::move(formats));
     if (const Status added = files.addPartFiles(); !added) return added.error();
     if (const Status added = files.addAssetFiles(); !added) return added.error();
     return std::move(files).meshes();

@@ -16,7 +16,7 @@ double meshBytesPerFragment(const MeshOptions& options);
 /// The mesh files of a pack.
 struct PackMeshes {
     std::vector<PackMeshFile> list;  // for pack.json
-    std::vector<ExportFile> files;   // also those that pack.json does not list, and the texture's image
+    std::vector<ExportFile> files;   // also those that pack.json does not list, and images beside them
 };
 
 /// The names of the files in the folder of a pack, as far as they are known before the asset is fractured.
@@ -26,12 +26,13 @@ struct PackFileNames {
 };
 
 /// Returns the names of the files of packMeshes(), in their order as far as they are known.
-PackFileNames meshFileNames(const Asset& asset, const PackNames& names, const MeshOptions& options);
+PackFileNames meshFileNames(const Asset& asset, const AssetMaterials& materials, const PackNames& names,
+                            const MeshOptions& options);
 
 /// Returns the meshes of an asset in all formats of the options, the whole first. The files are described in
 /// docs/formats/obj-glb.md and usd-mjcf.md.
 ///
-/// Errors: those of the formats, see exportFormats(); Cancelled.
+/// Errors: those of the formats, see exportFormats(), and of bakedTextures(); Cancelled.
 Result<PackMeshes> packMeshes(const PackBuilder& builder, const MeshOptions& options, const TaskContext& task = {});
 
 }  // namespace rubble

@@ -42,7 +42,7 @@ inline std::string openGlb(const std::string& bytes, Glb& glb) {
 /// The elements of an accessor.
 template <class T>
 std::vector<T> numbersOf(const Glb& glb, const nlohmann::json& accessor) {
-    static const std::map<std::string, std::size_t> kComponents{{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}};
+    static const std::map<std::string, std::size_t> kComponents{{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}};
     const nlohmann::json& view = glb.json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
     const std::size_t at = view["byteOffset"].get<std::size_t>() + accessor["byteOffset"].get<std::size_t>();
     std::vector<T> numbers(accessor["count"].get<std::size_t>() * kComponents.at(accessor["type"]));

@@ -151,10 +151,22 @@ private slots:
     void namesAreKnownBeforeFracturing() {
         for (const MeshOptions& options : formatOptions()) {
             for (const Asset& asset : {wallAsset(), texturedWall()}) {
-                const PackFileNames known = meshFileNames(asset, packNames(asset), options);
+                const PackFileNames known = meshFileNames(asset, kBrick, packNames(asset), options);
                 QVERIFY(known.areAll);
                 QCOMPARE(known.names, namesOf(filesOf(asset, options)));
             }
+        }
+    }
+    void namesOfBakedImagesAreKnown() {
+        const Material brick{.id = 1, .name = "brick", .finish = Finish::Brick};
+        const Asset asset = wallAsset();
+        const Bake baked = bake(asset).value();
+        for (const FormatSet& formats : {FormatSet{"glb"}, FormatSet{"usd"}, FormatSet{"glb", "obj", "usd"}}) {
+            const MeshOptions options{
+                .formats = formats, .textures = SurfaceTextures::Baked, .textureSize = TextureSize::Texels512};
+            const PackMeshes meshes =
+                packMeshes(PackBuilder({baked, asset, brick, packNames(asset), {}}), options).value();
+            QCOMPARE(meshFileNames(asset, brick, packNames(asset), options).names, namesOf(meshes.files));
         }
     }
     void namesThatDependOnFragmentsAreNotKnown() {
@@ -164,7 +176,7 @@ private slots:
             for (const Asset& asset : {wallAsset(), ringAsset(), single}) {
                 for (const FileSplit split : {FileSplit::Single, FileSplit::PerFragment}) {
                     options.split = split;
-                    const PackFileNames known = meshFileNames(asset, packNames(asset), options);
+                    const PackFileNames known = meshFileNames(asset, kBrick, packNames(asset), options);
                     Names written = namesOf(filesOf(asset, options));
                     QCOMPARE(known.areAll, known.names == written);
                     std::erase_if(written, [&](const std::string& name) {
