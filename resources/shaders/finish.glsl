@@ -1,9 +1,9 @@
 // What a surface is made of: core/asset/finish has the same formula for nearby points, which describes the parameters.
 #ifdef FINISHED
 uniform sampler3D finishNoise;
-const int kFinishSize = 12;
+const int kFinishSize = 13;
 layout(std140) uniform Finishes {
-    vec4 finishes[3 * 12];  // of the outside, of the inside, of mortar
+    vec4 finishes[3 * 13];  // of the outside, of the inside, of mortar
     vec4 wholeSize;         // m: of the asset's box
 };
 in vec3 restPoint;  // in the asset's frame, in which nothing moves when it breaks
@@ -33,16 +33,24 @@ vec2 courseCoordinates(vec3 point, vec3 normal) {
     return size.y >= size.x ? point.xz : point.zy;
 }
 
-vec3 alongGrain(vec3 v, float axis) { return axis < 0.5 ? v : axis < 1.5 ? v.yzx : v.zxy; }
+// With an axis as the first.
+vec3 along(vec3 v, float axis) { return axis < 0.5 ? v : axis < 1.5 ? v.yzx : v.zxy; }
+
+vec2 coursePlace(float isRoof, vec4 origin) {
+    if (isRoof < 0.5) return courseCoordinates(restPoint, restNormal) - origin.xy;
+    float axis = abs(origin.z) - 1.0;
+    return sign(origin.z) * courseCoordinates(along(restPoint, axis), along(restNormal, axis));
+}
 
 Surface finished(Surface plain) {
     int first = kFinishSize * finishSide;
     vec4 scales = finishes[first], tones = finishes[first + 1], stain = finishes[first + 2], speckColour = finishes[first + 3];
     vec4 specks = finishes[first + 4], heights = finishes[first + 5], bandCentre = finishes[first + 6];
     vec4 bandAxes = finishes[first + 7], courses = finishes[first + 8], joint = finishes[first + 9];
-    vec3 lap = finishes[first + 10].xyz;  // z: 1 for courses along the grain
-    vec4 origin = finishes[first + 11];  // x, y: of the courses; w: the axis of the grain
-    vec3 p = alongGrain(restPoint, origin.w);
+    vec3 lap = finishes[first + 10].xyz;  // z: 1 for courses of a roof
+    vec4 pairs = finishes[first + 11];
+    vec4 origin = finishes[first + 12];  // x, y: of the courses; z: see SceneBuffers; w: the axis of the grain
+    vec3 p = along(restPoint, origin.w);
     vec3 stretched = p * vec3(scales.z, 1.0, 1.0);
     vec4 broad = texture(finishNoise, scales.x * stretched), fine = texture(finishNoise, scales.y * stretched);
 
@@ -56,11 +64,16 @@ Surface finished(Surface plain) {
     float height = dot(heights.xyz, vec3(broad.x, fine.x, band)) + specks.z * speck;
     float roughness = specks.w + heights.w * (2.0 * fine.y - 1.0), metalness = bandAxes.w;
 
-    float courseAxis = lap.z * origin.w;
-    vec2 place = courseCoordinates(alongGrain(restPoint, courseAxis), alongGrain(restNormal, courseAxis)) - origin.xy;
-    vec2 rows = place / courses.xy;
-    float row = floor(rows.y), along = rows.x + joint.a * (row - 2.0 * floor(0.5 * row)), column = floor(along);
-    vec2 cell = vec2(along - column, rows.y - row), apart = min(cell, 1.0 - cell) * courses.xy;
+    vec2 place = coursePlace(lap.z, origin);
+    // In a course, bricks of two lengths alternate; odd courses have others, and start elsewhere.
+    float rows = place.y / courses.y, row = floor(rows);
+    bool isOdd = row - 2.0 * floor(0.5 * row) > 0.5;
+    vec2 lengths = isOdd ? pairs.yz : vec2(courses.x, pairs.x);
+    float from = place.x - (isOdd ? pairs.w : 0.0), pair = floor(from / (lengths.x + lengths.y));
+    float rest = from - pair * (lengths.x + lengths.y), isSecond = step(lengths.x, rest);
+    vec2 size = vec2(mix(lengths.x, lengths.y, isSecond), courses.y);
+    vec2 cell = vec2((rest - isSecond * lengths.x) / size.x, rows - row), apart = min(cell, 1.0 - cell) * size;
+    float column = 2.0 * pair + isSecond;
     vec2 perPixel = fwidth(place);
     float pixel = max(perPixel.x, perPixel.y);
     float shownBricks = resolved(pixel / courses.y);

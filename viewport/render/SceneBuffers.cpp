@@ -45,12 +45,14 @@ std::vector<glm::vec4> finishBlock(const SceneBatch& batch) {
     static const FinishParameters mortar{
         .fineScale = 9.0f, .fineTone = 0.12f, .roughness = 0.95f, .fineHeight = 0.002f};
     const AssetFinish& finish = batch.finish;
-    const BrickCourseFrame& courses = finish.courses;
+    const FinishFrame& frame = finish.frame;
+    // The axis of roofs counts from 1; below 0 where their courses rise against the other one.
+    const float roof = static_cast<float>(frame.roofAxis + 1) * (frame.isRoofUpsideDown ? -1.0f : 1.0f);
     std::vector<glm::vec4> block;
     const auto add = [&](const FinishParameters& parameters) {
-        const auto packed = packedFinish(withCourses(parameters, courses));
+        const auto packed = packedFinish(withCourses(parameters, finish.courses));
         block.insert(block.end(), packed.begin(), packed.end());
-        block.emplace_back(courses.origin.x, courses.origin.y, 0.0f, static_cast<float>(finish.grainAxis));
+        block.emplace_back(glm::vec2(frame.courseOrigin), roof, static_cast<float>(frame.grainAxis));
     };
     add(finishParameters(finish.outside, FinishSide::Outside));
     add(finishParameters(finish.inside, FinishSide::Inside));

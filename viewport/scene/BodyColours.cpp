@@ -153,7 +153,8 @@ AssetFinish finishOf(const AssetModel& model, const Project& project) {
     const Material* material = materialOf(model, project);
     if (material == nullptr) return {};
     const Material* inside = insideOf(model, project);
-    return assetFinish(model.asset, {*material, inside != nullptr ? *inside : *material});
+    return assetFinish(model.asset, {*material, inside != nullptr ? *inside : *material},
+                       placedOrientation(project, model.asset.id));
 }
 
 }  // namespace

@@ -10,22 +10,25 @@ namespace rubble {
 struct AssetFinish {
     Finish outside = Finish::Plain, inside = Finish::Plain;
     BrickCourseFrame courses;
-    int grainAxis = 0;  // x, y or z of the asset: its longest side
+    FinishFrame frame;  // the grain is along the longest side
     bool isPlain() const { return outside == Finish::Plain && inside == Finish::Plain; }
     bool operator==(const AssetFinish&) const = default;
 };
-AssetFinish assetFinish(const Asset& asset, const AssetMaterials& materials);
+/// `orientation`: of an instance, as which the asset may be a roof.
+AssetFinish assetFinish(const Asset& asset, const AssetMaterials& materials,
+                        const Quat& orientation = Quat(1.0, 0.0, 0.0, 0.0));
+/// That of the first instance of an asset in a project; without one, upright.
+Quat placedOrientation(const Project& project, Id asset);
 
 /// The finish of one side with its colour, which is linear.
 struct SurfaceFinish {
     FinishParameters parameters;
     Vec3 colour{1.0};
-    Vec2 courseOrigin{0.0};
-    int grainAxis = 0;
+    FinishFrame frame;
 
     /// At a point of the asset, m, on a face with a normal.
     FinishedSurface at(Vec3 point, Vec3 normal) const {
-        return finishedSurface(parameters, point, normal, colour, courseOrigin, grainAxis);
+        return finishedSurface(parameters, point, normal, colour, frame);
     }
 };
 SurfaceFinish surfaceFinish(const AssetFinish& finish, FinishSide side, Vec3 colour);

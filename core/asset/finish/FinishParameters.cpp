@@ -7,7 +7,12 @@ struct Sides {
     FinishParameters outside, inside;
 };
 
-const glm::vec4 kMortar(0.40f, 0.385f, 0.35f, 0.5f);
+const glm::vec4 kMortar(0.40f, 0.385f, 0.35f, 0.0f);
+
+/// Every second course is shifted by half a length.
+CourseForm halfShifted(float length, float height) {
+    return {.height = height, .even = {length, length}, .odd = {length, length}, .oddStart = 0.5f * length};
+}
 
 Sides brick() {
     return {.outside = {.broadScale = 0.9f,
@@ -21,7 +26,9 @@ Sides brick() {
                         .speckHeight = -0.0012f,
                         .roughness = 0.88f,
                         .fineHeight = 0.0012f,
-                        .courses = {0.25f, 0.081f, 0.011f, -0.005f},
+                        .courses = halfShifted(0.25f, 0.081f),
+                        .jointWidth = 0.011f,
+                        .jointHeight = -0.005f,
                         .joint = kMortar},
             .inside = {.broadScale = 3.0f,
                        .fineScale = 10.0f,
@@ -180,11 +187,13 @@ Sides tiles() {
                         .roughness = 0.62f,
                         .fineHeight = 0.0006f,
                         .roughnessTone = 0.12f,
-                        .courses = {0.20f, 0.28f, 0.008f, -0.010f},
-                        .joint = {0.05f, 0.04f, 0.035f, 0.5f},
+                        .courses = halfShifted(0.20f, 0.28f),
+                        .jointWidth = 0.008f,
+                        .jointHeight = -0.010f,
+                        .joint = {0.05f, 0.04f, 0.035f, 0.0f},
                         .lap = 0.016f,
                         .lapShade = 0.03f,
-                        .hasCoursesAlongGrain = true},
+                        .isOnRoof = true},
             .inside = clay.inside};
 }
 
@@ -221,14 +230,15 @@ const FinishParameters& finishParameters(Finish finish, FinishSide side) {
 }
 
 FinishParameters withCourses(FinishParameters parameters, const BrickCourseFrame& courses) {
-    if (!courses.isOn || parameters.courses.z == 0.0f) return parameters;
-    parameters.courses = {courses.size, courses.jointWidth, courses.jointWidth > 0.0f ? parameters.courses.w : 0.0f};
-    parameters.joint.w = courses.shift;
-    parameters.hasCoursesAlongGrain = false;
+    if (!courses.isOn || parameters.jointWidth == 0.0f) return parameters;
+    parameters.courses = courses.form;
+    parameters.jointWidth = courses.jointWidth;
+    if (courses.jointWidth == 0.0f) parameters.jointHeight = 0.0f;
+    parameters.isOnRoof = false;
     return parameters;
 }
 
-std::array<glm::vec4, 11> packedFinish(const FinishParameters& parameters) {
+std::array<glm::vec4, 12> packedFinish(const FinishParameters& parameters) {
     const FinishParameters& p = parameters;
     return {glm::vec4(p.broadScale, p.fineScale, 1.0f / p.stretch, p.warp),
             {p.broadTone, p.fineTone, p.bandTone, p.courseTone},
@@ -238,9 +248,10 @@ std::array<glm::vec4, 11> packedFinish(const FinishParameters& parameters) {
             {p.broadHeight, p.fineHeight, p.bandHeight, p.roughnessTone},
             p.bandCentre,
             p.bandAxes,
-            p.courses,
+            {p.courses.even[0], p.courses.height, p.jointWidth, p.jointHeight},
             p.joint,
-            {p.lap, p.lapShade, p.hasCoursesAlongGrain ? 1.0f : 0.0f, 0.0f}};
+            {p.lap, p.lapShade, p.isOnRoof ? 1.0f : 0.0f, 0.0f},
+            {p.courses.even[1], p.courses.odd[0], p.courses.odd[1], p.courses.oddStart}};
 }
 
 }  // namespace rubble

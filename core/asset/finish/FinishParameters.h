@@ -9,6 +9,15 @@
 
 namespace rubble {
 
+/// Courses of bricks of equal height, each with two alternating lengths; every second course is another.
+struct CourseForm {
+    float height = 1.0f;                       // m, with a joint, as all lengths
+    std::array<float, 2> even = {1.0f, 1.0f};  // m
+    std::array<float, 2> odd = {1.0f, 1.0f};   // m
+    float oddStart = 0.0f;                     // m: of the first brick of odd courses, from that of even ones
+    bool operator==(const CourseForm&) const = default;
+};
+
 /// A finish of one side as the parameters of one formula, which finish.glsl and finishedSurface() evaluate: two
 /// samples of FinishNoise, one of broad and one of fine features, change the brightness of the material's colour and
 /// its height; specks (cells of the fine sample), bands and courses are added. Lengths in metres, in the asset's frame
@@ -29,12 +38,12 @@ struct FinishParameters {
     float roughnessTone = 0.0f;                                      // amplitude
     glm::vec4 bandCentre{0.0f};                                      // of bands: m; w: how many a metre
     glm::vec4 bandAxes{0.0f};  // 1: bands are at distances along these axes; w: metalness of the surface
-    glm::vec4 courses{1.0f, 1.0f, 0.0f,
-                      0.0f};  // m: length and height of a brick with its joint, width of joints, their height
-    glm::vec4 joint{0.0f};    // linear colour; w: the part of a length by which every second course is shifted
-    float lap = 0.0f;         // m: how far the lower edge of a course stands out above the course below, as of tiles
-    float lapShade = 0.0f;    // m: as far down from that edge the course below is in its shade
-    bool hasCoursesAlongGrain = false;  // instead of along x on the outline: tiles lie along the longer side of a roof
+    CourseForm courses;
+    float jointWidth = 0.0f, jointHeight = 0.0f;  // m; without joints: 0
+    glm::vec4 joint{0.0f};                        // linear colour
+    float lap = 0.0f;       // m: how far the lower edge of a course stands out above the course below, as of tiles
+    float lapShade = 0.0f;  // m: as far down from that edge the course below is in its shade
+    bool isOnRoof = false;  // courses are horizontal where the asset is placed, instead of along x on the outline
 };
 
 enum class FinishSide { Outside, Inside };
@@ -43,15 +52,14 @@ const FinishParameters& finishParameters(Finish finish, FinishSide side);
 /// The courses of bricks that fragments are cut along, in place of those of a finish, so that each brick has its tone.
 struct BrickCourseFrame {
     bool isOn = false;
-    glm::vec2 origin{0.0f};   // m: the lower left corner of course 0
-    glm::vec2 size{0.0f};     // m: of a brick with its joint
-    float shift = 0.5f;       // the part of a length by which every second course is shifted
+    glm::vec2 origin{0.0f};  // m: the lower left corner of course 0
+    CourseForm form;
     float jointWidth = 0.0f;  // m; 0: joints are geometry
     bool operator==(const BrickCourseFrame&) const = default;
 };
 FinishParameters withCourses(FinishParameters parameters, const BrickCourseFrame& courses);
 
 /// The parameters in the order of finish.glsl.
-std::array<glm::vec4, 11> packedFinish(const FinishParameters& parameters);
+std::array<glm::vec4, 12> packedFinish(const FinishParameters& parameters);
 
 }  // namespace rubble

@@ -36,15 +36,61 @@ Vec2 courseCoordinates(Vec3 point, Vec3 normal) {
     return size.y >= size.x ? Vec2(point.x, point.z) : Vec2(point.z, point.y);
 }
 
-/// The point with the axis of the grain first.
-Vec3 alongGrain(Vec3 point, int axis) { return {point[axis], point[(axis + 1) % 3], point[(axis + 2) % 3]}; }
+/// A point or a direction with an axis as the first.
+Vec3 along(Vec3 vector, int axis) { return {vector[axis], vector[(axis + 1) % 3], vector[(axis + 2) % 3]}; }
+
+/// A place among courses.
+struct CoursePlace {
+    int column = 0, row = 0;
+    Vec2 part{0.0};  // of the brick with its joint, from its lower left corner
+    Vec2 size{1.0};  // m, of both
+};
+
+/// `offset`: m, from the origin of the courses.
+CoursePlace placeIn(const CourseForm& form, Vec2 offset) {
+    const double height = form.height, row = std::floor(offset.y / height);
+    const bool isOdd = row - 2.0 * std::floor(0.5 * row) > 0.5;
+    const std::array<float, 2>& lengths = isOdd ? form.odd : form.even;
+    const double first = lengths[0], period = first + lengths[1];
+    const double from = isOdd ? offset.x - form.oddStart : offset.x, pair = std::floor(from / period);
+    const double rest = from - pair * period;
+    const bool isSecond = rest >= first;
+    const double length = isSecond ? lengths[1] : lengths[0];
+    return {.column = static_cast<int>(2.0 * pair) + (isSecond ? 1 : 0),
+            .row = static_cast<int>(row),
+            .part = {(isSecond ? rest - first : rest) / length, offset.y / height - row},
+            .size = {length, height}};
+}
+
+/// From the origin of the courses, m.
+Vec2 courseOffset(const FinishParameters& parameters, Vec3 point, Vec3 normal, const FinishFrame& frame) {
+    if (!parameters.isOnRoof) return courseCoordinates(point, normal) - frame.courseOrigin;
+    const Vec2 offset = courseCoordinates(along(point, frame.roofAxis), along(normal, frame.roofAxis));
+    return frame.isRoofUpsideDown ? -offset : offset;
+}
+
+void addCourses(FinishedSurface& surface, const FinishParameters& p, const CoursePlace& place, double fine) {
+    const Vec2 part = place.part;
+    const double below = 1.0 - smoothstep(0.0, p.lapShade, (1.0 - part.y) * place.size.y);
+    surface.albedo *= 1.0 - (p.lapShade > 0.0f ? kLapShade * below : 0.0);
+    surface.height += p.lap * std::min((1.0 - part.y) / kLapRun, part.y / (1.0 - kLapRun));
+    const Vec2 apart = glm::min(part, 1.0 - part) * place.size;
+    const double width = p.jointWidth, inner = (std::min(apart.x, apart.y) - 0.5 * width) / (0.3 * width);
+    const double joint = width > 0.0 ? 1.0 - smoothstep(-0.5, 0.5, inner) : 0.0;
+    const double random = randomOf(place.column, place.row);
+    surface.albedo = glm::mix(surface.albedo * (1.0 + p.courseTone * (2.0 * random - 1.0)),
+                              Vec3(p.joint) * (0.85 + 0.3 * fine), joint);
+    surface.height = glm::mix(surface.height, static_cast<double>(p.jointHeight), joint);
+    surface.roughness = glm::mix(surface.roughness, 0.95, joint);
+    surface.metalness *= 1.0 - joint;
+}
 
 }  // namespace
 
 FinishedSurface finishedSurface(const FinishParameters& parameters, Vec3 point, Vec3 normal, Vec3 colour,
-                                Vec2 courseOrigin, int grainAxis) {
+                                const FinishFrame& frame) {
     const FinishParameters& p = parameters;
-    const Vec3 place = alongGrain(point, grainAxis);
+    const Vec3 place = along(point, frame.grainAxis);
     const Vec3 stretched = place * Vec3(1.0 / static_cast<double>(p.stretch), 1.0, 1.0);
     const auto broad = FinishNoise::shared().at(static_cast<double>(p.broadScale) * stretched);
     const auto fine = FinishNoise::shared().at(static_cast<double>(p.fineScale) * stretched);
@@ -61,28 +107,8 @@ FinishedSurface finishedSurface(const FinishParameters& parameters, Vec3 point, 
     surface.height = p.broadHeight * broad[0] + p.fineHeight * fine[0] + p.bandHeight * band + p.speckHeight * speck;
     surface.roughness = p.roughness + p.roughnessTone * (2.0 * fine[1] - 1.0);
     surface.metalness = p.bandAxes.w;
-    if (p.courseTone != 0.0f) {
-        const bool isAlongGrain = p.hasCoursesAlongGrain;
-        const Vec2 offset =
-            courseCoordinates(isAlongGrain ? place : point, isAlongGrain ? alongGrain(normal, grainAxis) : normal) -
-            courseOrigin;
-        const Vec2 size(p.courses.x, p.courses.y);
-        const double row = std::floor(offset.y / size.y);
-        const double along = offset.x / size.x + p.joint.w * (row - 2.0 * std::floor(0.5 * row));
-        const double column = std::floor(along), u = along - column, v = offset.y / size.y - row;
-        const double below = 1.0 - smoothstep(0.0, p.lapShade, (1.0 - v) * size.y);
-        surface.albedo *= 1.0 - (p.lapShade > 0.0f ? kLapShade * below : 0.0);
-        surface.height += p.lap * std::min((1.0 - v) / kLapRun, v / (1.0 - kLapRun));
-        const double edge = std::min(std::min(u, 1.0 - u) * size.x, std::min(v, 1.0 - v) * size.y);
-        const double width = p.courses.z, inner = (edge - 0.5 * width) / (0.3 * width);
-        const double joint = width > 0.0 ? 1.0 - smoothstep(-0.5, 0.5, inner) : 0.0;
-        const double random = randomOf(static_cast<int>(column), static_cast<int>(row));
-        surface.albedo = glm::mix(surface.albedo * (1.0 + p.courseTone * (2.0 * random - 1.0)),
-                                  Vec3(p.joint) * (0.85 + 0.3 * fine[0]), joint);
-        surface.height = glm::mix(surface.height, static_cast<double>(p.courses.w), joint);
-        surface.roughness = glm::mix(surface.roughness, 0.95, joint);
-        surface.metalness *= 1.0 - joint;
-    }
+    if (p.courseTone != 0.0f)
+        addCourses(surface, p, placeIn(p.courses, courseOffset(p, point, normal, frame)), fine[0]);
     surface.albedo = glm::clamp(surface.albedo, Vec3(0.0), Vec3(1.0));
     surface.roughness = std::clamp(surface.roughness, 0.03, 1.0);
     return surface;

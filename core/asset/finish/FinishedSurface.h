@@ -13,9 +13,18 @@ struct FinishedSurface {
     double height = 0.0;  // m, along the normal
 };
 
+/// The directions that finishes follow on an asset.
+struct FinishFrame {
+    Vec2 courseOrigin{0.0};         // m, see BrickCourseFrame
+    int grainAxis = 0;              // x, y or z
+    int roofAxis = 0;               // the axis along which courses are where they are those of a roof
+    bool isRoofUpsideDown = false;  // they rise against the other axis of its face
+    bool operator==(const FinishFrame&) const = default;
+};
+
 /// A finish at a point of an asset (m, in its frame), on a face with a normal, of a material with a linear colour: what
-/// finish.glsl computes, as seen from nearby. `courseOrigin`: see BrickCourseFrame. `grainAxis`: x, y or z.
+/// finish.glsl computes, as seen from nearby.
 FinishedSurface finishedSurface(const FinishParameters& parameters, Vec3 point, Vec3 normal, Vec3 colour,
-                                Vec2 courseOrigin, int grainAxis = 0);
+                                const FinishFrame& frame = {});
 
 }  // namespace rubble

@@ -13,8 +13,14 @@ public:
     /// The maximum number of courses and columns in each direction from the origin.
     static constexpr int kMaxIndex = 5000;
 
+    struct Course {
+        double start = 0.0;           // m: of column 0, from the origin
+        std::array<double, 2> cells;  // m: widths of even and odd columns
+    };
+
     explicit BrickCourses(const BrickBond& bond);
 
+    const Course& courseOf(int number) const { return m_courses[static_cast<std::size_t>(number & 1)]; }
     /// The y of the joint below a course and the x of the joint left of a column, m.
     double bottom(int course) const { return m_origin.y + course * m_rise; }
     double left(int course, int column) const;
@@ -28,12 +34,6 @@ public:
     static std::uint32_t cellIndex(int course, int column);
 
 private:
-    struct Course {
-        double start = 0.0;           // m: of column 0, from the origin
-        std::array<double, 2> cells;  // m: widths of even and odd columns
-    };
-    const Course& courseOf(int number) const { return m_courses[static_cast<std::size_t>(number & 1)]; }
-
     Vec2 m_origin;
     double m_rise;
     double m_tolerance;

@@ -98,7 +98,7 @@ PackBuilder::PackBuilder(const PackInput& input, const TaskContext& task)
 }
 
 Pack PackBuilder::header(std::span<const PackMeshFile> meshes) const {
-    const auto& [bake, asset, material, names, settings] = m_input;
+    const auto& [bake, asset, material, names, settings, orientation] = m_input;
     const PackHashes hashes = packHashes(asset, material, names, settings, meshes);
     Pack pack;
     pack.generator = std::string("Rubble ") + programVersion();

@@ -30,6 +30,7 @@ struct PackInput {
     AssetMaterials material;
     PackNames names;
     PackSettings settings;
+    Quat orientation{1.0, 0.0, 0.0, 0.0};  // in which it is placed first: baked finishes follow it
 };
 
 /// The names of an asset that is exported alone.

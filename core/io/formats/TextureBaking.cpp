@@ -76,7 +76,7 @@ Result<std::optional<BakedTextures>> bakedTextures(const PackInput& pack, const 
     if (!atlas && atlas.error().code == ErrorCode::Limit)
         return Error{ErrorCode::Limit, atlas.error().message + " Choose larger textures, or none."};
     if (!atlas) return atlas.error();
-    const AssetFinish finish = assetFinish(pack.asset, pack.material);
+    const AssetFinish finish = assetFinish(pack.asset, pack.material, pack.orientation);
     const Result<BakedMaps> maps = bakedMaps(
         *atlas, surfaceFinish(finish, FinishSide::Outside, linearColour(pack.material.own.outside)),
         surfaceFinish(finish, FinishSide::Inside, linearColour(pack.material.inside.inside)), task.stage(0.2, 0.7));

@@ -2,6 +2,7 @@
 
 #include "core/asset/bake/BakeEstimate.h"
 #include "core/asset/bake/BakeHash.h"
+#include "core/asset/finish/AssetFinish.h"
 #include "core/asset/project/Ids.h"
 #include "core/asset/project/Variants.h"
 #include "core/asset/strength/BondStrength.h"
@@ -92,7 +93,12 @@ Status writePack(const Project& project, const PackedAsset& packed, const PackOp
     const Asset& asset = packed.asset;
     Result<Bake> baked = bake(asset, task.stage(0.0, 0.5));
     if (!baked) return baked.error();
-    const PackInput input{*baked, asset, materialsOf(project, asset), packed.names, packSettings(project, options)};
+    const PackInput input{*baked,
+                          asset,
+                          materialsOf(project, asset),
+                          packed.names,
+                          packSettings(project, options),
+                          placedOrientation(project, asset.id)};
     const PackBuilder builder(input, task.stage(0.5, 0.52));
     Result<PackMeshes> meshes = packMeshes(builder, options.meshes, task.stage(0.52, 0.8));
     if (!meshes && meshes.error().code == ErrorCode::Cancelled) return meshes.error();
@@ -239,6 +245,10 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Pac
     for (const ExportFormat* format : formatsOf(options.meshes.formats)) {
         addSourceText(hasher, format->word);
         for (const ExportOption* option : format->options) addValue(hasher, *option, options);
+    }
+    if (options.meshes.textures == SurfaceTextures::Baked) {
+        const Quat placed = placedOrientation(project, asset.id);
+        for (const double part : {placed.w, placed.x, placed.y, placed.z}) hasher.add(part);
     }
     for (const ExportOption* option : {&kPackFilesOption, &kTopologyOption}) addValue(hasher, *option, options);
     hasher.add(options.inset);

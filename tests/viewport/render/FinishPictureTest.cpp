@@ -124,7 +124,7 @@ private slots:
                 Vec3 point = hit->point - scene.origin - Vec3(scene.poses[0].position) + Vec3((*scene.restOffsets)[0]);
                 const FinishParameters& parameters = finishParameters(finish, FinishSide::Outside);
                 const FinishedSurface surface =
-                    finishedSurface(parameters, point, Vec3(0.0, 0.0, 1.0), Vec3(0.1), Vec2(0.0));
+                    finishedSurface(parameters, point, Vec3(0.0, 0.0, 1.0), Vec3(0.1), scene.batches[0].finish.frame);
                 const double shown = channel(image, column, row, 1), expected = std::sqrt(surface.albedo.y);
                 x += shown, y += expected, xx += shown * shown, yy += expected * expected, xy += shown * expected;
             }

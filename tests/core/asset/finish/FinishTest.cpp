@@ -5,12 +5,14 @@
 #include "core/asset/finish/FinishedSurface.h"
 #include "core/base/Hash.h"
 #include "core/base/Random.h"
+#include "core/fracture/kinds/BrickCourses.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/geometry/Outlines.h"
 
 #include <QTest>
 
 #include <cmath>
+#include <map>
 
 using namespace rubble;
 
@@ -70,8 +72,8 @@ private slots:
                 double sum = 0.0;
                 constexpr int kPoints = 4000;
                 for (int k = 0; k < kPoints; ++k) {
-                    const FinishedSurface surface = finishedSurface(parameters, randomPoint(random, 3.0),
-                                                                    Vec3(0.0, 0.0, 1.0), Vec3(0.4), Vec2(0.0));
+                    const FinishedSurface surface =
+                        finishedSurface(parameters, randomPoint(random, 3.0), Vec3(0.0, 0.0, 1.0), Vec3(0.4));
                     sum += surface.albedo.y;
                     QVERIFY(surface.roughness >= 0.03 && surface.roughness <= 1.0);
                     QVERIFY(std::abs(surface.height) < 0.05);
@@ -84,7 +86,7 @@ private slots:
     }
     void plainSurfacesArePlain() {
         const FinishedSurface surface = finishedSurface(finishParameters(Finish::Plain, FinishSide::Outside),
-                                                        Vec3(0.3, 0.1, 0.7), Vec3(0.0, 1.0, 0.0), Vec3(0.2), Vec2(0.0));
+                                                        Vec3(0.3, 0.1, 0.7), Vec3(0.0, 1.0, 0.0), Vec3(0.2));
         QCOMPARE(surface.albedo.x, 0.2);
         QCOMPARE(surface.height, 0.0);
     }
@@ -92,9 +94,10 @@ private slots:
     void bricksLieInCourses() {
         const FinishParameters& brick = finishParameters(Finish::Brick, FinishSide::Outside);
         const auto at = [&](double x, double y) {
-            return finishedSurface(brick, Vec3(x, y, 0.0), Vec3(0.0, 0.0, 1.0), Vec3(0.3), Vec2(0.02, 0.01));
+            return finishedSurface(brick, Vec3(x, y, 0.0), Vec3(0.0, 0.0, 1.0), Vec3(0.3),
+                                   {.courseOrigin = {0.02, 0.01}});
         };
-        const double length = brick.courses.x, height = brick.courses.y;
+        const double length = brick.courses.even[0], height = brick.courses.height;
         for (int row = -3; row <= 3; ++row) {
             const double middle = 0.01 + (row + 0.5) * height, shift = row % 2 == 0 ? 0.0 : 0.5 * length;
             QVERIFY(at(0.02 + shift, middle).height < -0.004);                 // between two bricks
@@ -104,12 +107,65 @@ private slots:
     }
     void coursesOfFragmentsReplaceThoseOfTheFinish() {
         const FinishParameters& brick = finishParameters(Finish::Brick, FinishSide::Outside);
-        const BrickCourseFrame frame{.isOn = true, .size = {0.3f, 0.1f}, .shift = 0.0f, .jointWidth = 0.0f};
+        const BrickCourseFrame frame{.isOn = true, .form = {.height = 0.1f, .even = {0.3f, 0.3f}}};
         const FinishParameters cut = withCourses(brick, frame);
-        QCOMPARE(cut.courses.x, 0.3f);
-        QCOMPARE(cut.courses.z, 0.0f);  // joints are geometry
+        QVERIFY(cut.courses == frame.form);
+        QCOMPARE(cut.jointWidth, 0.0f);  // joints are geometry
         const FinishParameters wood = finishParameters(Finish::Wood, FinishSide::Outside);
         QCOMPARE(packedFinish(withCourses(wood, frame)), packedFinish(wood));
+    }
+    /// In every bond, each fragment has one tone, and those beside it have others.
+    void everyBrickHasItsTone() {
+        const Material material{.id = 1, .name = "brick", .finish = Finish::Brick};
+        Random random(11);
+        for (const BondKind bond :
+             {BondKind::Stretcher, BondKind::Stack, BondKind::English, BondKind::Header, BondKind::Flemish}) {
+            const BrickBond layer{.bond = bond, .mortar = 0.0, .origin = {0.13, -0.07}};
+            Asset wall{.id = 2, .name = "wall", .material = 1};
+            wall.shape = Prism{unitSquare(), 0.1};
+            wall.pattern.layers = {{.id = 1, .parameters = layer}};
+            SurfaceFinish finish = surfaceFinish(assetFinish(wall, material), FinishSide::Outside, Vec3(0.3));
+            FinishParameters tonesOnly{.courseTone = 0.2f, .courses = finish.parameters.courses};
+            finish.parameters = tonesOnly;
+            const BrickCourses courses(layer);
+            std::map<std::pair<int, int>, double> tones;
+            for (int k = 0; k < 2000; ++k) {
+                const Vec3 point = randomPoint(random, 1.5);
+                const int course = courses.courseAt(point.y), column = courses.columnAt(course, point.x);
+                const double tone = finish.at(point, {0.0, 0.0, 1.0}).albedo.x;
+                QCOMPARE(tones.try_emplace({course, column}, tone).first->second, tone);
+            }
+            int alike = 0;
+            for (const auto& [place, tone] : tones) {
+                const auto next = tones.find({place.first, place.second + 1});
+                alike += next != tones.end() && std::abs(next->second - tone) < 1e-4 ? 1 : 0;
+            }
+            QVERIFY2(alike < 5, qPrintable(QString::number(alike)));
+        }
+    }
+    /// Courses of tiles are level and rise to the ridge, whichever way a roof was drawn.
+    void tilesFollowTheRoof() {
+        const Material material{.id = 1, .name = "tiles", .finish = Finish::Tiles};
+        const double slope = 0.6;
+        for (const bool isAlongX : {true, false}) {
+            for (const bool isTurned : {true, false}) {
+                Asset roof{.id = 2, .name = "roof", .material = 1};
+                roof.shape = Prism{{rectangle({-1.0, -1.0}, {1.0, 1.0}), {}}, 0.2};
+                const Quat lying = glm::angleAxis(-1.5707963267948966 + slope, Vec3(1.0, 0.0, 0.0));
+                const double turn = (isAlongX ? 0.0 : 1.5707963267948966) + (isTurned ? 3.141592653589793 : 0.0);
+                const Quat placed = lying * glm::angleAxis(turn, Vec3(0.0, 0.0, 1.0));
+                const SurfaceFinish finish =
+                    surfaceFinish(assetFinish(roof, material, placed), FinishSide::Outside, Vec3(0.3));
+                QCOMPARE(finish.frame.roofAxis, isAlongX ? 0 : 1);
+                // Just above the lower edge of a course it stands out most.
+                const auto heightAt = [&](double up) {
+                    const Vec3 world = lying * Vec3(0.03, up, 0.1);
+                    return finish.at(glm::inverse(placed) * world, {0.0, 0.0, 1.0}).height;
+                };
+                const double course = finish.parameters.courses.height;
+                QVERIFY(heightAt((2.0 + 0.2) * course) > heightAt((2.0 + 0.9) * course) + 0.005);
+            }
+        }
     }
     /// Bands and noise are turned with the grain, courses are not.
     void grainIsAlongTheLongestSide() {
@@ -117,16 +173,16 @@ private slots:
         Asset board{.id = 2, .name = "board", .material = 1};
         board.shape = Prism{{rectangle({-0.1, -1.5}, {0.1, 1.5}), {}}, 0.05};
         const AssetFinish finish = assetFinish(board, material);
-        QCOMPARE(finish.grainAxis, 1);
+        QCOMPARE(finish.frame.grainAxis, 1);
         QVERIFY(finish.outside == Finish::Wood && finish.inside == Finish::Wood);
         const Vec3 point(0.03, 1.1, 0.025), front(0.0, 0.0, 1.0);
         const FinishedSurface surface = surfaceFinish(finish, FinishSide::Outside, Vec3(0.4)).at(point, front);
         const FinishParameters& wood = finishParameters(Finish::Wood, FinishSide::Outside);
         const Vec3 turned(point.y, point.z, point.x);
-        QCOMPARE(surface.albedo.x, finishedSurface(wood, turned, front, Vec3(0.4), Vec2(0.0)).albedo.x);
+        QCOMPARE(surface.albedo.x, finishedSurface(wood, turned, front, Vec3(0.4)).albedo.x);
         material.finish = Finish::Brick;
         const FinishParameters& brick = finishParameters(Finish::Brick, FinishSide::Outside);
-        const Vec3 joint(0.03, 3.0 * brick.courses.y, 0.025);
+        const Vec3 joint(0.03, 3.0 * brick.courses.height, 0.025);
         const double height =
             surfaceFinish(assetFinish(board, material), FinishSide::Outside, Vec3(0.4)).at(joint, front).height;
         QVERIFY(height < -0.004);
