@@ -54,6 +54,16 @@ std::vector<Format> binaryFormats() {
                            },
                        .checks = 1});
     formats.push_back(
+        {.name = "Radiance",
+         .ending = ".hdr",
+         .mutated = [samples = samplesOf("Radiance")](Random& random) { return mutatedSample(samples, random); },
+         .check =
+             [](std::string_view bytes, Random&) {
+                 const bool isAccepted = radianceOfFile(bytes, "sky.hdr").hasValue();
+                 return Verdict{.isAccepted = isAccepted, .fault = test::radianceFault(bytes)};
+             },
+         .checks = 1});
+    formats.push_back(
         {.name = "SourceScene",
          .ending = ".bin",
          .mutated = [samples = samplesOf("SourceScene")](Random& random) { return mutatedSample(samples, random); },

@@ -65,6 +65,15 @@ double sineOf(const ReducedAngle& angle) {
     }
 }
 
+/// The arctangent of a number in [0, 1]: halved until its series is short.
+double arcTangent(double tangent) {
+    constexpr int kHalvings = 4, kTerms = 7;  // below 0.05
+    for (int k = 0; k < kHalvings; ++k) tangent /= 1.0 + std::sqrt(1.0 + tangent * tangent);
+    double sum = 0.0;
+    for (int k = kTerms; k >= 0; --k) sum = 1.0 / (2 * k + 1) - tangent * tangent * sum;
+    return (1 << kHalvings) * tangent * sum;
+}
+
 }  // namespace
 
 double sine(double angle) { return sineOf(reduce(angle)); }
@@ -73,6 +82,14 @@ double cosine(double angle) {
     ReducedAngle shifted = reduce(angle);
     shifted.quarterTurns = (shifted.quarterTurns + 1) & 3;
     return sineOf(shifted);
+}
+
+double angleOf(double y, double x) {
+    const double across = std::abs(x), up = std::abs(y);
+    if (across == 0.0 && up == 0.0) return 0.0;
+    double angle = up <= across ? arcTangent(up / across) : 0.25 * kFullTurn - arcTangent(across / up);
+    if (x < 0.0) angle = 0.5 * kFullTurn - angle;
+    return y < 0.0 ? -angle : angle;
 }
 
 }  // namespace rubble

@@ -24,6 +24,7 @@ const std::vector<std::pair<const char*, Reader>> kReaders{{"FractureJson", test
                                                            {"State", test::stateFault},
                                                            {"Shots", test::shotsFault},
                                                            {"Png", test::pngFault},
+                                                           {"Radiance", test::radianceFault},
                                                            {"SourceScene", test::sourceSceneFault}};
 
 std::vector<fs::path> inputsOf(const char* target) {

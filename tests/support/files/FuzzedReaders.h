@@ -14,6 +14,7 @@
 #include "core/geometry/mesh/SourceScene.h"
 #include "core/io/fracture/FractureJson.h"
 #include "core/io/media/GreyImageFile.h"
+#include "core/io/media/RadianceFile.h"
 #include "core/io/pack/PackFile.h"
 #include "core/io/play/BodiesJson.h"
 #include "core/io/play/ReplayFile.h"
@@ -189,6 +190,22 @@ inline Sentence pngFault(std::string_view bytes) {
     Result<GreyImage> image = greyImageOfPng(bytes, "picture.png");
     if (!image) return errorFault(image.error());
     return verifyGreyImage(*densityPictureOf(std::move(*image), "picture.png").image);
+}
+
+/// An accepted sky has finite radiances, and light above the horizon.
+inline Sentence radianceFault(std::string_view bytes) {
+    const Result<RadianceImage> image = radianceOfFile(bytes, "sky.hdr");
+    if (!image) return errorFault(image.error());
+    const bool isSky = image->width == 2 * image->height && image->width <= RadianceImage::kMaxWidth;
+    if (!isSky || image->pixels.size() != std::size_t{image->width} * image->height) return "The size is wrong.";
+    double sum = 0.0;
+    for (std::size_t k = 0; k < image->pixels.size(); ++k) {
+        for (const float value : image->pixels[k]) {
+            if (!(value >= 0.0f && value <= 1e30f)) return "A radiance is out of range.";
+            if (k < std::max<std::size_t>(image->height / 2, 1) * image->width) sum += static_cast<double>(value);
+        }
+    }
+    return sum > 0.0 ? std::nullopt : Sentence("There is no light.");
 }
 
 /// What becomes of the objects of a mesh in a project: each is imported or rejected with a sentence.

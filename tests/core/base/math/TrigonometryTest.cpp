@@ -36,6 +36,19 @@ private slots:
         QCOMPARE(cosine(kPi / 3.0), 0x1.0000000000001p-1);  // pi/3 is rounded down: the true value rounds to this
         QCOMPARE(sine(kPi), 0x1.1a62633145c07p-53);         // the rounding error of pi
     }
+    void anglesOfPoints() {
+        QCOMPARE(angleOf(0.0, 0.0), 0.0);
+        QCOMPARE(angleOf(0.0, 2.0), 0.0);
+        QCOMPARE(angleOf(3.0, 0.0), 0.5 * kPi);
+        QCOMPARE(angleOf(0.0, -1.0), kPi);
+        QCOMPARE(angleOf(-1e-300, 0.0), -0.5 * kPi);
+        for (int k = -5000; k <= 5000; ++k) {
+            const double angle = k * kPi / 5001.0;
+            const double apart = angleOf(3.0 * std::sin(angle), 3.0 * std::cos(angle)) - angle;
+            QVERIFY2(std::abs(apart) < 2e-15, qPrintable(QString("%1 at %2").arg(apart).arg(angle)));
+        }
+        QCOMPARE(std::bit_cast<std::uint64_t>(angleOf(1.0, 2.0)), std::uint64_t{0x3fddac670561bb50u});
+    }
     void bitsAreFixed() {
         QCOMPARE(std::bit_cast<std::uint64_t>(sine(1.0)), std::uint64_t{0x3feaed548f090ceeu});
         QCOMPARE(std::bit_cast<std::uint64_t>(cosine(1.0)), std::uint64_t{0x3fe14a280fb5068cu});
