@@ -50,8 +50,14 @@ void RenderPasses::setFrame(const FrameBlock& block) {
 }
 
 void RenderPasses::setSky(const RenderSettings& settings) {
-    const Sky wanted = skyOf(settings.sky, settings.theme);
-    if (wanted != skyLight.sky) {
+    if (settings.skyFile) {
+        if (skyLight.background != settings.skyFile->background) {
+            skyLight = *settings.skyFile;
+            reflections.upload(skyLight.reflections);
+            skyTexture.upload(*skyLight.background);
+        }
+        skyTexture.bind();
+    } else if (const Sky wanted = skyOf(settings.sky, settings.theme); wanted != skyLight.sky || skyLight.background) {
         skyLight = skyLightOf(wanted);
         reflections.upload(skyLight.reflections);
     }
@@ -176,7 +182,7 @@ void RenderPasses::drawGround(const RenderView& view) {
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_LEQUAL);
     const bool isConcrete = view.settings.sky != SkyPreset::Studio;
-    lit(isConcrete ? programs.concreteGround : programs.ground).use();
+    lit(skyLight.background ? programs.skyFileGround : isConcrete ? programs.concreteGround : programs.ground).use();
     drawFullscreen();
     glDepthMask(GL_TRUE);
 }

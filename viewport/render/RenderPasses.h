@@ -12,6 +12,7 @@
 #include "viewport/render/gl/InstanceBuffer.h"
 #include "viewport/render/gl/RenderTarget.h"
 #include "viewport/render/light/ReflectionTexture.h"
+#include "viewport/render/light/SkyTexture.h"
 
 namespace rubble {
 
@@ -85,6 +86,7 @@ struct RenderPasses {
     LightBuffer lightBuffer;
     SkyLight skyLight;
     ReflectionTexture reflections;
+    SkyTexture skyTexture;
     bool hasShadows = false;
     FrameBlock frame{};
     GlBuffer frameUniforms = GlBuffer::create();

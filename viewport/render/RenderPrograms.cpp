@@ -55,6 +55,9 @@ Result<RenderPrograms> compilePrograms() {
         .concreteGround = compiler.compileLit(
             {"fullscreen.vert"}, {"concrete.glsl", "camera.glsl", "light.glsl", "lit_by_buffer.glsl", "background.glsl",
                                   "hash.glsl", "ground.frag"}),
+        .skyFileGround = compiler.compileLit(
+            {"fullscreen.vert"}, {"concrete.glsl", "camera.glsl", "light.glsl", "lit_by_buffer.glsl", "sky_file.glsl",
+                                  "hash.glsl", "ground.frag"}),
         .particles = compiler.compileLit({"key_shadow.glsl", "lit_directly.glsl", "sky_light.glsl", "particles.vert"},
                                          {"camera.glsl", "particles.frag"}),
         .chips = compiler.compileLit(

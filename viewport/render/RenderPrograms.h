@@ -17,7 +17,7 @@ struct SurfacePrograms {
 /// All shader programs.
 struct RenderPrograms {
     SurfacePrograms solid, transparent;
-    LitPrograms ground, concreteGround, particles, chips;
+    LitPrograms ground, concreteGround, skyFileGround, particles, chips;
     ShaderProgram surfaces, light, lightBlur;  // of the light buffer
     ShaderProgram wires, depth, glassShadow, screenLines, sceneLines, chipShadows, decals, marks, mean;
 };

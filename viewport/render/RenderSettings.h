@@ -3,9 +3,12 @@
 #include "core/asset/project/Project.h"
 #include "viewport/render/light/SkyPreset.h"
 
+#include <memory>
 #include <optional>
 
 namespace rubble {
+
+struct SkyLight;
 
 enum class Shading { Faces, Wireframe };
 
@@ -13,7 +16,8 @@ enum class Shading { Faces, Wireframe };
 struct RenderSettings {
     Theme theme = Theme::Light;
     SkyPreset sky = SkyPreset::Studio;
-    double exposure = 0.0;  // stops: halvings or doublings of all light
+    std::shared_ptr<const SkyLight> skyFile;  // in place of `sky`; none: that
+    double exposure = 0.0;                    // stops: halvings or doublings of all light
     Shading shading = Shading::Faces;
     bool hasEdges = true;  // dark lines along the edges of faces
     bool hasGrid = true;

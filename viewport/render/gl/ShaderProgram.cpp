@@ -32,7 +32,8 @@ constexpr Sampler kSamplers[] = {{"poses", TextureUnit::Poses},
                                  {"baseColour", TextureUnit::BaseColour},
                                  {"reflections", TextureUnit::Reflections},
                                  {"restOffsets", TextureUnit::RestOffsets},
-                                 {"finishNoise", TextureUnit::FinishNoise}};
+                                 {"finishNoise", TextureUnit::FinishNoise},
+                                 {"skyFile", TextureUnit::SkyFile}};
 
 /// The uniform blocks and their binding points.
 constexpr const char* kBlocks[] = {"Frame", "Sky", "Finishes"};

@@ -58,7 +58,8 @@ enum class TextureUnit : std::uint32_t {
     BaseColour,
     Reflections,
     RestOffsets,
-    FinishNoise
+    FinishNoise,
+    SkyFile
 };
 
 }  // namespace rubble

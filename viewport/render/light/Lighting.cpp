@@ -14,8 +14,10 @@ namespace rubble {
 namespace {
 
 constexpr double kPartOfLamp = 0.4;  // radius of the part of it that one of many samples blurs
+constexpr double kNearlyUp = 0.999;  // the height of a direction that is no axis to turn around
 constexpr double kGoldenAngle = 2.39996322972865332;
 constexpr double kRegionDistances = 6.0;  // least radius of the lit region, of the camera's distance
+constexpr double kDarkSoil = 0.4;         // sRGB, below which lines on it are bright
 constexpr double kRegionStep = 0.25;      // of its radius, by which the region moves
 
 /// Term `index` of an additive recurrence in [0, 1); `step` irrational.
@@ -72,12 +74,14 @@ void setBackdrop(Environment& made, bool isDark) {
 }  // namespace
 
 Environment environmentOf(SkyPreset preset, Theme theme, const SkyLight& light) {
-    const bool isStudio = preset == SkyPreset::Studio;
-    const bool isDark = isStudio ? theme == Theme::Dark : preset == SkyPreset::Night;
+    const bool isStudio = preset == SkyPreset::Studio && !light.background;
+    const Vec3 full = light.sunOnGround + light.skyOnGround, soil = light.sky.groundAlbedo * full;
+    const bool isDark = light.background ? srgbOf(toneMapped(soil)).y < kDarkSoil
+                        : isStudio       ? theme == Theme::Dark
+                                         : preset == SkyPreset::Night;
     Environment made = isDark ? darkLines() : brightLines();
     made.isDark = isDark;
-    const Vec3 full = light.sunOnGround + light.skyOnGround;
-    made.groundKey = light.sunOnGround / full;
+    made.groundKey = light.sunOnGround / glm::max(full, 1e-9);  // a sky may have no light of a colour
     if (isStudio) {
         setBackdrop(made, isDark);
         return made;
@@ -88,7 +92,7 @@ Environment environmentOf(SkyPreset preset, Theme theme, const SkyLight& light) 
     made.glow = light.sky.glow;
     made.backgroundTop = glm::mix(light.sky.zenith, light.sky.horizon, 0.4);
     made.backgroundBottom = light.sky.horizon;
-    made.soil = light.sky.groundAlbedo * full;
+    made.soil = soil;
     return made;
 }
 
@@ -99,7 +103,8 @@ LightSample singleSample(const Sky& sky) {
 
 LightSample lightSample(const Sky& sky, int index) {
     const Vec3 centre = sky.sunDirection;
-    const Vec3 right = glm::normalize(glm::cross(Vec3(0.0, 1.0, 0.0), centre)), up = glm::cross(centre, right);
+    const Vec3 aside = std::abs(centre.y) < kNearlyUp ? Vec3(0.0, 1.0, 0.0) : Vec3(1.0, 0.0, 0.0);
+    const Vec3 right = glm::normalize(glm::cross(aside, centre)), up = glm::cross(centre, right);
     const double radius = sky.sunRadius * std::sqrt(quasirandom(index, kSteps[0]));
     const double angle = kFullTurn * quasirandom(index, kSteps[1]);
     return {.index = index,

@@ -22,6 +22,7 @@ struct Environment {
     bool isDark = false;                   // what is written over it is bright
     bool isConcrete = false;               // the ground
 };
+/// Where `light` is that of a sky file, the preset and the theme do not matter.
 Environment environmentOf(SkyPreset preset, Theme theme, const SkyLight& light);
 
 /// The directions of light and the subpixel offset of an image. Many with different indices are averaged: their mean is

@@ -33,7 +33,7 @@ Sky overcast() {
             .sunRadius = 0.12,
             .zenith = {0.90, 0.94, 1.00},
             .horizon = {0.68, 0.71, 0.74},
-            .groundAlbedo = {0.36, 0.355, 0.345}};
+            .groundAlbedo = kConcreteAlbedo};
 }
 
 Sky morning() {

@@ -31,6 +31,9 @@ struct Sky {
 };
 Sky skyOf(SkyPreset preset, Theme theme);
 
+/// That of the ground outdoors in daylight.
+inline constexpr Vec3 kConcreteAlbedo{0.36, 0.355, 0.345};
+
 /// The radiance of the sky alone in a direction of length 1; below the horizon that of the horizon.
 Vec3 backgroundRadiance(const Sky& sky, Vec3 direction);
 /// The same with its lamps.
