@@ -1,5 +1,7 @@
 // Tests app/cli/verbs/RenderVerb.cpp.
+#include "core/io/system/AtomicFile.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/files/RadianceWriting.h"
 #include "tests/support/files/RunProgram.h"
 #include "tests/support/viewport/Pictures.h"
 
@@ -64,6 +66,22 @@ private slots:
         QVERIFY(evening.red() > evening.blue() + 15 && std::abs(studio.red() - studio.blue()) < 15);
         QVERIFY(night.lightness() < evening.lightness() - 40);
         QVERIFY(ground({"--sky", "night", "--exposure", "1.5"}).lightness() > night.lightness() + 40);
+    }
+    void skyOfAFile() {
+        const QTemporaryDir place;
+        const QString file = place.filePath("dusk.HDR");
+        const std::string sky = test::radianceFile({.width = 64, .height = 32, .pixel = [](auto, auto) {
+                                                        return test::RgbePixel{200, 60, 20, 128};
+                                                    }});
+        QVERIFY(writeFileAtomically(file.toStdString(), sky));
+        const QColor seen = picture(place, {"--sky", file}).pixelColor(5, 5);
+        QVERIFY(seen.red() > seen.blue() + 60);
+        QVERIFY(picture(place, {"--sky", file, "--exposure", "-2"}).pixelColor(5, 5).red() < seen.red() - 40);
+        QVERIFY(writeFileAtomically(file.toStdString(), sky.substr(0, 200)));
+        const ProgramOutcome outcome = render(place, {"--sky", file}, QProcessEnvironment::systemEnvironment());
+        QCOMPARE(outcome.exit, 1);
+        QVERIFY2(outcome.error.startsWith("\"dusk.HDR\" ends too early, in line "), qPrintable(outcome.error));
+        QVERIFY(outcome.error.endsWith("Copy or export it again.\n"));
     }
     void missingOpenGlIsReported() {
         const QTemporaryDir place;

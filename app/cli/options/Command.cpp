@@ -4,6 +4,7 @@
 #include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"
 #include "core/base/Version.h"
+#include "core/io/text/LetterCase.h"
 
 #include <CLI/CLI.hpp>
 
@@ -25,7 +26,17 @@ std::function<std::string(const std::string&)> rangeCheck(ProjectNumber number, 
     };
 }
 
+std::string wordsCheckName(const std::vector<std::string>& words) {
+    std::string name = kWordsPrefix;
+    for (const std::string& word : words) name += (&word == &words.front() ? "" : " ") + word;
+    return name;
+}
+
 }  // namespace
+
+bool hasExtension(const std::string& path, const std::string& extension) {
+    return lowerCase(path).ends_with(extension);
+}
 
 CommandOption CommandOption::required() const {
     m_option->required();
@@ -67,10 +78,17 @@ CommandOption CommandOption::oneOf(const std::vector<std::string>& words) const 
         if (std::ranges::find(words, given) != words.end()) return std::string();
         return quotedName(given) + " is not one of " + joinedText(words);
     };
-    std::string name = kWordsPrefix;
-    for (const std::string& word : words) name += (&word == &words.front() ? "" : " ") + word;
-    m_option->check(CLI::Validator(check, "", name));
+    m_option->check(CLI::Validator(check, "", wordsCheckName(words)));
     return *this;
+}
+
+CommandOption CommandOption::oneOfOrFile(const std::vector<std::string>& words, const std::string& extension) const {
+    const auto check = [words, extension](const std::string& given) {
+        if (std::ranges::find(words, given) != words.end() || hasExtension(given, extension)) return std::string();
+        return quotedName(given) + " is not one of " + joinedText(words) + ", and no " + extension + " file";
+    };
+    m_option->check(CLI::Validator(check, "", wordsCheckName(words)));
+    return uses(FileRole::Read, {extension});
 }
 
 CommandOption CommandOption::inRange(ProjectNumber number) const { return check(rangeCheck<double>(number, "number")); }
@@ -196,6 +214,11 @@ std::vector<FileUse> Command::fileUses() const {
     for (const FileOption& file : *m_files) {
         for (const std::string& path : file.option->results()) {
             if (path.empty() || path == "-") continue;  // a stream
+            const bool isFile = file.role != FileRole::Read || file.extensions.empty() ||
+                                std::ranges::any_of(file.extensions, [&](const std::string& extension) {
+                                    return hasExtension(path, extension);
+                                });
+            if (!isFile) continue;
             uses.push_back({path, file.role, file.option->get_name(), file.extensions});
         }
     }

@@ -26,8 +26,12 @@ inline constexpr const char* kWordsPrefix = "words ";
 struct FileOption {
     CLI::Option* option = nullptr;
     FileRole role = FileRole::Read;
-    std::vector<std::string> extensions;  // see FileUse
+    std::vector<std::string> extensions;  // see FileUse; of what is read: other values are no files
 };
+
+/// Whether a path has an extension, in letters of any case.
+bool hasExtension(const std::string& path, const std::string& extension);
+
 using FileOptions = std::vector<FileOption>;
 
 /// An option, a flag or a positional argument of a command, which owns it. Each function returns the option itself.
@@ -53,6 +57,8 @@ public:
 
     /// Accepts these words only.
     CommandOption oneOf(const std::vector<std::string>& words) const;
+    /// Accepts these words, and files with an extension, such as ".hdr", which the verb reads.
+    CommandOption oneOfOrFile(const std::vector<std::string>& words, const std::string& extension) const;
     /// Accept numbers, or whole numbers, in the range of a number only.
     CommandOption inRange(ProjectNumber number) const;
     CommandOption wholeInRange(ProjectNumber number) const;

@@ -4,7 +4,9 @@
 #include "app/cli/options/PictureValues.h"
 #include "core/asset/project/Ranges.h"
 #include "core/base/MessageText.h"
+#include "core/io/media/RadianceFile.h"
 #include "viewport/render/OffscreenRenderer.h"
+#include "viewport/render/light/SkyLight.h"
 
 #include <algorithm>
 #include <utility>
@@ -13,6 +15,7 @@
 namespace rubble {
 namespace {
 
+constexpr const char* kSkyExtension = ".hdr";
 constexpr double kDebrisSpace = 0.3;  // of the height: holds most of a collapsed wall
 
 /// The values of --overlay.
@@ -76,9 +79,11 @@ void addStyleOptions(Command& command, PictureOptions& options) {
     command.option("--theme", options.theme, "light (default) or dark").oneOf({"light", "dark"}).valueName("THEME");
     std::vector<std::string> skies;
     for (const auto& [word, sky] : kSkies) skies.emplace_back(word);
-    command.option("--sky", options.sky, "Light by a studio (default), or an overcast, morning, evening or night sky")
-        .oneOf(skies)
-        .valueName("NAME");
+    command
+        .option("--sky", options.sky,
+                "Light by a studio (default), by an overcast, morning, evening or night sky, or by an .hdr file")
+        .oneOfOrFile(skies, kSkyExtension)
+        .valueName("NAME|FILE");
     command.option("--exposure", options.exposure, "Brighten the picture by this many stops (default: 0)")
         .inRange(ProjectNumber::Exposure)
         .valueName("STOPS");
@@ -152,12 +157,21 @@ Box3 withSpaceForDebris(Box3 box) {
     return box;
 }
 
+Status loadSkyFile(PictureOptions& options, const TaskContext& task) {
+    if (!hasExtension(options.sky, kSkyExtension)) return success();
+    Result<RadianceImage> image = loadRadiance(options.sky, task);
+    if (!image) return image.error();
+    options.skyFile = std::make_shared<const SkyLight>(skyLightOf(std::move(*image)));
+    return success();
+}
+
 RenderView pictureView(const PictureOptions& options, const Box3& framed) {
     RenderView view{.camera = *parseCamera(options.view), .size = *parsePictureSize(options.size)};
     view.settings.theme = options.theme == "dark" ? Theme::Dark : Theme::Light;
     for (const auto& [word, sky] : kSkies) {
         if (options.sky == word) view.settings.sky = sky;
     }
+    view.settings.skyFile = options.skyFile;
     view.settings.exposure = options.exposure;
     view.settings.shading = options.isWireframe ? Shading::Wireframe : Shading::Faces;
     view.settings.hasOverlays = !options.hasNoOverlays;

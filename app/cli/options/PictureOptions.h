@@ -17,8 +17,9 @@ struct PictureOptions {
     std::string view = "iso";
     std::string colour = "material";
     std::string theme = "light";
-    std::string sky = "studio";
-    double exposure = 0.0;  // stops
+    std::string sky = "studio";               // or the path of a file
+    std::shared_ptr<const SkyLight> skyFile;  // of that, once it is loaded
+    double exposure = 0.0;                    // stops
     bool isWireframe = false;
     bool hasHulls = false;
     bool hasBonds = false;
@@ -47,7 +48,12 @@ PlayOverlays playOverlays(const PictureOptions& options);
 /// Returns a box enlarged by the space that falling fragments need.
 Box3 withSpaceForDebris(Box3 box);
 
-/// Returns a view that frames a box.
+/// Loads the sky if that is a file.
+///
+/// Errors: those of loadRadiance().
+Status loadSkyFile(PictureOptions& options, const TaskContext& task);
+
+/// Returns a view that frames a box; a sky file has been loaded.
 RenderView pictureView(const PictureOptions& options, const Box3& framed);
 
 }  // namespace rubble

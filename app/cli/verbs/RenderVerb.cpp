@@ -32,7 +32,8 @@ Examples:
   rubble-cli render house.rubble --out wall.png --asset wall --view 30,15 --hulls --theme dark
   rubble-cli render house.rubble --out cut-out.png --asset wall --transparent-background
   rubble-cli render house.rubble --out hit.png --at 60 --shot "box at the door"
-  rubble-cli render house.rubble --out around.mp4 --turntable 90 --sky morning)";
+  rubble-cli render house.rubble --out around.mp4 --turntable 90 --sky morning
+  rubble-cli render house.rubble --out dusk.png --sky dusk.hdr --exposure -0.5)";
 
 struct RenderOptions {
     std::string file;
@@ -151,9 +152,10 @@ Status checkOutput(const RenderOptions& options) {
                                           "picture such as house.png."};
 }
 
-Status render(const RenderOptions& options, const CliContext& context) {
+Status render(RenderOptions& options, const CliContext& context) {
     if (const Status checked = checkOutput(options); !checked) return checked;
     TaskContext task{.cancel = context.cancel, .threads = options.threads};
+    if (const Status loaded = loadSkyFile(options.picture, task); !loaded) return loaded;
     const Result<Subject> subject =
         options.step ? simulatedScene(options, context, task) : fragmentsOf(options, context, task);
     if (!subject) return subject.error();

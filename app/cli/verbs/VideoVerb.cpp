@@ -84,7 +84,7 @@ Result<VideoPlan> planOf(const VideoOptions& options) {
                      .hasSound = options.hasSound};
 }
 
-Status video(const VideoOptions& options, VerbReport& report, const CliContext& context) {
+Status video(VideoOptions& options, VerbReport& report, const CliContext& context) {
     Result<VideoPlan> plan = planOf(options);
     if (!plan) return plan.error();
     const bool isVideo = isVideoPath(options.output);
@@ -97,6 +97,7 @@ Status video(const VideoOptions& options, VerbReport& report, const CliContext& 
                      "--sound needs a video such as hit.mp4; rubble-cli simulate --wav writes the sound alone."};
     }
     TaskContext task{.cancel = context.cancel, .threads = options.threads};
+    if (const Status loaded = loadSkyFile(options.picture, task); !loaded) return loaded;
     const Result<Project> project = openProject(options.file, context);
     if (!project) return project.error();
     const Result<PreparedProject> play = prepareProject(*project, options.play, context, task);
