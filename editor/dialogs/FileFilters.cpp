@@ -20,6 +20,8 @@ QString projectFilter() { return FileFiltersTexts::tr("Rubble projects (*%1)").a
 
 QString meshFilter() { return FileFiltersTexts::tr("Meshes (%1)").arg("*." + kMeshSuffixes.join(" *.")); }
 
+QString skyFilter() { return FileFiltersTexts::tr("Skies (*.hdr)"); }
+
 bool isMeshPath(const QString& path) { return kMeshSuffixes.contains(QFileInfo(path).suffix().toLower()); }
 
 }  // namespace rubble

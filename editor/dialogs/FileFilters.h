@@ -10,6 +10,8 @@ inline constexpr const char* kProjectSuffix = ".rubble";
 QString projectFilter();
 /// The filter of file dialogs for meshes that can be imported.
 QString meshFilter();
+/// The filter of file dialogs for pictures of skies.
+QString skyFilter();
 /// Whether a file's suffix is that of a mesh that can be imported.
 bool isMeshPath(const QString& path);
 

@@ -3,6 +3,8 @@
 #include "core/asset/project/Ranges.h"
 
 #include <QActionGroup>
+#include <QDir>
+#include <QFileInfo>
 
 #include <algorithm>
 
@@ -20,7 +22,7 @@ LightMenu::LightMenu(QWidget* parent) : QMenu(parent), m_skies(new QActionGroup(
     addSkies();
     addSeparator();
     addExposure();
-    setLight(m_sky, m_exposure);
+    setLight(m_sky, {}, m_exposure, {});
 }
 
 void LightMenu::addSkies() {
@@ -30,12 +32,38 @@ void LightMenu::addSkies() {
                                                    {SkyPreset::Evening, tr("&Evening")},
                                                    {SkyPreset::Night, tr("&Night")}};
     for (const auto& [sky, text] : skies) {
-        QAction* action = addAction(text);
-        action->setCheckable(true);
-        action->setData(static_cast<int>(sky));
-        action->setStatusTip(tr("Light the scene by this sky"));
-        m_skies->addAction(action);
-        connect(action, &QAction::triggered, this, [this, value = sky] { emit lightSelected(value, m_exposure); });
+        m_presetActions.append(addSky(text, sky, {}));
+        addAction(m_presetActions.last());
+    }
+    m_fileAction = addAction(tr("Sky from &File…"));
+    m_fileAction->setObjectName("view-sky-file");
+    m_fileAction->setStatusTip(tr("Light the scene by the picture of a sky, an .hdr file"));
+    connect(m_fileAction, &QAction::triggered, this, &LightMenu::fileRequested);
+}
+
+QAction* LightMenu::addSky(const QString& text, SkyPreset sky, const QString& file) {
+    auto* action = new QAction(text, this);
+    action->setCheckable(true);
+    action->setStatusTip(tr("Light the scene by this sky"));
+    m_skies->addAction(action);
+    connect(action, &QAction::triggered, this, [this, sky, file] { emit lightSelected(sky, file, m_exposure); });
+    return action;
+}
+
+/// Below the action for others.
+void LightMenu::setRecentFiles(const QStringList& paths) {
+    if (paths == m_recentFiles) return;
+    m_recentFiles = paths;
+    qDeleteAll(m_fileActions);
+    m_fileActions.clear();
+    const qsizetype next = actions().indexOf(m_fileAction) + 1;
+    QAction* below = actions().value(next);
+    for (const QString& path : paths) {
+        QString name = QFileInfo(path).fileName();
+        QAction* action = addSky(name.replace('&', "&&"), SkyPreset::Studio, path);
+        action->setStatusTip(QDir::toNativeSeparators(path));
+        insertAction(below, action);
+        m_fileActions.append(action);
     }
 }
 
@@ -44,7 +72,7 @@ void LightMenu::addExposure() {
     addStop(tr("&Darker"), tr("Lower the exposure by half a stop"), -kExposureStep);
     QAction* reset = addAction(tr("&Reset Exposure"));
     reset->setStatusTip(tr("Set the exposure to its default"));
-    connect(reset, &QAction::triggered, this, [this] { emit lightSelected(m_sky, 0.0); });
+    connect(reset, &QAction::triggered, this, [this] { emit lightSelected(m_sky, m_file, 0.0); });
 }
 
 void LightMenu::addStop(const QString& text, const QString& tip, double change) {
@@ -52,14 +80,18 @@ void LightMenu::addStop(const QString& text, const QString& tip, double change) 
     action->setStatusTip(tip);
     connect(action, &QAction::triggered, this, [this, change] {
         const NumberRange& range = rangeOf(ProjectNumber::Exposure);
-        emit lightSelected(m_sky, std::clamp(m_exposure + change, range.min, range.max));
+        emit lightSelected(m_sky, m_file, std::clamp(m_exposure + change, range.min, range.max));
     });
 }
 
-void LightMenu::setLight(SkyPreset sky, double exposure) {
+void LightMenu::setLight(SkyPreset sky, const QString& file, double exposure, const QStringList& recent) {
     m_sky = sky;
+    m_file = file;
     m_exposure = exposure;
-    for (QAction* action : m_skies->actions()) action->setChecked(action->data().toInt() == static_cast<int>(sky));
+    setRecentFiles(recent);
+    for (qsizetype k = 0; k < m_presetActions.size(); ++k)
+        m_presetActions[k]->setChecked(file.isEmpty() && static_cast<qsizetype>(sky) == k);
+    for (qsizetype k = 0; k < m_fileActions.size(); ++k) m_fileActions[k]->setChecked(recent[k] == file);
 }
 
 }  // namespace rubble

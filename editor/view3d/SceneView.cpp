@@ -16,6 +16,7 @@
 #include "editor/widgets/AccessibleRole.h"
 #include "editor/widgets/Action.h"
 #include "editor/widgets/ComboBox.h"
+#include "editor/workspace/SkyFile.h"
 #include "editor/workspace/ViewportStyle.h"
 #include "viewport/scene/JointLines.h"
 #include "viewport/widget/ViewportWidget.h"
@@ -65,6 +66,7 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
       m_measureTool(new SurfaceMeasureTool(*m_viewport)),
       m_bondPaintTool(new BondPaintTool(workspace, *m_viewport)),
       m_lightMenu(new LightMenu(this)),
+      m_skyFile(new SkyFile(this)),
       m_precedingKeys(new ActionKeys(m_viewport)),
       m_picker(new ScenePicker(workspace, *m_viewport)),
       m_timeline(new TimelinePanel(workspace.play())) {
@@ -79,6 +81,9 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
     addToggles();
     addAction(m_lightMenu->menuAction());
     connect(m_lightMenu, &LightMenu::lightSelected, this, &SceneView::lightSelected);
+    connect(m_lightMenu, &LightMenu::fileRequested, this, &SceneView::skyFileRequested);
+    connect(m_skyFile, &SkyFile::lightChanged, this, &SceneView::updateSky);
+    connect(m_skyFile, &SkyFile::failed, this, &SceneView::failed);
     addSeparator();
     addMeasure();
     auto* rows = new QVBoxLayout(this);
@@ -150,7 +155,8 @@ void SceneView::updateEditing() {
 
 void SceneView::applyPreferences(const Preferences& preferences) {
     rubble::applyPreferences(*m_viewport, preferences);
-    m_lightMenu->setLight(preferences.sky, preferences.exposure);
+    m_lightMenu->setLight(preferences.sky, preferences.skyFile, preferences.exposure, preferences.recentSkyFiles);
+    m_skyFile->setPath(preferences.skyFile);
     const Units units{preferences.unit};
     m_transformTool->setUnits(units);
     m_placementTool->setUnits(units);
@@ -158,6 +164,12 @@ void SceneView::applyPreferences(const Preferences& preferences) {
     m_legend->setUnits(units);
     m_playView->tool().setUnits(units);
     m_playView->setStatisticsShown(preferences.hasStatistics);
+}
+
+void SceneView::updateSky() {
+    RenderSettings settings = m_viewport->settings();
+    settings.skyFile = m_skyFile->light();
+    m_viewport->setSettings(settings);
 }
 
 void SceneView::setPrecedingActions(const QList<QAction*>& actions) { m_precedingKeys->setActions(actions); }

@@ -21,6 +21,7 @@ class PlacementTool;
 class PlayView;
 class SceneLegend;
 class ScenePicker;
+class SkyFile;
 class SurfaceMeasureTool;
 class TimelinePanel;
 class ViewportWidget;
@@ -59,7 +60,9 @@ public:
 
 signals:
     /// The user selected a sky or an exposure.
-    void lightSelected(SkyPreset sky, double exposure);
+    void lightSelected(SkyPreset sky, const QString& file, double exposure);
+    /// The user wants to select the file of a sky.
+    void skyFileRequested();
     /// The scene cannot be shown; the sentence says why.
     void failed(const QString& sentence);
 
@@ -76,6 +79,7 @@ private:
     std::span<const MortarJoint> shownJoints() const;
     void refreshScene();
     void updatePlayState();
+    void updateSky();
     void updateEditing();
 
     Workspace& m_workspace;
@@ -93,6 +97,7 @@ private:
     SurfaceMeasureTool* m_measureTool;
     BondPaintTool* m_bondPaintTool;
     LightMenu* m_lightMenu;
+    SkyFile* m_skyFile;
     QAction* m_measureAction = nullptr;
     ActionKeys* m_precedingKeys;
     ScenePicker* m_picker;

@@ -28,6 +28,8 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
@@ -86,11 +88,15 @@ MainWindow::MainWindow(Project project, PreferenceStore& preferences, RecentFile
     connect(m_views, &Views::projectShown, this, &MainWindow::showProject);
     connect(m_views, &Views::presentingChanged, this, &MainWindow::present);
     connect(&preferences, &PreferenceStore::changed, this, &MainWindow::applyPreferences);
-    connect(&m_views->scene(), &SceneView::lightSelected, this, [this](SkyPreset sky, double exposure) {
-        Preferences changed = m_preferences.preferences();
-        changed.sky = sky;
-        changed.exposure = exposure;
-        m_preferences.setPreferences(changed);
+    const auto setLight = [this](SkyPreset sky, const QString& file, double exposure) {
+        m_preferences.setPreferences(withLight(m_preferences.preferences(), sky, file, exposure));
+    };
+    connect(&m_views->scene(), &SceneView::lightSelected, this, setLight);
+    connect(&m_views->scene(), &SceneView::skyFileRequested, this, [this, setLight] {
+        const Preferences& current = m_preferences.preferences();
+        const QString folder = QFileInfo(current.recentSkyFiles.value(0)).path();
+        const QString file = QFileDialog::getOpenFileName(this, tr("Sky from File"), folder, skyFilter());
+        if (!file.isEmpty()) setLight(SkyPreset::Studio, file, current.exposure);
     });
     applyPreferences();
     updateTitle();

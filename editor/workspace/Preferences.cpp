@@ -1,6 +1,7 @@
 #include "editor/workspace/Preferences.h"
 
 #include "core/asset/project/Ranges.h"
+#include "editor/document/FilePath.h"
 
 #include <algorithm>
 #include <array>
@@ -16,6 +17,8 @@ constexpr const char* kAutosaveKey = "preferences/autosaveSeconds";
 constexpr const char* kMsaaKey = "preferences/msaa";
 constexpr const char* kRefiningKey = "preferences/softLight";
 constexpr const char* kSkyKey = "preferences/sky";
+constexpr const char* kSkyFileKey = "preferences/skyFile";
+constexpr const char* kSkyFilesKey = "preferences/recentSkyFiles";
 constexpr const char* kExposureKey = "preferences/exposure";
 constexpr const char* kSmoothKey = "preferences/smoothCamera";
 constexpr const char* kStatisticsKey = "preferences/statistics";
@@ -46,6 +49,16 @@ int readInt(const QSettings& settings, const char* key, int fallback) {
 
 }  // namespace
 
+Preferences withLight(Preferences preferences, SkyPreset sky, const QString& file, double exposure) {
+    preferences.sky = sky;
+    preferences.skyFile = file;
+    preferences.exposure = exposure;
+    if (file.isEmpty() || preferences.recentSkyFiles.contains(file)) return preferences;
+    preferences.recentSkyFiles.prepend(file);
+    preferences.recentSkyFiles = preferences.recentSkyFiles.mid(0, kMaxSkyFiles);
+    return preferences;
+}
+
 Preferences readPreferences(const QSettings& settings) {
     const Preferences defaults;
     Preferences stored;
@@ -58,6 +71,9 @@ Preferences readPreferences(const QSettings& settings) {
     if (std::ranges::find(kMsaaSamples, stored.msaa) == kMsaaSamples.end()) stored.msaa = defaults.msaa;
     stored.refining = readEnum(settings, kRefiningKey, kRefiningNames, defaults.refining);
     stored.sky = readEnum(settings, kSkyKey, kSkyNames, defaults.sky);
+    stored.skyFile = pathOf(settings.value(kSkyFileKey));
+    for (const QVariant& path : settings.value(kSkyFilesKey).toList().mid(0, kMaxSkyFiles))
+        stored.recentSkyFiles.append(pathOf(path));
     stored.exposure = settings.value(kExposureKey, defaults.exposure).toDouble();
     if (!rangeOf(ProjectNumber::Exposure).contains(stored.exposure)) stored.exposure = defaults.exposure;
     stored.isSmooth = settings.value(kSmoothKey, defaults.isSmooth).toBool();
@@ -75,6 +91,10 @@ void writePreferences(const Preferences& preferences, QSettings& settings) {
     settings.setValue(kMsaaKey, preferences.msaa);
     settings.setValue(kRefiningKey, kRefiningNames[static_cast<std::size_t>(preferences.refining)]);
     settings.setValue(kSkyKey, kSkyNames[static_cast<std::size_t>(preferences.sky)]);
+    settings.setValue(kSkyFileKey, settingOf(preferences.skyFile));
+    QVariantList files;
+    for (const QString& path : preferences.recentSkyFiles) files.append(settingOf(path));
+    settings.setValue(kSkyFilesKey, files);
     settings.setValue(kExposureKey, preferences.exposure);
     settings.setValue(kSmoothKey, preferences.isSmooth);
     settings.setValue(kStatisticsKey, preferences.hasStatistics);

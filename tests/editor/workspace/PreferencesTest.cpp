@@ -27,6 +27,8 @@ private slots:
                                       .msaa = 8,
                                       .refining = ProgressiveRendering::Always,
                                       .sky = SkyPreset::Evening,
+                                      .skyFile = "/skies/dusk.hdr",
+                                      .recentSkyFiles = {"/skies/dusk.hdr", "/skies/noon.hdr"},
                                       .exposure = -1.5,
                                       .isSmooth = false,
                                       .hasStatistics = true,
@@ -48,6 +50,16 @@ private slots:
         QVERIFY(readPreferences(settings) == Preferences{});
         settings.setValue("preferences/volume", 300);
         QCOMPARE(readPreferences(settings).volume, 100);
+    }
+    void lastSkyFilesAreKept() {
+        Preferences preferences;
+        for (const char* name : {"a", "b", "c", "a", "d", "e", "f", "g"})
+            preferences = withLight(preferences, SkyPreset::Studio, name, 0.5);
+        QCOMPARE(preferences.skyFile, QString("g"));
+        QCOMPARE(preferences.recentSkyFiles, QStringList({"g", "f", "e", "d", "c", "b"}));
+        preferences = withLight(preferences, SkyPreset::Night, {}, 1.0);
+        QVERIFY(preferences.skyFile.isEmpty() && preferences.recentSkyFiles.size() == kMaxSkyFiles);
+        QCOMPARE(preferences.exposure, 1.0);
     }
     void recentFilesExistAndAreNewestFirst() {
         RecentFiles recent;
