@@ -1,6 +1,7 @@
 #include "editor/actions/MaterialActions.h"
 
 #include "editor/dialogs/MaterialDialog.h"
+#include "editor/dialogs/MaterialPictures.h"
 #include "editor/dialogs/MessageBoxes.h"
 #include "editor/document/FilePath.h"
 #include "editor/document/ShownText.h"
@@ -16,6 +17,7 @@ namespace rubble {
 MaterialActions::MaterialActions(Views& views)
     : QObject(&views.window()),
       m_views(views),
+      m_pictures(new MaterialPictures(this)),
       m_library(makeAction(this, {"material-library", tr("&Material Library…"),
                                   tr("Select a material from the library for the active asset")})),
       m_save(makeAction(this, {"material-save", tr("Sa&ve Material as Preset…"),
@@ -27,7 +29,8 @@ MaterialActions::MaterialActions(Views& views)
 void MaterialActions::openLibrary() {
     m_views.showProject();
     Workspace& workspace = m_views.workspace();
-    MaterialDialog(workspace.document(), workspace.selection(), materialFolder(), m_views.units(), &m_views.window())
+    MaterialDialog(workspace.document(), workspace.selection(), *m_pictures, materialFolder(), m_views.units(),
+                   &m_views.window())
         .exec();
 }
 

@@ -7,6 +7,7 @@ class QAction;
 
 namespace rubble {
 
+class MaterialPictures;
 class Views;
 
 /// The actions on the material library, for the Asset menu, the project tree and the inspector.
@@ -25,6 +26,7 @@ private:
     void saveAsPreset();
 
     Views& m_views;
+    MaterialPictures* m_pictures;  // of the library
     QAction* m_library = nullptr;
     QAction* m_save = nullptr;
 };

@@ -2,6 +2,7 @@
 
 #include "core/asset/strength/Threshold.h"
 #include "core/base/MessageText.h"
+#include "editor/dialogs/MaterialPictures.h"
 #include "editor/dialogs/MaterialSummary.h"
 #include "editor/dialogs/PatternPreview.h"
 #include "editor/document/FilePath.h"
@@ -31,11 +32,12 @@ constexpr double kStoneMass = 0.05, kStoneSpeed = 20.0;  // kg and m/s, of a thr
 
 QString materialFolder() { return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/materials"; }
 
-MaterialDialog::MaterialDialog(Document& document, Selection& selection, const QString& folder, const Units& units,
-                               QWidget* parent)
+MaterialDialog::MaterialDialog(Document& document, Selection& selection, MaterialPictures& pictures,
+                               const QString& folder, const Units& units, QWidget* parent)
     : QDialog(parent),
       m_document(document),
       m_selection(selection),
+      m_pictures(pictures),
       m_library(materialLibrary(toPath(folder))),
       m_folder(folder),
       m_units(units),
@@ -57,6 +59,11 @@ MaterialDialog::MaterialDialog(Document& document, Selection& selection, const Q
     connect(m_list, &QListWidget::itemDoubleClicked, this,
             [this] { (m_apply->isEnabled() ? m_apply : m_add)->click(); });
     fill();
+    connect(&m_pictures, &MaterialPictures::pictureAdded, this, &MaterialDialog::showPictures);
+    std::vector<MaterialPreset> presets;
+    for (const LibraryMaterial& material : m_library.materials) presets.push_back(material.preset);
+    m_pictures.render(presets, devicePixelRatioF());
+    showPictures();
     resizeWithinScreen(*this, kMaterialDialogSize);
     m_list->setFocus();
 }
@@ -119,6 +126,17 @@ void MaterialDialog::fill() {
     const Material* current = asset() ? findMaterial(m_document.project(), asset()->material) : nullptr;
     const LibraryMaterial* preset = current ? findMaterial(m_library, current->name) : nullptr;
     m_list->setCurrentRow(preset ? static_cast<int>(preset - m_library.materials.data()) : 0);
+}
+
+void MaterialDialog::showPictures() {
+    for (int row = 0; row < m_list->count(); ++row) {
+        const MaterialPreset& preset = m_library.materials[static_cast<std::size_t>(row)].preset;
+        const QImage picture = m_pictures.picture(preset, devicePixelRatioF());
+        if (picture.isNull()) continue;
+        QIcon icon(QPixmap::fromImage(picture));
+        icon.addPixmap(QPixmap::fromImage(picture), QIcon::Selected);  // otherwise Qt tints it in a selected row
+        m_list->item(row)->setIcon(icon);
+    }
 }
 
 const LibraryMaterial* MaterialDialog::selected() const {

@@ -16,6 +16,7 @@ class QTextBrowser;
 
 namespace rubble {
 
+class MaterialPictures;
 class PatternPreview;
 
 /// Returns the folder of the user's presets.
@@ -23,15 +24,17 @@ QString materialFolder();
 
 /// The material library: the built-in presets and those of a folder, with properties and sources. Applies a preset to
 /// the active asset, or adds it to the project.
+/// Presets have their colours, and pictures once there are some.
 class MaterialDialog : public QDialog {
     Q_OBJECT
 public:
-    MaterialDialog(Document& document, Selection& selection, const QString& folder, const Units& units,
-                   QWidget* parent = nullptr);
+    MaterialDialog(Document& document, Selection& selection, MaterialPictures& pictures, const QString& folder,
+                   const Units& units, QWidget* parent = nullptr);
 
 private:
     QWidget* createOptions();
     void fill();
+    void showPictures();
     void showSelected();
     void showThreshold();
     QString thresholdNote(const Asset& asset, const MaterialPreset& preset) const;
@@ -42,6 +45,7 @@ private:
 
     Document& m_document;
     Selection& m_selection;
+    MaterialPictures& m_pictures;
     MaterialLibrary m_library;
     QString m_folder;
     Units m_units;

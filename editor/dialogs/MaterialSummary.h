@@ -12,7 +12,7 @@ namespace rubble {
 /// file.
 QString materialSummary(const LibraryMaterial& material, const Units& units, const QLocale& locale);
 
-inline constexpr QSize kMaterialSwatchSize{28, 20};  // pixels at scale 1
+inline constexpr QSize kMaterialSwatchSize{44, 44};  // points, as those of MaterialPictures
 /// Returns a swatch of the colour of a material's surface, with that of its inside in a corner.
 QIcon materialSwatch(const MaterialPreset& preset);
 

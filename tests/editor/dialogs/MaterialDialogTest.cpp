@@ -4,6 +4,7 @@
 #include "core/asset/library/StarterProject.h"
 #include "core/asset/strength/Threshold.h"
 #include "core/play/analysis/RequirementImpulse.h"
+#include "editor/dialogs/MaterialPictures.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/play/Sessions.h"
 
@@ -29,7 +30,7 @@ Project paneProject() {
 struct Library {
     explicit Library(const Project& project = paneProject()) : document(project) {
         selection.setAsset(project.assets[0].id);
-        dialog = std::make_unique<MaterialDialog>(document, selection, "/nowhere", Units());
+        dialog = std::make_unique<MaterialDialog>(document, selection, pictures, "/nowhere", Units());
         dialog->show();
     }
     void select(const char* material) {
@@ -49,6 +50,7 @@ struct Library {
 
     Document document;
     Selection selection;
+    MaterialPictures pictures;
     std::unique_ptr<MaterialDialog> dialog;
 };
 
@@ -85,6 +87,25 @@ private slots:
         library.derives().click();
         library.apply();
         QCOMPARE(thresholdOf(library.document.project(), library.pane()), 42.0);
+    }
+    /// Colours come first; pictures replace them while the dialog is open, and are there at once the next time.
+    void presetsHavePictures() {
+        Library library;
+        auto* list = library.dialog->findChild<QListWidget*>();
+        const auto iconOf = [](const QListWidget& materials, int row) {
+            return materials.item(row)->icon().pixmap(MaterialPictures::kSize).toImage();
+        };
+        const QImage swatch = iconOf(*list, 0);
+        QTRY_VERIFY(!library.pictures.isRendering());
+        const MaterialPreset first = materialLibrary({}).materials[0].preset;
+        if (library.pictures.picture(first, library.dialog->devicePixelRatioF()).isNull()) QSKIP("There is no OpenGL.");
+        for (int row = 0; row < list->count(); ++row) {
+            QVERIFY(qAlpha(iconOf(*list, row).pixel(0, 0)) == 0);  // around the block
+            QVERIFY(iconOf(*list, row) != iconOf(*list, (row + 1) % list->count()));
+        }
+        QVERIFY(iconOf(*list, 0) != swatch);
+        const MaterialDialog again(library.document, library.selection, library.pictures, "/nowhere", Units());
+        QVERIFY(iconOf(*again.findChild<QListWidget*>(), 0) == iconOf(*list, 0));
     }
     void newProjectsHaveThePlasterOfTheLibrary() {
         Library library(starterProject());
