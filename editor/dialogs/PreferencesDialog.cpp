@@ -19,7 +19,7 @@ PreferencesDialog::PreferencesDialog(PreferenceStore& store, QWidget* parent)
     setWindowTitle(tr("Preferences"));
     addFields();
     showPreferences(m_before);
-    for (QComboBox* box : {m_theme, m_unit, m_navigation, m_msaa, m_refining}) {
+    for (QComboBox* box : {m_theme, m_unit, m_navigation, m_msaa, m_refining, m_quality}) {
         connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::apply);
     }
     connect(m_smooth, &QCheckBox::toggled, this, &PreferencesDialog::apply);
@@ -40,6 +40,9 @@ void PreferencesDialog::addFields() {
                  tr("Select the anti-aliasing of the 3D view; automatic means 4× with a graphics card, none without"));
     m_refining = comboBox({tr("Never"), tr("With a graphics card"), tr("Always")},
                           tr("Refine light and edges of the 3D view while nothing moves"));
+    m_quality = comboBox({tr("Draft"), tr("Good"), tr("Best")},
+                         tr("Select how far the 3D view is refined while nothing moves; draft: not at all"));
+    m_quality->setObjectName("view-quality");
     m_autosave = new NumberField;
     m_autosave->setRange(FieldRange::whole(0, kMaxAutosaveSeconds));
     m_autosave->setFormat(Units::seconds());
@@ -60,6 +63,7 @@ void PreferencesDialog::addFields() {
     form->addRow(QString(), m_smooth);
     form->addRow(tr("&Anti-aliasing:"), m_msaa);
     form->addRow(tr("So&ft light:"), m_refining);
+    form->addRow(tr("&Quality at rest:"), m_quality);
     form->addRow(tr("&Back up changes after:"), m_autosave);
     form->addRow(buttons);
 }
@@ -71,6 +75,7 @@ void PreferencesDialog::showPreferences(const Preferences& preferences) {
     m_smooth->setChecked(preferences.isSmooth);
     m_msaa->setCurrentIndex(std::bit_width(static_cast<unsigned>(preferences.msaa)));
     m_refining->setCurrentIndex(static_cast<int>(preferences.refining));
+    m_quality->setCurrentIndex(static_cast<int>(preferences.quality));
     m_autosave->setValue(preferences.autosaveSeconds);
 }
 
@@ -82,6 +87,7 @@ void PreferencesDialog::apply() {
     preferences.isSmooth = m_smooth->isChecked();
     preferences.msaa = (1 << m_msaa->currentIndex()) / 2;  // 0, 1, 2, 4, 8
     preferences.refining = static_cast<ProgressiveRendering>(m_refining->currentIndex());
+    preferences.quality = static_cast<RenderQuality>(m_quality->currentIndex());
     preferences.autosaveSeconds = static_cast<int>(m_autosave->value());
     m_store.setPreferences(preferences);
 }

@@ -34,6 +34,7 @@ private:
     QCheckBox* m_smooth = nullptr;
     QComboBox* m_msaa = nullptr;
     QComboBox* m_refining = nullptr;
+    QComboBox* m_quality = nullptr;
     NumberField* m_autosave = nullptr;
 };
 

@@ -16,6 +16,7 @@ constexpr const char* kUnitKey = "preferences/lengthUnit";
 constexpr const char* kAutosaveKey = "preferences/autosaveSeconds";
 constexpr const char* kMsaaKey = "preferences/msaa";
 constexpr const char* kRefiningKey = "preferences/softLight";
+constexpr const char* kQualityKey = "preferences/quality";
 constexpr const char* kSkyKey = "preferences/sky";
 constexpr const char* kSkyFileKey = "preferences/skyFile";
 constexpr const char* kSkyFilesKey = "preferences/recentSkyFiles";
@@ -30,6 +31,7 @@ constexpr std::array kThemeNames = {"system", "light", "dark"};
 constexpr std::array kNavigationNames = {"blender", "maya"};
 constexpr std::array kUnitNames = {"m", "cm", "mm", "ft"};
 constexpr std::array kRefiningNames = {"never", "with-card", "always"};
+constexpr std::array kQualityNames = {"draft", "good", "best"};
 constexpr std::array kSkyNames = {"studio", "overcast", "morning", "evening", "night"};
 constexpr std::array kMsaaSamples = {0, 1, 2, 4, 8};
 
@@ -70,6 +72,7 @@ Preferences readPreferences(const QSettings& settings) {
     stored.msaa = readInt(settings, kMsaaKey, defaults.msaa);
     if (std::ranges::find(kMsaaSamples, stored.msaa) == kMsaaSamples.end()) stored.msaa = defaults.msaa;
     stored.refining = readEnum(settings, kRefiningKey, kRefiningNames, defaults.refining);
+    stored.quality = readEnum(settings, kQualityKey, kQualityNames, defaults.quality);
     stored.sky = readEnum(settings, kSkyKey, kSkyNames, defaults.sky);
     stored.skyFile = pathOf(settings.value(kSkyFileKey));
     for (const QVariant& path : settings.value(kSkyFilesKey).toList().mid(0, kMaxSkyFiles))
@@ -90,6 +93,7 @@ void writePreferences(const Preferences& preferences, QSettings& settings) {
     settings.setValue(kAutosaveKey, preferences.autosaveSeconds);
     settings.setValue(kMsaaKey, preferences.msaa);
     settings.setValue(kRefiningKey, kRefiningNames[static_cast<std::size_t>(preferences.refining)]);
+    settings.setValue(kQualityKey, kQualityNames[static_cast<std::size_t>(preferences.quality)]);
     settings.setValue(kSkyKey, kSkyNames[static_cast<std::size_t>(preferences.sky)]);
     settings.setValue(kSkyFileKey, settingOf(preferences.skyFile));
     QVariantList files;

@@ -2,7 +2,7 @@
 
 #include "editor/widgets/ColourScheme.h"
 #include "editor/widgets/numbers/Units.h"
-#include "viewport/render/light/SkyPreset.h"
+#include "viewport/render/RenderSettings.h"
 #include "viewport/widget/Navigation.h"
 #include "viewport/widget/ProgressiveRendering.h"
 
@@ -24,6 +24,7 @@ struct Preferences {
     int autosaveSeconds = 60;  // from a change to the backup; 0: no backups
     int msaa = 0;              // samples per pixel of the 3D view: 1, 2, 4 or 8; 0: automatic
     ProgressiveRendering refining = ProgressiveRendering::Always;  // of the 3D view while nothing moves
+    RenderQuality quality = RenderQuality::Good;                   // what it is refined to
     SkyPreset sky = SkyPreset::Studio;                             // of the 3D view
     QString skyFile;                                               // in place of `sky`; empty: that
     QStringList recentSkyFiles;                                    // newest first, at most kMaxSkyFiles

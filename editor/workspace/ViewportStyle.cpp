@@ -40,6 +40,7 @@ void applyPreferences(ViewportWidget& viewport, const Preferences& preferences) 
     viewport.setNavigation(preferences.navigation);
     viewport.setCameraAnimation(preferences.isSmooth);
     viewport.setProgressiveRendering(preferences.refining);
+    viewport.setQuality(preferences.quality);
     const NumberFormat lengths = Units{preferences.unit}.lengths();
     const bool isMetric = preferences.unit == LengthUnit::Metre;  // then the bar selects the unit by its length
     viewport.setScaleUnit(isMetric ? ScaleUnit{} : ScaleUnit{lengths.size(), lengths.unit.toStdString()});

@@ -12,6 +12,17 @@ struct SkyLight;
 
 enum class Shading { Faces, Wireframe };
 
+/// How good pictures are, in samples: see renderImage(). Draft is a single pass.
+enum class RenderQuality { Draft, Good, Best };
+constexpr int samplesOf(RenderQuality quality) {
+    switch (quality) {
+        case RenderQuality::Good: return 32;
+        case RenderQuality::Best: return 128;
+        case RenderQuality::Draft: break;
+    }
+    return 0;
+}
+
 /// The settings for drawing a scene.
 struct RenderSettings {
     Theme theme = Theme::Light;

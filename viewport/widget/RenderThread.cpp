@@ -17,11 +17,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kIdle = 140ms;    // after the last change, until the picture is refined
-constexpr auto kMotion = 120ms;  // a change so soon after the last picture is part of a motion
-constexpr double kSlow = 0.25;   // s: pictures that take longer are preceded by a quick one, or abandoned
-constexpr int kMaxSamples = 32, kMaxSoftwareSamples = 12;      // a picture of 12 differs from one of 256 by 0.4 %
-constexpr int kMinShownSamples = 4;                            // fewer look noisier than the image in one pass
+constexpr auto kIdle = 140ms;             // after the last change, until the picture is refined
+constexpr auto kMotion = 120ms;           // a change so soon after the last picture is part of a motion
+constexpr double kSlow = 0.25;            // s: pictures that take longer are preceded by a quick one, or abandoned
+constexpr int kGoodSoftwareSamples = 12;  // a picture of so many differs from one of 256 by 0.4 %
+constexpr int kMinShownSamples = 4;       // fewer look noisier than the image in one pass
 constexpr int kMovingSkyMaps = 8, kMovingSoftwareSkyMaps = 2;  // rendered for each image of a motion
 
 QSurfaceFormat coreFormat() {
@@ -89,6 +89,13 @@ void RenderThread::setProgressiveRendering(ProgressiveRendering mode) {
     if (m_request.revision > 0) invalidate();
 }
 
+void RenderThread::setQuality(RenderQuality quality) {
+    const std::lock_guard lock(m_mutex);
+    if (quality == m_request.quality) return;
+    m_request.quality = quality;
+    if (m_request.revision > 0) invalidate();
+}
+
 void RenderThread::setAdaptive(bool isOn) {
     const std::lock_guard lock(m_mutex);
     m_request.isAdaptive = isOn;
@@ -113,7 +120,12 @@ bool RenderThread::isFinished() const {
 bool RenderThread::isRefined() const {
     const bool isOn = m_request.progressive == ProgressiveRendering::Always ||
                       (m_request.progressive == ProgressiveRendering::WithGpu && m_hasGpu);
-    return m_shown.isSharp && !m_areTexturesPending && (!isOn || m_shown.samples >= m_maxSamples);
+    return m_shown.isSharp && !m_areTexturesPending && (!isOn || m_shown.samples >= maxSamples(m_request.quality));
+}
+
+int RenderThread::maxSamples(RenderQuality quality) const {
+    const bool isSoftwareGood = quality == RenderQuality::Good && !m_hasGpu;
+    return isSoftwareGood ? kGoodSoftwareSamples : samplesOf(quality);
 }
 
 bool RenderThread::makeRenderer() {
@@ -135,7 +147,6 @@ bool RenderThread::makeRenderer() {
     m_buffer = std::make_unique<PictureBuffer>();
     const std::lock_guard lock(m_mutex);
     m_hasGpu = !m_renderer->isSoftware();
-    m_maxSamples = m_hasGpu ? kMaxSamples : kMaxSoftwareSamples;
     return true;
 }
 
@@ -267,8 +278,9 @@ void RenderThread::refine(const Request& request) {
     m_renderer->setInterruption({});
     if (!isDone) return;
     ++shown.samples;
-    const bool isShown = shown.samples >= kMinShownSamples &&
-                         (std::has_single_bit(static_cast<unsigned>(shown.samples)) || shown.samples == m_maxSamples);
+    const bool isShown =
+        shown.samples >= kMinShownSamples &&
+        (std::has_single_bit(static_cast<unsigned>(shown.samples)) || shown.samples == maxSamples(request.quality));
     if (!isShown) {
         const std::lock_guard lock(m_mutex);
         m_shown.samples = shown.samples;

@@ -42,6 +42,8 @@ public:
     /// Sets what pictures show from now on.
     void show(const std::shared_ptr<const RenderScene>& scene, const RenderView& view);
     void setProgressiveRendering(ProgressiveRendering mode);
+    /// Sets what pictures are refined to; initially good.
+    void setQuality(RenderQuality quality);
     /// Whether pictures of a motion may be less sharp.
     void setAdaptive(bool isOn);
 
@@ -65,6 +67,7 @@ private:
         std::shared_ptr<const RenderScene> scene;
         RenderView view;
         ProgressiveRendering progressive = ProgressiveRendering::Never;
+        RenderQuality quality = RenderQuality::Good;
         std::uint64_t revision = 0;  // counts changes of all but the hovered body
         bool isMoving = false;       // changes follow one another
         bool isAdaptive = true;
@@ -80,6 +83,7 @@ private:
 
     void invalidate();
     bool isRefined() const;
+    int maxSamples(RenderQuality quality) const;
     void updateTextures();
 
     void run();
@@ -105,7 +109,6 @@ private:
     Shown m_shown;
     RenderedPicture m_picture;
     std::optional<Clock::time_point> m_motionShown;  // when the last picture of a change was finished
-    int m_maxSamples = 0;                            // 0: pictures are not refined
     bool m_hasGpu = false;
     bool m_isTextureDecoded = false;  // since the last look
     bool m_areTexturesPending = false;

@@ -17,6 +17,7 @@ public:
     /// The view's size is ignored: the widget's is used.
     void setView(const RenderView& view);
     void setProgressiveRendering(ProgressiveRendering mode) { m_thread.setProgressiveRendering(mode); }
+    void setQuality(RenderQuality quality) { m_thread.setQuality(quality); }
     void setAdaptive(bool isOn) { m_thread.setAdaptive(isOn); }
 
     /// The widget's size in device pixels.

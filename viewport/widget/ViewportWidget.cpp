@@ -95,16 +95,29 @@ void ViewportWidget::setOverlayItems(const std::vector<OverlayItem*>& items) {
 }
 
 std::vector<QRect> ViewportWidget::plates() const {
-    return isPresenting() ? std::vector<QRect>() : m_overlay->plates(size());
+    return hasOverlays() ? m_overlay->plates(size()) : std::vector<QRect>();
 }
 
 void ViewportWidget::setPresenting(bool isOn) {
     if (isOn == isPresenting()) return;
-    m_settings.hasOverlays = !isOn;
-    m_overlay->setHidden(isOn);
+    m_isPresenting = isOn;
+    updateOverlays();
+    emit presentingChanged(isOn);
+}
+
+void ViewportWidget::setOverlaysOn(bool isOn) {
+    m_areOverlaysOn = isOn;
+    updateOverlays();
+}
+
+void ViewportWidget::updateOverlays() {
+    const bool isOn = m_areOverlaysOn && !m_isPresenting;
+    if (isOn == hasOverlays()) return;
+    m_settings.hasOverlays = isOn;
+    m_overlay->setVisible(isOn);
     hover(std::nullopt);
     showFrom(m_camera);
-    emit presentingChanged(isOn);
+    emit overlaysChanged(isOn);
 }
 
 void ViewportWidget::setScene(std::shared_ptr<const RenderScene> scene) {
@@ -150,6 +163,10 @@ void ViewportWidget::setSettings(const RenderSettings& settings) {
 
 void ViewportWidget::setProgressiveRendering(ProgressiveRendering mode) {
     if (m_canvas != nullptr) m_canvas->setProgressiveRendering(mode);
+}
+
+void ViewportWidget::setQuality(RenderQuality quality) {
+    if (m_canvas != nullptr) m_canvas->setQuality(quality);
 }
 
 void ViewportWidget::setAdaptive(bool isOn) {
@@ -245,7 +262,7 @@ std::optional<PickId> ViewportWidget::pickOf(std::optional<std::uint32_t> body) 
 }
 
 void ViewportWidget::hover(std::optional<std::uint32_t> body) {
-    if (isPresenting()) body.reset();
+    if (!hasOverlays()) body.reset();
     if (body == m_hovered) return;
     m_hovered = body;
     showFrom(m_camera);

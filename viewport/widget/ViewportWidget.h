@@ -58,12 +58,16 @@ public:
     /// Sets what is painted over the view, from first to last.
     void setOverlayItems(const std::vector<OverlayItem*>& items);
 
-    /// The rectangles of texts at the edges of the view; none while presenting.
+    /// The rectangles of texts at the edges of the view; none without overlays.
     std::vector<QRect> plates() const;
 
     /// While presenting, the view shows the scene alone, without overlays, outlines and marks. Escape ends it.
     void setPresenting(bool isOn);
-    bool isPresenting() const { return !m_settings.hasOverlays; }
+    bool isPresenting() const { return m_isPresenting; }
+    /// Whether overlays, outlines and marks are shown otherwise; initially they are.
+    void setOverlaysOn(bool isOn);
+    /// Whether they are shown now.
+    bool hasOverlays() const { return m_settings.hasOverlays; }
 
     void setSettings(const RenderSettings& settings);
     const RenderSettings& settings() const { return m_settings; }
@@ -73,6 +77,8 @@ public:
     /// Whether camera changes are animated.
     void setCameraAnimation(bool isOn) { m_isAnimated = isOn; }
     void setProgressiveRendering(ProgressiveRendering mode);
+    /// Sets what the view is refined to; initially good.
+    void setQuality(RenderQuality quality);
     /// Whether the view may be drawn less sharply while something moves, to move smoothly. Without, pictures do not
     /// depend on the speed of the machine.
     void setAdaptive(bool isOn);
@@ -118,6 +124,8 @@ signals:
     /// A frame was drawn and shown.
     void drawn();
     void presentingChanged(bool isOn);
+    /// hasOverlays() changed.
+    void overlaysChanged(bool isOn);
 
 protected:
     bool event(QEvent* event) override;
@@ -132,6 +140,7 @@ protected:
 private:
     bool dispatchToTools(QEvent& event);
     bool endsPresenting(QEvent& event);
+    void updateOverlays();
     Camera framed(const Camera& orientation, const Box3& box) const;
     void refit();
     void moveCamera(const Camera& camera);
@@ -150,6 +159,8 @@ private:
     QLabel* m_errorLabel = nullptr;      // null if there is
     ScaleBarItem* m_scaleBar;
     ViewportOverlay* m_overlay;
+    bool m_isPresenting = false;
+    bool m_areOverlaysOn = true;
     std::vector<ViewportTool*> m_tools;
     std::shared_ptr<const RenderScene> m_scene;
     double m_stepFraction = 1.0;

@@ -44,8 +44,9 @@ constexpr std::pair<const char*, SkyPreset> kSkies[] = {{"studio", SkyPreset::St
                                                         {"evening", SkyPreset::Evening},
                                                         {"night", SkyPreset::Night}};
 
-/// The values of --quality, in samples.
-constexpr std::pair<const char*, int> kQualities[] = {{"draft", 0}, {"good", 32}, {"best", 128}};
+/// The values of --quality.
+constexpr std::pair<const char*, RenderQuality> kQualities[] = {
+    {"draft", RenderQuality::Draft}, {"good", RenderQuality::Good}, {"best", RenderQuality::Best}};
 
 /// Adds an option whose value must be accepted by `parse`.
 template <class Parse>
@@ -119,7 +120,7 @@ void addSamplesOption(Command& command, PictureOptions& options) {
         .wholeInRange(ProjectNumber::ImageSamples)
         .valueName("N");
     std::vector<std::string> words;
-    for (const auto& [word, samples] : kQualities) words.emplace_back(word);
+    for (const auto& [word, quality] : kQualities) words.emplace_back(word);
     command.option("--quality", options.quality, "draft, good or best: 0, 32 or 128 samples per picture")
         .oneOf(words)
         .excludes(command["--samples"])
@@ -127,8 +128,8 @@ void addSamplesOption(Command& command, PictureOptions& options) {
 }
 
 int samplesOf(const PictureOptions& options) {
-    for (const auto& [word, samples] : kQualities) {
-        if (options.quality == word) return samples;
+    for (const auto& [word, quality] : kQualities) {
+        if (options.quality == word) return samplesOf(quality);
     }
     return options.samples;
 }

@@ -26,6 +26,7 @@ private slots:
                                       .autosaveSeconds = 0,
                                       .msaa = 8,
                                       .refining = ProgressiveRendering::Always,
+                                      .quality = RenderQuality::Best,
                                       .sky = SkyPreset::Evening,
                                       .skyFile = "/skies/dusk.hdr",
                                       .recentSkyFiles = {"/skies/dusk.hdr", "/skies/noon.hdr"},
@@ -45,6 +46,7 @@ private slots:
         settings.setValue("preferences/msaa", 3);
         settings.setValue("preferences/autosaveSeconds", "often");
         settings.setValue("preferences/sky", "green");
+        settings.setValue("preferences/quality", "excellent");
         settings.setValue("preferences/exposure", "nan");
         settings.setValue("preferences/volume", "loud");
         QVERIFY(readPreferences(settings) == Preferences{});

@@ -251,6 +251,19 @@ private slots:
         QCOMPARE(frames.count(), 0);
         QVERIFY(refined != before);
     }
+    void pictureIsRefinedToItsQuality() {
+        const auto viewport = shownWall();
+        viewport->resize(160, 120);
+        viewport->setProgressiveRendering(ProgressiveRendering::Always);
+        const QImage good = test::finishedPicture(*viewport);
+        viewport->setQuality(RenderQuality::Draft);
+        const QImage draft = test::finishedPicture(*viewport);
+        viewport->setQuality(RenderQuality::Best);
+        const QImage best = test::finishedPicture(*viewport);
+        QVERIFY(draft != good && best != good && best != draft);
+        viewport->setProgressiveRendering(ProgressiveRendering::Never);
+        QCOMPARE(test::finishedPicture(*viewport), draft);
+    }
     void hoveringKeepsTheRefinedPicture() {
         const auto viewport = shownWall();
         viewport->resize(160, 120);
