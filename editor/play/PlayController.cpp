@@ -189,8 +189,21 @@ void PlayController::setDestruction(bool isOn) {
 void PlayController::setOverlays(const PlayOverlays& overlays) {
     if (m_overlays == overlays) return;
     m_overlays = overlays;
-    post([overlays](PlayEngine& engine) { engine.setOverlays(overlays); });
+    postOverlays();
     emit settingsChanged();
+}
+
+void PlayController::setOverlaysShown(bool isOn) {
+    if (std::exchange(m_areOverlaysShown, isOn) != isOn) postOverlays();
+}
+
+/// Hulls, which have a geometry of their own, stay; the view draws them with the other overlays only.
+PlayOverlays PlayController::shownOverlays() const {
+    return m_areOverlaysShown ? m_overlays : PlayOverlays{.hasHulls = m_overlays.hasHulls};
+}
+
+void PlayController::postOverlays() {
+    post([overlays = shownOverlays()](PlayEngine& engine) { engine.setOverlays(overlays); });
 }
 
 void PlayController::setToolSettings(const PlayToolSettings& tools) {
@@ -311,7 +324,7 @@ void PlayController::startIfBaked() {
     m_followedProject = m_startProject = m_document.project();
     suggestTools();
     m_thread.start([project = m_followedProject, bakes = m_bakes.assetBakes(), script = m_script,
-                    overlays = m_overlays](const TaskContext& task) -> Result<std::unique_ptr<PlayEngine>> {
+                    overlays = shownOverlays()](const TaskContext& task) -> Result<std::unique_ptr<PlayEngine>> {
         const Result<std::shared_ptr<const PlayScene>> scene = playScene(project, bakes, task);
         if (!scene) return scene.error();
         Result<std::unique_ptr<PlayEngine>> engine = PlayEngine::create(*scene, script, task);

@@ -74,6 +74,10 @@ public:
     void setDestruction(bool isOn);
     const PlayOverlays& overlays() const { return m_overlays; }
     void setOverlays(const PlayOverlays& overlays);
+    /// Whether they are shown at all; initially they are.
+    void setOverlaysShown(bool isOn);
+    /// Those that are shown now.
+    PlayOverlays shownOverlays() const;
     const PlayToolSettings& toolSettings() const { return m_toolSettings; }
     void setToolSettings(const PlayToolSettings& tools);
     /// Whether they are those that the size of the scene suggested when the simulation started.
@@ -145,6 +149,7 @@ private:
     void applyEdits();
     void setState(PlayState state);
     void post(PlayThread::Task task);
+    void postOverlays();
     ChargedThrow charged(double charge) const;
     void clearResults();
     bool applyEvents(const PlayUpdate& update);
@@ -164,6 +169,7 @@ private:
     std::optional<bool> m_requestedDestruction;  // not in a frame yet
     std::optional<std::uint64_t> m_soughtStep;   // not in a frame yet
     PlayOverlays m_overlays;
+    bool m_areOverlaysShown = true;
     PlayToolSettings m_toolSettings;
     PlayToolSettings m_defaultTools;
     Project m_followedProject;  // whose edits are applied so far

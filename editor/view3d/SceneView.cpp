@@ -92,6 +92,8 @@ SceneView::SceneView(Workspace& workspace, QWidget* parent)
     QWidget* bar = makeBar();
     rows->addWidget(bar);
     connect(m_viewport, &ViewportWidget::presentingChanged, bar, &QWidget::setHidden);
+    connect(m_viewport, &ViewportWidget::presentingChanged, this, &SceneView::updateTimeline);
+    connect(m_viewport, &ViewportWidget::overlaysChanged, &workspace.play(), &PlayController::setOverlaysShown);
     rows->addWidget(m_viewport, 1);
     rows->addWidget(m_timeline);
     m_timeline->hide();
@@ -229,6 +231,9 @@ void SceneView::addToggles() {
               [set](bool isOn) { set(&RenderSettings::hasGrid, isOn); });
     addToggle({"view-shadows", tr("&Shadows"), tr("Show shadows")}, true,
               [set](bool isOn) { set(&RenderSettings::hasShadows, isOn); });
+    addToggle({"view-overlays", tr("O&verlays"),
+               tr("Show what is drawn over the scene: texts, handles, outlines, axes"), QKeySequence("Alt+Shift+Z")},
+              true, [this](bool isOn) { m_viewport->setOverlaysOn(isOn); });
 }
 
 void SceneView::addMeasure() {
@@ -300,11 +305,16 @@ QWidget* SceneView::makeViewMenu() {
 /// In play the session is shown instead of the document.
 void SceneView::updatePlayState() {
     const bool isOn = m_workspace.play().isInPlay();
-    m_timeline->setVisible(isOn);
+    updateTimeline();
     m_measureTool->setOn(false);
     for (QWidget* control : m_editControls) control->setEnabled(!isOn);
     setEditable(!isOn);
     invalidate();
+}
+
+/// Presenting shows the scene alone.
+void SceneView::updateTimeline() {
+    m_timeline->setVisible(m_workspace.play().isInPlay() && !m_viewport->isPresenting());
 }
 
 /// The joints of the mortar that the inspector shows.

@@ -80,6 +80,7 @@ private:
     void refreshScene();
     void updatePlayState();
     void updateSky();
+    void updateTimeline();
     void updateEditing();
 
     Workspace& m_workspace;

@@ -87,6 +87,7 @@ MainWindow::MainWindow(Project project, PreferenceStore& preferences, RecentFile
     connectWorkspace();
     connect(m_views, &Views::projectShown, this, &MainWindow::showProject);
     connect(m_views, &Views::presentingChanged, this, &MainWindow::present);
+    connect(&m_workspace.videos(), &VideoExporter::changed, this, &MainWindow::updateStatusBar);
     connect(&preferences, &PreferenceStore::changed, this, &MainWindow::applyPreferences);
     const auto setLight = [this](SkyPreset sky, const QString& file, double exposure) {
         m_preferences.setPreferences(withLight(m_preferences.preferences(), sky, file, exposure));
@@ -289,14 +290,21 @@ void MainWindow::showProject() {
     updateBondBar();
 }
 
-/// Hides the toolbars, or shows those that were shown before.
+/// Hides the bars, or shows those that were shown before. The keys of a menu bar that is hidden would not work.
 void MainWindow::present(bool isOn) {
     if (isOn) {
         m_barsBeforePresenting = m_toolBars;
         m_barsBeforePresenting.removeIf([](const QToolBar* bar) { return bar->isHidden(); });
     }
     for (QToolBar* bar : m_barsBeforePresenting) bar->setHidden(isOn);
+    menuBar()->setMaximumHeight(isOn ? 0 : QWIDGETSIZE_MAX);
+    updateStatusBar();
     if (!isOn) updateBondBar();
+}
+
+/// While presenting, it is shown for the progress of a video only.
+void MainWindow::updateStatusBar() {
+    statusBar()->setVisible(!m_views->scene().viewport().isPresenting() || m_workspace.videos().isBusy());
 }
 
 void MainWindow::showStatus(const QString& sentence) { statusBar()->showMessage(sentence, kStatusMilliseconds); }

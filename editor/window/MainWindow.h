@@ -76,6 +76,7 @@ private:
     void connectWorkspace();
     void showProject();
     void present(bool isOn);
+    void updateStatusBar();
     void updateBondBar();
     int toolBarWidth() const;
     void measureToolBars();

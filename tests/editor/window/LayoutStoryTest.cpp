@@ -1,9 +1,12 @@
 // Tests what play and presenting do to the layout in editor/views/Views.cpp and editor/window/MainWindow.cpp.
+#include "editor/view3d/TimelinePanel.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
 #include "tests/support/editor/EditorStory.h"
 
 #include <QDockWidget>
+#include <QMenuBar>
+#include <QStatusBar>
 #include <QToolBar>
 
 using namespace rubble;
@@ -33,8 +36,13 @@ private slots:
     void presentingHidesAllButTheScene() {
         action("view-present")->trigger();
         QTRY_COMPARE(shown(), QStringList{"scene"});
+        QTest::keyClick(&viewport(), Qt::Key_P, Qt::ControlModifier);  // keys of the menus work
+        QTRY_VERIFY_WITH_TIMEOUT(play().isPlaying(), kPatience);
+        QCOMPARE(shown(), QStringList{"scene"});
         QTest::keyClick(&viewport(), Qt::Key_Escape);
-        QTRY_COMPARE(shown(), m_shown);
+        QTRY_VERIFY(shown().contains("timeline") && shown().contains("menus") && shown().contains("status"));
+        play().stop();
+        QTRY_COMPARE_WITH_TIMEOUT(shown(), m_shown, kPatience);
     }
     void playMayBeStartedAndStoppedWhilePresenting() {
         action("view-present")->trigger();
@@ -79,6 +87,9 @@ private:
         }
         if (canvas().isVisible()) names << "canvas";
         if (window().views().scene().isVisible()) names << "scene";
+        if (window().views().scene().timeline().isVisible()) names << "timeline";
+        if (window().menuBar()->height() > 0) names << "menus";
+        if (window().statusBar()->isVisible()) names << "status";
         names.sort();
         return names;
     }

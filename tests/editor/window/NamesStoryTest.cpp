@@ -2,6 +2,7 @@
 // are taken for HTML, which could name files to read.
 #include "editor/dialogs/ExportDialog.h"
 #include "editor/dialogs/MaterialDialog.h"
+#include "editor/dialogs/MaterialPictures.h"
 #include "editor/dialogs/MessageBoxes.h"
 #include "tests/support/TestProgram.h"
 #include "tests/support/asset/Projects.h"
@@ -83,7 +84,8 @@ private slots:
         selection().setAsset(9);
         const QTemporaryDir presets;
         ExportDialog exports(window().workspace(), nullptr);
-        MaterialDialog materials(window().workspace().document(), selection(), presets.path(), {}, nullptr);
+        MaterialPictures pictures;
+        MaterialDialog materials(window().workspace().document(), selection(), pictures, presets.path(), {}, nullptr);
         for (QDialog* dialog : {static_cast<QDialog*>(&exports), static_cast<QDialog*>(&materials)}) {
             dialog->show();
             QCOMPARE(faultIn(*dialog), QString());

@@ -95,6 +95,40 @@ private slots:
             QVERIFY(test::meanDifference(before, picture()) < 0.5);
         }
     }
+    /// Neither contacts nor colours by heat, which are no part of the scene.
+    void presentingHidesTheOverlaysOfPlay() {
+        const auto seen = [&] {
+            advance(1);
+            return viewport().scene();
+        };
+        PlayOverlays overlays{.hasContacts = true, .hasBoxes = true, .hasBodies = true};
+        play().setOverlays({});
+        const RenderScene bare = seen();
+        play().setOverlays(overlays);
+        const RenderScene before = seen();
+        QVERIFY(!before.boxes.empty() && before.appearances != bare.appearances);
+        for (const auto& key : {QKeySequence("F5"), QKeySequence("Alt+Shift+Z")}) {
+            QTest::keySequence(&viewport(), key);
+            QVERIFY(!viewport().hasOverlays() && viewport().plates().empty());
+            const RenderScene presented = seen();
+            QVERIFY(presented.boxes.empty() && presented.appearances == bare.appearances);
+            QTest::keySequence(&viewport(), key);
+            QVERIFY(viewport().hasOverlays());
+            QCOMPARE(seen().boxes.size(), before.boxes.size());
+        }
+        play().setOverlays({});
+    }
+    /// The layout of the window stays, and presenting keeps what was switched off.
+    void overlaysAreSwitchedOffByAKey() {
+        QTest::keySequence(&viewport(), QKeySequence("Alt+Shift+Z"));
+        QVERIFY(!viewport().hasOverlays() && !viewport().isPresenting() && header().isVisible());
+        QVERIFY(!action("view-overlays")->isChecked());
+        QTest::keyClick(&viewport(), Qt::Key_F5);
+        QTest::keyClick(&viewport(), Qt::Key_F5);
+        QVERIFY(!viewport().hasOverlays());
+        QTest::keySequence(&viewport(), QKeySequence("Alt+Shift+Z"));
+        QVERIFY(viewport().hasOverlays() && !viewport().plates().empty());
+    }
     void escapeEndsPresentingWhereverTheFocusIs() {
         QTest::keyClick(&viewport(), Qt::Key_F5);
         auto* field = window().findChild<QLineEdit*>();
