@@ -162,7 +162,7 @@ void InstanceActions::addContextMenus() {
     ViewportWidget& viewport = scene().viewport();
     viewport.setContextMenuPolicy(Qt::CustomContextMenu);
     connect(&viewport, &QWidget::customContextMenuRequested, this, [this, &viewport](const QPoint& point) {
-        if (gizmo().isDragging() || m_workspace.play().isInPlay()) return;
+        if (gizmo().isDragging() || m_workspace.play().isInPlay() || viewport.isPresenting()) return;
         const QPoint global = viewport.mapToGlobal(point);
         if (scene().picker().selectFragmentAt(point)) return void(m_views.fragmentMenu().exec(global));
         if (!scene().isEditable()) return;

@@ -20,8 +20,8 @@ PlayContextMenu::PlayContextMenu(Views& views, QAction* whatWouldFall)
 }
 
 void PlayContextMenu::open(const QPoint& point) {
-    if (!m_views.workspace().play().isInPlay()) return;
     ViewportWidget& viewport = m_views.scene().viewport();
+    if (!m_views.workspace().play().isInPlay() || viewport.isPresenting()) return;
     const std::optional<PickId> pick = viewport.pickAt(point);
     const Instance* instance = pick ? findInstance(m_views.workspace().project(), pick->instance) : nullptr;
     if (instance == nullptr) return m_views.showStatus(tr("Right-click an instance, or what came off one."));

@@ -1,5 +1,6 @@
 #include "editor/actions/VideoActions.h"
 
+#include "editor/background/VideoEstimate.h"
 #include "editor/dialogs/MessageBoxes.h"
 #include "editor/dialogs/VideoDialog.h"
 #include "editor/document/FilePath.h"
@@ -13,6 +14,7 @@
 #include "viewport/widget/ViewportWidget.h"
 
 #include <QMainWindow>
+#include <QMenu>
 #include <QProgressBar>
 #include <QStatusBar>
 #include <QToolButton>
@@ -34,6 +36,7 @@ VideoSubject subjectOf(Workspace& workspace) {
                          .stepLength = workspace.play().timeStep(),
                          .speed = workspace.play().timeScale()};
     if (subject.length > 0) subject.stepLength = workspace.play().thread().stepLength();
+    if (subject.length > 0) subject.stepCost = 1e-3 * frame->statistics.cost.total();
     for (const Shot& shot : workspace.project().shots) subject.throws.append(nameText(shot.name));
     return subject;
 }
@@ -85,8 +88,10 @@ VideoActions::VideoActions(Views& views)
     : QObject(&views.window()),
       m_views(views),
       m_workspace(views.workspace()),
-      m_action(makeAction(this, {"play-video", tr("Export Vi&deo…"), {}})) {
+      m_action(makeAction(this, {"play-video", tr("Export Vi&deo…"), {}, QKeySequence("Ctrl+Alt+V")})),
+      m_estimate(new VideoEstimate(this)) {
     addProgress();
+    connect(&views.scene().viewport(), &QWidget::customContextMenuRequested, this, &VideoActions::openPresentMenu);
     VideoExporter& videos = m_workspace.videos();
     connect(m_action, &QAction::triggered, this, &VideoActions::exportWithDialog);
     connect(&videos, &VideoExporter::changed, this, &VideoActions::updateProgress);
@@ -157,8 +162,29 @@ void VideoActions::exportWithDialog() {
     if (!confirmStop(tr("A video is being exported. Cancel it and export another one?"), tr("Export Another"))) return;
     const bool wasRecorded = isRecorded();
     VideoDialog dialog(subjectOf(m_workspace), &m_views.window());
+    connect(&dialog, &VideoDialog::estimateNeeded, this, [this](const VideoOptions& options) {
+        const ViewportWidget& viewport = m_views.scene().viewport();
+        const auto scene = std::make_shared<const RenderScene>(viewport.scene());
+        m_estimate->measure(scene, viewOf(viewport, options.size), options.samples);
+    });
+    connect(m_estimate, &VideoEstimate::changed, &dialog,
+            [this, &dialog] { dialog.setFrameCost(m_estimate->secondsPerFrame(), m_estimate->isMeasuring()); });
+    dialog.requestEstimate();
     if (dialog.exec() != QDialog::Accepted) return;
     wasRecorded ? exportRecording(dialog.options()) : exportThrow(dialog.options());
+}
+
+/// Menus are hidden while presenting. What is recorded then is what is seen: the scene alone.
+void VideoActions::openPresentMenu(const QPoint& point) {
+    ViewportWidget& viewport = m_views.scene().viewport();
+    if (!viewport.isPresenting()) return;
+    auto* menu = new QMenu(&viewport);
+    menu->setObjectName("present-menu");
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    QAction* record = menu->addAction(tr("&Record Video…"), m_action, &QAction::trigger);
+    record->setEnabled(m_action->isEnabled());
+    menu->addAction(tr("&Stop Presenting"), &viewport, [&viewport] { viewport.setPresenting(false); });
+    menu->popup(viewport.mapToGlobal(point));
 }
 
 void VideoActions::exportRecording(const VideoOptions& options) {
@@ -167,7 +193,7 @@ void VideoActions::exportRecording(const VideoOptions& options) {
     play.requestScript([this, &play, options](PlayScript script) {
         m_workspace.videos().start({.scene = play.scene(),
                                     .script = std::move(script),
-                                    .overlays = play.overlays(),
+                                    .overlays = play.shownOverlays(),
                                     .plan = planOf(options, play.thread().stepLength(), m_views.scene().viewport()),
                                     .isCompared = options.isCompared,
                                     .path = toPath(options.path)});
@@ -185,7 +211,7 @@ void VideoActions::exportThrow(const VideoOptions& options) {
     const double stepLength = script.settings.dt;
     m_workspace.videos().start({.project = project,
                                 .script = std::move(script),
-                                .overlays = m_workspace.play().overlays(),
+                                .overlays = m_workspace.play().shownOverlays(),
                                 .plan = planOf(options, stepLength, m_views.scene().viewport()),
                                 .isCompared = options.isCompared,
                                 .path = toPath(options.path)});

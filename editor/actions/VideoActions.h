@@ -13,6 +13,7 @@ namespace rubble {
 struct VideoOptions;
 struct VideoRequest;
 class PlayController;
+class VideoEstimate;
 class Views;
 class Workspace;
 
@@ -29,6 +30,7 @@ public:
 
 private:
     void exportWithDialog();
+    void openPresentMenu(const QPoint& point);
     bool confirmStop(const QString& question, const QString& action);
     void exportRecording(const VideoOptions& options);
     void exportThrow(const VideoOptions& options);
@@ -44,6 +46,7 @@ private:
     Views& m_views;
     Workspace& m_workspace;
     QAction* m_action;
+    VideoEstimate* m_estimate;
     QProgressBar* m_progress = nullptr;
     QList<QWidget*> m_progressWidgets;
     QElapsedTimer m_clock;      // since the progress was m_clockStart

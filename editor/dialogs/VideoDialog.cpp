@@ -32,7 +32,6 @@ namespace rubble {
 namespace {
 
 enum Output { kVideoOutput, kImagesOutput };  // the items of the box
-constexpr int kSamples[] = {0, 8, 32};        // of each quality
 constexpr const char* kVideoSuffix = ".mp4";
 constexpr int kMinImageSide = 16;         // pixels
 constexpr double kDefaultDuration = 3.0;  // s, of a saved throw
@@ -59,6 +58,15 @@ QString withoutVideoSuffix(const QString& path) {
 
 }  // namespace
 
+QString aboutDurationText(double seconds) {
+    constexpr double kMinute = 60.0, kHour = 3600.0;
+    const double step = seconds < 10.0 ? 1.0 : 5.0;
+    const double rounded = std::max(1.0, step * std::round(seconds / step));
+    if (rounded < kMinute) return VideoDialog::tr("about %1").arg(fixedQuantity(rounded, 0, Units::seconds()));
+    if (seconds < kHour) return VideoDialog::tr("about %L1 min").arg(std::lround(seconds / kMinute));
+    return VideoDialog::tr("about %L1 h").arg(seconds / kHour, 0, 'f', 1);
+}
+
 VideoDialog::VideoDialog(const VideoSubject& subject, QWidget* parent)
     : QDialog(parent), m_subject(subject), m_hasFfmpeg(findFfmpeg().has_value()) {
     setWindowTitle(tr("Export Video"));
@@ -67,6 +75,9 @@ VideoDialog::VideoDialog(const VideoSubject& subject, QWidget* parent)
     addFrames(*form);
     addTime(*form);
     m_summary = addSummary(*form, "video-summary");
+    m_duration = new QLabel;
+    m_duration->setObjectName("video-duration");
+    form->addRow(QString(), m_duration);
     m_export = addOutputButtons(*this, *form, tr("Export"));
     restoreOptions();
     connectFields();
@@ -98,8 +109,8 @@ void VideoDialog::addFrames(QFormLayout& form) {
     auto* row = createRow({m_width, new QLabel("×"), m_height});
     row->addStretch(1);
     form.addRow(buddyLabel(tr("&Size:"), m_width), row);
-    m_quality = comboBox({tr("As in the 3D view"), tr("Soft light"), tr("Softest light (slow)")},
-                         tr("Select the quality of light and edges"));
+    m_quality = comboBox({tr("Draft"), tr("Good"), tr("Best")},
+                         tr("Select the quality of light and edges; draft: as in the 3D view in motion"));
     m_quality->setObjectName("video-quality");
     form.addRow(tr("&Quality:"), m_quality);
     m_compare = new QCheckBox(tr("&Compare without destruction"));
@@ -138,6 +149,7 @@ void VideoDialog::addTime(QFormLayout& form) {
 void VideoDialog::connectFields() {
     connect(m_kind, &QComboBox::currentIndexChanged, this, &VideoDialog::updateSuffix);
     connect(m_path, &QLineEdit::textChanged, this, &VideoDialog::updateSummary);
+    connect(m_quality, &QComboBox::currentIndexChanged, this, &VideoDialog::updateSummary);
     connect(m_compare, &QCheckBox::toggled, this, &VideoDialog::updateSummary);
     for (NumberField* field : {m_width, m_height, m_first, m_last, m_frameRate, m_speed}) {
         connect(field, &NumberField::edited, this, &VideoDialog::updateSummary);
@@ -181,7 +193,7 @@ VideoOptions VideoDialog::options() const {
     VideoOptions options{.path = QDir::fromNativeSeparators(m_path->text()),
                          .isVideo = m_kind->currentIndex() == kVideoOutput,
                          .size = {static_cast<int>(m_width->value()), static_cast<int>(m_height->value())},
-                         .samples = kSamples[m_quality->currentIndex()],
+                         .samples = samplesOf(static_cast<RenderQuality>(m_quality->currentIndex())),
                          .frameRate = m_frameRate->value(),
                          .speed = m_speed->value(),
                          .first = stepAt(*m_first),
@@ -234,6 +246,30 @@ void VideoDialog::updateSummary() {
     const QString wrong = error(current, frames);
     m_summary->setText(wrong.isEmpty() ? summary(current, frames) : wrong);
     m_export->setEnabled(wrong.isEmpty());
+    const bool isOther = m_estimated && (m_estimated->size != current.size || m_estimated->samples != current.samples);
+    isOther ? requestEstimate() : updateEstimate();
+}
+
+void VideoDialog::requestEstimate() {
+    m_estimated = options();
+    emit estimateNeeded(*m_estimated);
+}
+
+void VideoDialog::setFrameCost(std::optional<double> secondsPerFrame, bool isMeasuring) {
+    m_frameCost = secondsPerFrame;
+    m_isMeasuring = isMeasuring;
+    updateEstimate();
+}
+
+/// Of rendering, and of simulating up to the last frame.
+void VideoDialog::updateEstimate() {
+    if (!m_export->isEnabled() || !m_frameCost)
+        return m_duration->setText(m_isMeasuring ? tr("Measuring how long this takes…") : QString());
+    const VideoOptions current = options();
+    const int frames = frameCount(static_cast<double>(current.first), static_cast<double>(current.last),
+                                  current.stepsPerFrame(m_subject.stepLength));
+    const double once = frames * *m_frameCost + static_cast<double>(current.last) * m_subject.stepCost;
+    m_duration->setText(tr("This takes %1.").arg(aboutDurationText(current.isCompared ? 2.0 * once : once)));
 }
 
 QString VideoDialog::error(const VideoOptions& options, int frames) const {

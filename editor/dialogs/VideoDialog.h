@@ -7,6 +7,7 @@
 #include <QStringList>
 
 #include <cstdint>
+#include <optional>
 
 class QCheckBox;
 class QComboBox;
@@ -26,7 +27,11 @@ struct VideoSubject {
     QStringList throws;        // the names of the saved throws
     double stepLength = 0.0;   // s
     double speed = 1.0;        // the playback speed
+    double stepCost = 0.0;     // s, of computing a step; 0: unknown
 };
+
+/// "about 40 s", "about 3 min"
+QString aboutDurationText(double seconds);
 
 struct VideoOptions {
     QString path;          // of a video with its suffix, or of the folder of its images
@@ -45,14 +50,23 @@ struct VideoOptions {
     double stepsPerFrame(double stepLength) const { return speed / (frameRate * stepLength); }
 };
 
-/// Asks how to export a video, and shows how many frames it will have. Starts with the options of the last video.
+/// Asks how to export a video, and shows how many frames it will have and how long that takes. Starts with the options
+/// of the last video.
 class VideoDialog : public QDialog {
     Q_OBJECT
 public:
     VideoDialog(const VideoSubject& subject, QWidget* parent);
     VideoOptions options() const;
+    /// Emits estimateNeeded().
+    void requestEstimate();
+    /// Shows how long the video takes. No duration: unknown.
+    void setFrameCost(std::optional<double> secondsPerFrame, bool isMeasuring);
 
     void accept() override;
+
+signals:
+    /// How long a frame takes is to be measured; setFrameCost() is called then.
+    void estimateNeeded(const VideoOptions& options);
 
 private:
     void addTarget(QFormLayout& form);
@@ -67,6 +81,7 @@ private:
     std::uint64_t stepAt(const NumberField& time) const;
     QString error(const VideoOptions& options, int frames) const;
     QString summary(const VideoOptions& options, int frames) const;
+    void updateEstimate();
 
     VideoSubject m_subject;
     bool m_hasFfmpeg;
@@ -84,6 +99,10 @@ private:
     NumberField* m_last;
     QLabel* m_steps;
     QLabel* m_summary;
+    QLabel* m_duration;
+    std::optional<VideoOptions> m_estimated;  // those of the last request
+    std::optional<double> m_frameCost;        // s
+    bool m_isMeasuring = false;
     QPushButton* m_export = nullptr;
 };
 

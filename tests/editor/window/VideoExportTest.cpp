@@ -14,6 +14,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QLabel>
+#include <QMenu>
 #include <QMessageBox>
 #include <QProgressBar>
 #include <QStatusBar>
@@ -88,6 +89,41 @@ private slots:
             QVERIFY(!okButton(dialog).isEnabled());
             dialog.reject();
         });
+    }
+    void dialogEstimatesTheDuration() {
+        if (!hasView()) QSKIP("OpenGL is not available.");
+        ask([this](VideoDialog& dialog) {
+            fill(dialog, m_folder->filePath("video"), 0, 90, 2.0);
+            auto& duration = *dialog.findChild<QLabel*>("video-duration");
+            QTRY_VERIFY_WITH_TIMEOUT(duration.text().startsWith("This takes about "), kPatience);
+            dialog.reject();
+        });
+    }
+    /// From the menu of the view, which replaces the menus that presenting hides; without overlays.
+    void presentedViewIsRecorded() {
+        viewport().setPresenting(true);
+        emit viewport().customContextMenuRequested(viewport().rect().center());
+        auto* menu = viewport().findChild<QMenu*>("present-menu");
+        QVERIFY(menu);
+        const QString place = m_folder->filePath("presented");
+        test::onNextDialog<VideoDialog>([place](VideoDialog& dialog) {
+            fill(dialog, place, 0, 30, 2.0);
+            dialog.accept();
+        });
+        VideoRequest recorded;
+        connect(&videos(), &VideoExporter::finished, this, [&](const VideoRequest& request) { recorded = request; });
+        menu->actions().front()->trigger();
+        menu->close();
+        play().thread().settle();
+        QCoreApplication::sendPostedEvents(&play());
+        QVERIFY(videos().isBusy() && window().statusBar()->isVisible());  // with the progress, and Cancel
+        QTRY_VERIFY_WITH_TIMEOUT(!videos().isBusy(), kPatience);
+        QVERIFY(!window().statusBar()->isVisible());
+        QVERIFY(!recorded.plan.view.settings.hasOverlays);
+        QCOMPARE(QDir(place).entryList(QDir::Files).size(), 2);
+        videos().disconnect(this);
+        viewport().setPresenting(false);
+        QVERIFY(window().statusBar()->isVisible());
     }
     void imagesShowSimulationWithAndWithoutDestruction() {
         const test::Ffmpeg none;
