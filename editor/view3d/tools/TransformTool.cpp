@@ -261,6 +261,11 @@ void TransformTool::finish() {
     emit changed();
 }
 
+/// Handles that are not seen cannot be dragged.
+std::optional<GizmoView> TransformTool::seenHandles() const {
+    return m_viewport.hasOverlays() ? gizmoView() : std::nullopt;
+}
+
 bool TransformTool::press(const QMouseEvent& event) {
     if (!m_isOn) return false;
     if (m_drag) {
@@ -269,7 +274,7 @@ bool TransformTool::press(const QMouseEvent& event) {
         return true;
     }
     const bool isPlain = event.button() == Qt::LeftButton && !event.modifiers().testFlag(Qt::AltModifier);
-    const std::optional<GizmoView> view = gizmoView();
+    const std::optional<GizmoView> view = seenHandles();
     if (!isPlain || !view) return false;
     const auto handle = handleAt({event.position().x(), event.position().y()}, m_mode, *view);
     if (handle) start(*handle, event.position());
@@ -280,7 +285,7 @@ bool TransformTool::move(const QMouseEvent& event) {
     if (!m_isOn) return false;
     if (m_drag) return followPointer(event.position(), event.modifiers()), true;
     m_pointer = event.position();
-    const std::optional<GizmoView> view = gizmoView();
+    const std::optional<GizmoView> view = seenHandles();
     std::optional<GizmoHandle> hovered;
     if (view && event.buttons() == Qt::NoButton) hovered = handleAt({m_pointer.x(), m_pointer.y()}, m_mode, *view);
     if (hovered != m_hovered) {

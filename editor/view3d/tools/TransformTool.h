@@ -56,6 +56,7 @@ signals:
     void modeChanged(rubble::GizmoMode mode);
 
 private:
+    std::optional<GizmoView> seenHandles() const;
     /// The current drag.
     struct Drag {
         GizmoHandle handle;

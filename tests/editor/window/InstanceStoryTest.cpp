@@ -122,6 +122,16 @@ private slots:
         QVERIFY(!gizmo().isDragging());
         QCOMPARE(stack().count(), 1);
     }
+    void handlesThatAreNotSeenAreNotDragged() {
+        const QPoint grip = gripOf(GizmoHandle::MoveX);
+        for (const bool isShown : {true, false}) {
+            viewport().setOverlaysOn(isShown);
+            QTest::mousePress(&viewport(), Qt::LeftButton, {}, grip);
+            QCOMPARE(gizmo().isDragging(), isShown);
+            QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, grip);
+        }
+        viewport().setOverlaysOn(true);
+    }
     void typedNumberIsTheDistanceAlongTheAxis() {
         const QPoint at = viewport().rect().center();
         moveTo(at);
