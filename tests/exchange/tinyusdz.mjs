@@ -1,5 +1,5 @@
-// tinyusdz parses the USD files of packs: node tinyusdz.mjs PACKS PLACE. Compares the physics and the meshes of the
-// layer, as it prints it, with the pack.
+// tinyusdz parses the USD files of packs: node tinyusdz.mjs PACKS PLACE [baked]. Compares the physics and the meshes of
+// the layer, as it prints it, with the pack. Of baked files, all materials have textures.
 import {readFileSync} from "node:fs";
 import {join} from "node:path";
 import {add, length, sub, tensorOf} from "./geometry.mjs";
@@ -8,7 +8,7 @@ import {asInBrowser, installed, loaderFrom} from "./packages.mjs";
 
 const kRounding = 1e-6;  // relative: attributes are in single precision
 
-const [packs, place] = process.argv.slice(2);
+const [packs, place, kind] = process.argv.slice(2);
 const {version, folder} = installed(place, "tinyusdz");
 const wasm = readFileSync(join(folder, "tinyusdz.wasm"));
 const {default: start} = await loaderFrom(place)("tinyusdz");
@@ -59,6 +59,16 @@ function differencesOf(prim, body) {
   return Object.keys(checks).filter((key) => !checks[key]);
 }
 
+/// Whether the materials, of which a whole shows that of the outside only, have a texture each for colour, normals,
+/// roughness and metalness.
+function hasTextures(scene, bodies) {
+  return [0, 1].slice(0, bodies.length).every((number) => {
+    const material = scene.getMaterial(number);
+    const textures = ["diffuseColor", "normal", "roughness", "metallic"].map((of) => material[`${of}TextureId`]);
+    return textures.every((id) => id !== undefined) && new Set(textures).size === 4;
+  });
+}
+
 function checkBodies(title, found, bodies) {
   const objects = [...found].map(([name, prim]) => {
     const body = bodies.find((one) => primOf(one.name) === name);
@@ -81,9 +91,11 @@ for (const {path, file, bodies} of usdFilesOf(packs)) {
   faults += checkBodies(`tinyusdz ${version}: ${file}`, bodiesOf(layer), bodies);
   // The meshes of its scenes lack faces of more than four corners.
   const expected = bodies.reduce((sum, {hulls}) => sum + 1 + hulls.length, 0);
-  const count = loaded(path, file, "loadFromBinary").numMeshes();
-  if (count === expected) continue;
-  ++faults;
-  console.log(`  FAULT: ${count} meshes of ${expected}`);
+  const scene = loaded(path, file, "loadFromBinary");
+  const count = scene.numMeshes();
+  if (count !== expected) console.log(`  FAULT: ${count} meshes of ${expected}`);
+  const isBaked = kind !== "baked" || hasTextures(scene, bodies);
+  if (!isBaked) console.log("  FAULT: a material without textures");
+  faults += Number(count !== expected) + Number(!isBaked);
 }
 process.exit(faults > 0 ? 1 : 0);
