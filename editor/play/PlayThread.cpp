@@ -184,6 +184,7 @@ bool PlayThread::isWorkWaiting() const {
 }
 
 void PlayThread::run() {
+    lowerThreadPriority();  // pictures go on where steps take long
     std::unique_lock lock(m_mutex);
     while (!m_isQuitting) {
         if (isWorkWaiting()) {

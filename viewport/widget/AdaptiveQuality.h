@@ -6,7 +6,7 @@ namespace rubble {
 /// also where the processor draws.
 class AdaptiveQuality {
 public:
-    static constexpr double kGoal = 0.034;   // s for a picture to be drawn: 25 a second, with time left for all else
+    static constexpr double kGoal = 0.030;   // s for a picture to be drawn: 25 a second, with time left for all else
     static constexpr double kLowest = 0.35;  // blurred, but recognizable
 
     /// Of each side, in [kLowest, 1].

@@ -1,5 +1,7 @@
 #include "core/base/limits/Threads.h"
 
+#include <sys/resource.h>
+
 #include <atomic>
 #include <new>
 #include <system_error>
@@ -15,6 +17,11 @@ std::jthread startedThread(std::function<void()> work) {
     } catch (const std::bad_alloc&) {  // of its stack
     }
     return {};
+}
+
+void lowerThreadPriority() {
+    constexpr int kNiceness = 5;              // a third of the time of others
+    setpriority(PRIO_PROCESS, 0, kNiceness);  // on Linux, of the calling thread
 }
 
 bool canStartThreads(int count) {

@@ -13,4 +13,8 @@ std::jthread startedThread(std::function<void()> work);
 /// does not.
 bool canStartThreads(int count);
 
+/// Gives the calling thread, and those that it starts from now on, a smaller part of a processor than others that want
+/// it: for long work beside which a program should respond.
+void lowerThreadPriority();
+
 }  // namespace rubble

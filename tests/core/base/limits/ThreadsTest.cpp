@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include <sys/resource.h>
+
 #include <atomic>
 
 using namespace rubble;
@@ -23,6 +25,20 @@ private slots:
     void someThreadsCanBeStarted() {
         QVERIFY(canStartThreads(0));
         QVERIFY(canStartThreads(4));
+    }
+    /// Threads that it starts are slow as well; others stay as they are.
+    void priorityIsThatOfTheThreadAndItsOwn() {
+        const auto niceness = [] { return getpriority(PRIO_PROCESS, 0); };
+        const int before = niceness();
+        int lowered = 0, started = 0;
+        startedThread([&] {
+            lowerThreadPriority();
+            lowered = niceness();
+            startedThread([&] { started = niceness(); }).join();
+        }).join();
+        QVERIFY(lowered > before || before >= 5);
+        QCOMPARE(started, lowered);
+        QCOMPARE(niceness(), before);
     }
 };
 
