@@ -27,6 +27,7 @@ namespace {
 
 constexpr QSize kView{1280, 720};  // the 3D view's
 constexpr int kMotionMilliseconds = 6'000;
+constexpr int kPointerMilliseconds = 8;     // from one event of a pointer to the next
 constexpr int kWarmUpMilliseconds = 3'000;  // until the quality fits
 
 /// The processor time of the process, s.
@@ -120,20 +121,21 @@ private:
                     processorTime() - m_cpu, pictures, m_loop.longest());
         std::fflush(stdout);
     }
-    /// Changes something after each picture.
+    /// Changes something as often as a pointer moves.
     void moving(const char* act, const std::function<void()>& change) {
         int pictures = 0;
-        const auto next = QObject::connect(&view(), &ViewportWidget::drawn, qApp, [&] {
-            ++pictures;
-            if (change) QTimer::singleShot(0, qApp, change);
-        });
-        if (change) change();
+        const auto counting = QObject::connect(&view(), &ViewportWidget::drawn, qApp, [&] { ++pictures; });
+        QTimer pointer;
+        if (change) {
+            QObject::connect(&pointer, &QTimer::timeout, qApp, change);
+            pointer.start(kPointerMilliseconds);
+        }
         m_loop.runFor(kWarmUpMilliseconds);
         pictures = 0;
         restart();
         m_loop.runFor(kMotionMilliseconds);
         report(act, 1000.0 * pictures / kMotionMilliseconds);
-        QObject::disconnect(next);
+        QObject::disconnect(counting);
     }
     void play(std::uint64_t steps) {
         PlayController& play = m_window->workspace().play();

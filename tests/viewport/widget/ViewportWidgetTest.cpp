@@ -187,6 +187,7 @@ private slots:
     void repaintsOnlyAfterChanges() {
         const auto viewport = shownWall();
         QSignalSpy frames(viewport.get(), &ViewportWidget::drawn);
+        QTRY_VERIFY(viewport->isPictureFinished());
         waitForTheLastOf(frames);  // of showing the window
         frames.clear();
         test::runTimersDueWithin(300);
