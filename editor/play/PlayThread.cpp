@@ -37,6 +37,10 @@ void merge(PlayUpdate& update, PlayUpdate&& newer) {
 
 }  // namespace
 
+double shownDuration(double computed, double interval) {
+    return std::clamp(computed, interval, std::max(interval, kMaxShownFor));
+}
+
 PlayThread::PlayThread(QObject* parent)
     : QObject(parent), m_forecasts([this](const Throw& thrown, std::vector<BodyForecast> bodies) {
           post([thrown, bodies = std::move(bodies)](PlayEngine& engine) { engine.setForecast(thrown, bodies); });
@@ -291,7 +295,7 @@ void PlayThread::playStep(std::unique_lock<std::mutex>& lock) {
     const bool isResting = m_engine->isAtRest();
     const std::vector<SoundCue> cues = isStep ? cuesOf(m_engine->session()) : std::vector<SoundCue>();
     lock.lock();
-    const double shownFor = std::clamp(nowLocked() - started, interval(), std::max(interval(), kMaxShownFor));
+    const double shownFor = shownDuration(nowLocked() - started, interval());
     if (!cues.empty()) {
         lock.unlock();
         emit cuesPlayed(cues, shownFor);

@@ -13,6 +13,10 @@
 
 namespace rubble {
 
+/// How long the motion of a step is shown, s: for as long as it took to compute, within limits, and for an interval at
+/// least.
+double shownDuration(double computed, double interval);
+
 /// Runs a PlayEngine on a thread, one step every `dt / timeScale` seconds of a clock, and pauses at the end of a
 /// script. Slow steps make play fall behind; it does not catch up. While the engine is at rest no step is played: the
 /// time of the simulation stands still until the next task. Tasks and seeks run between steps, in order,

@@ -246,7 +246,7 @@ ContentHash packSourceHash(const Project& project, const Asset& asset, const Pac
         addSourceText(hasher, format->word);
         for (const ExportOption* option : format->options) addValue(hasher, *option, options);
     }
-    if (options.meshes.textures == SurfaceTextures::Baked) {
+    if (bakingBytes(options.meshes) > 0.0) {
         const Quat placed = placedOrientation(project, asset.id);
         for (const double part : {placed.w, placed.x, placed.y, placed.z}) hasher.add(part);
     }

@@ -19,16 +19,13 @@ inline PlayToolSettings heavyBox() {
     return tools;
 }
 
-/// A document in play, by default with a clock that the test advances.
+/// A document in play, with a clock that the test advances.
 class Stage {
 public:
     static constexpr double kStep = 1.0 / 60.0;  // s
 
-    enum class Clock { Stepped, Real };
-
-    explicit Stage(const Project& project = floatingBlock(), Clock clock = Clock::Stepped)
-        : document(project), controller(document, bakes) {
-        if (clock == Clock::Stepped) controller.thread().useSteppedClock();
+    explicit Stage(const Project& project = floatingBlock()) : document(project), controller(document, bakes) {
+        controller.thread().useSteppedClock();
         bake();
     }
     /// Bakes all assets, as the editor does in the background.

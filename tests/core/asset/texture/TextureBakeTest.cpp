@@ -173,7 +173,7 @@ private slots:
         const Asset asset = wallWithOpenings().assets[0];
         const TextureAtlas atlas = texturedAsset(asset).atlas(512).value();
         const std::string hash = hashOf(mapsOf(atlas, finishesOf(asset, Finish::Brick)));
-        QCOMPARE(QString::fromStdString(hash), QString("7fc154b7894ddfb03da1b8e1e498b5cf"));
+        QCOMPARE(QString::fromStdString(hash), QString("e40c7fb5bba5e9bbe1c719e830fca0f7"));
     }
     void bakingIsCancelled() {
         const Asset asset = wallWithOpenings().assets[0];
