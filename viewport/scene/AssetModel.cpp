@@ -69,7 +69,8 @@ public:
                                   .aspect = solid.aspectRatio(),
                                   .level = fragment.level,
                                   .colour = colour});
-        const SolidPart part{m_mesher.fragmentMesh(fragment, cuts.cornersOf(number)), m_mortar.around(fragment)};
+        const SolidPart part{m_mesher.fragmentMesh(fragment, cuts.cornersOf(number)), m_mortar.around(fragment),
+                             isRough()};
         addSolid(*m_geometry, {&part, 1}, texture());
         if (m_hulls) addSolid(*m_hulls, solid.hulls());
     }
@@ -123,7 +124,7 @@ private:
             const BakedFragment fragment = bake.fragment(k);
             if (fragment.level > 0) break;  // the others are deeper
             const Vec3 shift = fragment.solid.offset() - offset;
-            SolidPart part{m_mesher.fragmentMesh(fragment, cuts.cornersOf(k)), m_mortar.around(fragment)};
+            SolidPart part{m_mesher.fragmentMesh(fragment, cuts.cornersOf(k)), m_mortar.around(fragment), isRough()};
             for (Vec3& position : part.mesh.positions) position += shift;
             for (PlainFace& face : part.mortar) {
                 for (Vec3& corner : face.corners) corner += shift;
@@ -132,6 +133,7 @@ private:
         }
         return parts;
     }
+    bool isRough() const { return m_model.asset.shaping.roughness.amplitude > 0.0; }
     const Texture* texture() const { return m_model.asset.texture ? &*m_model.asset.texture : nullptr; }
 
     AssetModel m_model;

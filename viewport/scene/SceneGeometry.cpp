@@ -12,11 +12,12 @@ namespace rubble {
 namespace {
 
 constexpr double kCurvedCosine = 0.866;  // of 30 degrees: flatter creases of the outside are a curved surface
+constexpr double kRoughCosine = 0.5;     // of 60 degrees: flatter creases of rough cuts are bumps
 
 /// Which edges of a mesh are visible: all but those between faces in one plane, and flat creases of the outside.
 class VisibleEdges {
 public:
-    explicit VisibleEdges(const Mesh& mesh) : m_mesh(mesh) {
+    VisibleEdges(const Mesh& mesh, bool isRough) : m_mesh(mesh), m_isRough(isRough) {
         m_edges.reserve(mesh.corners.size());
         for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
             const std::span<const MeshCorner> corners = mesh.cornersOf(mesh.faces[f]);
@@ -34,6 +35,8 @@ public:
         if (other.side != face.side) return true;
         if (other.normal == face.normal) return false;
         const bool isFlat = glm::dot(m_mesh.normals[other.normal], m_mesh.normals[face.normal]) > kCurvedCosine;
+        if (m_isRough && face.side == FaceSide::Inside)
+            return glm::dot(m_mesh.normals[other.normal], m_mesh.normals[face.normal]) < kRoughCosine;
         return face.side == FaceSide::Inside || !isFlat;
     }
 
@@ -45,6 +48,7 @@ private:
     };
 
     const Mesh& m_mesh;
+    bool m_isRough;
     std::vector<DirectedEdge> m_edges;  // sorted
 };
 
@@ -53,14 +57,32 @@ VertexSide sideOf(const MeshFace& face, const Texture* texture) {
     return texture != nullptr && texture->covers(face.material) ? VertexSide::Textured : VertexSide::Outside;
 }
 
-void addFaces(const Mesh& mesh, const Texture* texture, SolidBuilder& builder) {
-    const VisibleEdges edges(mesh);
+/// Of each position of a mesh the sum of the normals of the cuts there.
+std::vector<Vec3> cutNormals(const Mesh& mesh) {
+    std::vector<Vec3> sums(mesh.positions.size(), Vec3(0.0));
+    for (const MeshFace& face : mesh.faces) {
+        if (face.side != FaceSide::Inside) continue;
+        for (const MeshCorner& corner : mesh.cornersOf(face)) sums[corner.position] += mesh.normals[face.normal];
+    }
+    return sums;
+}
+
+void addFaces(const SolidPart& part, const Texture* texture, SolidBuilder& builder) {
+    const Mesh& mesh = part.mesh;
+    const VisibleEdges edges(mesh, part.isRough);
+    const std::vector<Vec3> sums = part.isRough ? cutNormals(mesh) : std::vector<Vec3>();
+    const auto normalAt = [&](const MeshFace& face, std::uint32_t position) -> std::optional<Vec3> {
+        if (!part.isRough || face.side != FaceSide::Inside) return std::nullopt;
+        const Vec3 normal = glm::normalize(sums[position] + 1e-9 * mesh.normals[face.normal]);
+        return glm::dot(normal, mesh.normals[face.normal]) > kRoughCosine ? std::optional(normal) : std::nullopt;
+    };
     for (const MeshFace& face : mesh.faces) {
         builder.beginFace(mesh.normals[face.normal], sideOf(face, texture));
         const std::span<const MeshCorner> corners = mesh.cornersOf(face);
         for (std::size_t k = 0; k < corners.size(); ++k) {
             builder.addCorner(mesh.positions[corners[k].position], mesh.uvs[corners[k].uv],
-                              edges.has(face, corners[k].position, corners[(k + 1) % corners.size()].position));
+                              edges.has(face, corners[k].position, corners[(k + 1) % corners.size()].position),
+                              normalAt(face, corners[k].position));
         }
         builder.endFace();
     }
@@ -109,9 +131,9 @@ void addSolid(SceneGeometry& geometry, std::span<const SolidPart> parts, const T
         for (const Vec3& position : part.mesh.positions) box.include(position);
     }
     SolidBuilder builder(geometry, box.diagonal());
-    for (const auto& [mesh, mortar] : parts) {
-        addFaces(mesh, texture, builder);
-        for (const PlainFace& face : mortar) {
+    for (const SolidPart& part : parts) {
+        addFaces(part, texture, builder);
+        for (const PlainFace& face : part.mortar) {
             builder.beginFace(face.normal, VertexSide::Mortar);
             for (const Vec3 corner : face.corners) builder.addCorner(corner, Vec2(0.0), false);
             builder.endFace();

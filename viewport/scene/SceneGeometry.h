@@ -79,11 +79,13 @@ struct PlainFace {
 struct SolidPart {
     Mesh mesh;
     std::vector<PlainFace> mortar;
+    bool isRough = false;  // its cuts are: strips with bends, which are drawn as one surface
 };
 
 /// Appends a solid with the faces of several parts, or of several hulls; the faces are convex. Edges between coplanar
 /// faces of a mesh (the convex parts of a cap) are hidden, and those of its outside that bend by less than 30 degrees
-/// (triangles of a curved surface).
+/// (triangles of a curved surface); those of rough cuts as well that bend by less than 60 degrees, across which normals
+/// change gradually.
 /// `texture`: of the outside of meshes; null: none.
 void addSolid(SceneGeometry& geometry, std::span<const SolidPart> parts, const Texture* texture = nullptr);
 void addSolid(SceneGeometry& geometry, std::span<const Polytope> hulls);

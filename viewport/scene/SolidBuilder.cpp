@@ -29,11 +29,12 @@ void SolidBuilder::beginFace(Vec3 normal, VertexSide side) {
     m_isEdge.clear();
 }
 
-void SolidBuilder::addCorner(Vec3 position, Vec2 uv, bool isEdge) {
+void SolidBuilder::addCorner(Vec3 position, Vec2 uv, bool isEdge, const std::optional<Vec3>& normal) {
     m_geometry.boxes.back().include(position);
     SceneVertex vertex = m_like;
     vertex.position = glm::vec3(position);
     vertex.uv = glm::vec2(uv);
+    if (normal) vertex.normal = glm::vec3(*normal);
     m_corners.push_back(vertex);
     m_isEdge.push_back(isEdge);
 }

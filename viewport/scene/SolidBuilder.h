@@ -2,6 +2,7 @@
 
 #include "viewport/scene/SceneGeometry.h"
 
+#include <optional>
 #include <vector>
 
 namespace rubble {
@@ -16,7 +17,8 @@ public:
     /// Begins a face; its corners follow.
     void beginFace(Vec3 normal, VertexSide side);
     /// `isEdge`: the edge to the next corner is visible.
-    void addCorner(Vec3 position, Vec2 uv, bool isEdge);
+    /// `normal`: where it is not that of the face.
+    void addCorner(Vec3 position, Vec2 uv, bool isEdge, const std::optional<Vec3>& normal = {});
     void endFace();
 
 private:
