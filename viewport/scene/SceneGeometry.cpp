@@ -1,6 +1,7 @@
 #include "viewport/scene/SceneGeometry.h"
 
 #include "core/base/Assert.h"
+#include "core/geometry/mesh/FaceNeighbours.h"
 #include "viewport/scene/SolidBuilder.h"
 
 #include <glm/geometric.hpp>
@@ -17,39 +18,28 @@ constexpr double kRoughCosine = 0.5;     // of 60 degrees: flatter creases of ro
 /// Which edges of a mesh are visible: all but those between faces in one plane, and flat creases of the outside.
 class VisibleEdges {
 public:
-    VisibleEdges(const Mesh& mesh, bool isRough) : m_mesh(mesh), m_isRough(isRough) {
-        m_edges.reserve(mesh.corners.size());
-        for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
-            const std::span<const MeshCorner> corners = mesh.cornersOf(mesh.faces[f]);
-            for (std::size_t k = 0; k < corners.size(); ++k)
-                m_edges.push_back({corners[k].position, corners[(k + 1) % corners.size()].position, f});
-        }
-        std::ranges::sort(m_edges);
-    }
+    VisibleEdges(const Mesh& mesh, bool isRough) : m_mesh(mesh), m_neighbours(mesh), m_isRough(isRough) {}
 
     /// Of a face, from one position to another.
     bool has(const MeshFace& face, std::uint32_t from, std::uint32_t to) const {
-        const auto back = std::ranges::lower_bound(m_edges, DirectedEdge{to, from, 0});
-        if (back == m_edges.end() || back->from != to || back->to != from) return true;
-        const MeshFace& other = m_mesh.faces[back->face];
-        if (other.side != face.side) return true;
-        if (other.normal == face.normal) return false;
-        const bool isFlat = glm::dot(m_mesh.normals[other.normal], m_mesh.normals[face.normal]) > kCurvedCosine;
-        if (m_isRough && face.side == FaceSide::Inside)
-            return glm::dot(m_mesh.normals[other.normal], m_mesh.normals[face.normal]) < kRoughCosine;
-        return face.side == FaceSide::Inside || !isFlat;
+        bool isHidden = false;
+        m_neighbours.forEachBeside(from, to,
+                                   [&](std::uint32_t other) { isHidden |= areOne(face, m_mesh.faces[other]); });
+        return !isHidden;
     }
 
 private:
-    struct DirectedEdge {
-        std::uint32_t from = 0, to = 0;  // positions
-        std::uint32_t face = 0;
-        auto operator<=>(const DirectedEdge&) const = default;
-    };
+    /// Whether two faces are parts of one surface.
+    bool areOne(const MeshFace& face, const MeshFace& other) const {
+        if (other.side != face.side) return false;
+        if (other.normal == face.normal) return true;
+        const double cosine = glm::dot(m_mesh.normals[other.normal], m_mesh.normals[face.normal]);
+        return face.side == FaceSide::Inside ? m_isRough && cosine > kRoughCosine : cosine > kCurvedCosine;
+    }
 
     const Mesh& m_mesh;
+    FaceNeighbours m_neighbours;
     bool m_isRough;
-    std::vector<DirectedEdge> m_edges;  // sorted
 };
 
 VertexSide sideOf(const MeshFace& face, const Texture* texture) {

@@ -1,5 +1,7 @@
 #include "core/asset/texture/SurfaceChart.h"
 
+#include "core/geometry/mesh/FaceNeighbours.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -12,38 +14,6 @@ namespace {
 
 constexpr double kMinCosine = 0.8;           // of 37 degrees: what is projected is at most 1.25 times as long
 constexpr double kPlanarCosine = 1 - 1e-13;  // of a tilt by which nothing moves that can be seen
-
-/// The faces at each edge of a mesh.
-class FaceNeighbours {
-public:
-    explicit FaceNeighbours(const Mesh& mesh) {
-        m_edges.reserve(mesh.corners.size());
-        for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
-            const std::span<const MeshCorner> corners = mesh.cornersOf(mesh.faces[f]);
-            for (std::size_t k = 0; k < corners.size(); ++k)
-                m_edges.push_back({corners[k].position, corners[(k + 1) % corners.size()].position, f});
-        }
-        std::ranges::sort(m_edges);
-    }
-
-    template <class Visit>
-    void forEach(const Mesh& mesh, std::uint32_t face, const Visit& visit) const {
-        const std::span<const MeshCorner> corners = mesh.cornersOf(mesh.faces[face]);
-        for (std::size_t k = 0; k < corners.size(); ++k) {
-            const std::uint32_t from = corners[k].position, to = corners[(k + 1) % corners.size()].position;
-            auto back = std::ranges::lower_bound(m_edges, DirectedEdge{to, from, 0});
-            for (; back != m_edges.end() && back->from == to && back->to == from; ++back) visit(back->face);
-        }
-    }
-
-private:
-    struct DirectedEdge {
-        std::uint32_t from = 0, to = 0;  // positions
-        std::uint32_t face = 0;
-        auto operator<=>(const DirectedEdge&) const = default;
-    };
-    std::vector<DirectedEdge> m_edges;  // sorted
-};
 
 /// The direction of the longest edge of a face, in its plane.
 Vec3 longestEdge(const Mesh& mesh, const MeshFace& face) {
@@ -115,7 +85,7 @@ MeshCharts chartsOf(const Mesh& mesh, Vec3 offset, TexturedSides sides) {
         group.assign(1, first);
         result.ofFaces[first] = number;
         for (std::size_t k = 0; k < group.size(); ++k) {
-            neighbours.forEach(mesh, group[k], [&](std::uint32_t next) {
+            neighbours.forEachAround(mesh, group[k], [&](std::uint32_t next) {
                 const MeshFace& face = mesh.faces[next];
                 if (face.side != seed.side || result.ofFaces[next] != MeshCharts::kNoChart) return;
                 if (glm::dot(mesh.normals[face.normal], normal) < kMinCosine) return;
