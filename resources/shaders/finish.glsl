@@ -9,6 +9,7 @@ layout(std140) uniform Finishes {
 in vec3 restPoint;  // in the asset's frame, in which nothing moves when it breaks
 in vec3 restNormal;
 flat in int finishSide;
+flat in int courseUp;
 
 const float kLapShade = 0.75;  // of the light that is lost beside the edge of a course
 const float kLapRun = 0.85;    // the part of a course from its top to its highest place
@@ -26,30 +27,25 @@ vec3 raised(vec3 n, float height) {
     return normalize(abs(area) * n - slope);
 }
 
-// Along courses and across them, m: in the plane that the face is nearest to.
-vec2 courseCoordinates(vec3 point, vec3 normal) {
-    vec3 size = abs(normal);
-    if (size.z >= size.x && size.z >= size.y) return point.xy;
-    return size.y >= size.x ? point.xz : point.zy;
+// Along courses and up, m: in the plane of two axes that the face is nearest to.
+vec2 courseCoordinates() {
+    vec3 size = abs(restNormal);
+    int across = size.z >= size.x && size.z >= size.y ? 2 : size.y >= size.x ? 1 : 0, rising = abs(courseUp) - 1;
+    if (across == rising) return vec2(restPoint[(rising + 2) % 3], restPoint[(rising + 1) % 3]);
+    return vec2(restPoint[3 - across - rising], sign(float(courseUp)) * restPoint[rising]);
 }
 
 // With an axis as the first.
 vec3 along(vec3 v, float axis) { return axis < 0.5 ? v : axis < 1.5 ? v.yzx : v.zxy; }
-
-vec2 coursePlace(float isRoof, vec4 origin) {
-    if (isRoof < 0.5) return courseCoordinates(restPoint, restNormal) - origin.xy;
-    float axis = abs(origin.z) - 1.0;
-    return sign(origin.z) * courseCoordinates(along(restPoint, axis), along(restNormal, axis));
-}
 
 Surface finished(Surface plain) {
     int first = kFinishSize * finishSide;
     vec4 scales = finishes[first], tones = finishes[first + 1], stain = finishes[first + 2], speckColour = finishes[first + 3];
     vec4 specks = finishes[first + 4], heights = finishes[first + 5], bandCentre = finishes[first + 6];
     vec4 bandAxes = finishes[first + 7], courses = finishes[first + 8], joint = finishes[first + 9];
-    vec3 lap = finishes[first + 10].xyz;  // z: 1 for courses of a roof
+    vec2 lap = finishes[first + 10].xy;
     vec4 pairs = finishes[first + 11];
-    vec4 origin = finishes[first + 12];  // x, y: of the courses; z: see SceneBuffers; w: the axis of the grain
+    vec4 origin = finishes[first + 12];  // x, y: of the courses; w: the axis of the grain
     vec3 p = along(restPoint, origin.w);
     vec3 stretched = p * vec3(scales.z, 1.0, 1.0);
     vec4 broad = texture(finishNoise, scales.x * stretched), fine = texture(finishNoise, scales.y * stretched);
@@ -64,7 +60,7 @@ Surface finished(Surface plain) {
     float height = dot(heights.xyz, vec3(broad.x, fine.x, band)) + specks.z * speck;
     float roughness = specks.w + heights.w * (2.0 * fine.y - 1.0), metalness = bandAxes.w;
 
-    vec2 place = coursePlace(lap.z, origin);
+    vec2 place = courseCoordinates() - origin.xy;
     // In a course, bricks of two lengths alternate; odd courses have others, and start elsewhere.
     float rows = place.y / courses.y, row = floor(rows);
     bool isOdd = row - 2.0 * floor(0.5 * row) > 0.5;

@@ -6,10 +6,11 @@ out float edgeWidth;  // pixels, on each side of an edge
 flat out vec3 colour;  // linear
 flat out float opacity;
 #ifdef FINISHED
-uniform samplerBuffer restOffsets;  // one texel per body: the origin of its frame in the asset's, m
+uniform samplerBuffer restOffsets;  // one texel per body: the origin of its frame in the asset's, m; w: courseUp
 out vec3 restPoint;
 out vec3 restNormal;
 flat out int finishSide;
+flat out int courseUp;  // 1, 2, 3: courses rise along x, y, z of the asset; negative: against it
 #endif
 #ifdef TEXTURED
 out vec2 placeInImage;  // from its top left corner
@@ -34,7 +35,9 @@ void main() {
     colour = linearOf(side == kMortar ? kMortarColour : unpackedColour(side == kInside ? appearance.y : appearance.x));
     opacity = opacityOf(appearance);
 #ifdef FINISHED
-    restPoint = position + texelFetch(restOffsets, bodyIndex()).xyz;
+    vec4 rest = texelFetch(restOffsets, bodyIndex());
+    restPoint = position + rest.xyz;
+    courseUp = int(rest.w);
     restNormal = normal;
     finishSide = side == kMortar ? 2 : side == kInside ? 1 : 0;
 #endif

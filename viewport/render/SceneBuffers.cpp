@@ -46,13 +46,11 @@ std::vector<glm::vec4> finishBlock(const SceneBatch& batch) {
         .fineScale = 9.0f, .fineTone = 0.12f, .roughness = 0.95f, .fineHeight = 0.002f};
     const AssetFinish& finish = batch.finish;
     const FinishFrame& frame = finish.frame;
-    // The axis of roofs counts from 1; below 0 where their courses rise against the other one.
-    const float roof = static_cast<float>(frame.roofAxis + 1) * (frame.isRoofUpsideDown ? -1.0f : 1.0f);
     std::vector<glm::vec4> block;
     const auto add = [&](const FinishParameters& parameters) {
         const auto packed = packedFinish(withCourses(parameters, finish.courses));
         block.insert(block.end(), packed.begin(), packed.end());
-        block.emplace_back(glm::vec2(frame.courseOrigin), roof, static_cast<float>(frame.grainAxis));
+        block.emplace_back(glm::vec2(frame.courseOrigin), 0.0f, static_cast<float>(frame.grainAxis));
     };
     add(finishParameters(finish.outside, FinishSide::Outside));
     add(finishParameters(finish.inside, FinishSide::Inside));

@@ -153,8 +153,7 @@ AssetFinish finishOf(const AssetModel& model, const Project& project) {
     const Material* material = materialOf(model, project);
     if (material == nullptr) return {};
     const Material* inside = insideOf(model, project);
-    return assetFinish(model.asset, {*material, inside != nullptr ? *inside : *material},
-                       placedOrientation(project, model.asset.id));
+    return assetFinish(model.asset, {*material, inside != nullptr ? *inside : *material});
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "viewport/scene/SceneBuilder.h"
 
+#include "core/asset/finish/AssetFinish.h"
 #include "viewport/scene/BodyColours.h"
 #include "viewport/scene/BondLines.h"
 
@@ -55,11 +56,13 @@ private:
     void addInstance(const AssetModel& model, Id instance, const Pose& pose) {
         if (m_scene.poses.empty()) m_scene.origin = pose.position;
         m_scene.batches.back().firstBodies.push_back(static_cast<std::uint32_t>(m_scene.poses.size()));
+        const Quat placed = instance != 0 ? pose.orientation : placedOrientation(m_project, model.asset.id);
+        const auto up = static_cast<float>(courseUp(model.asset, placed));
         for (const ModelSolid& solid : model.solids) {
             const Vec3 position = pose.position + pose.orientation * solid.offset;
             m_scene.poses.push_back(renderPose({position, pose.orientation}, m_scene.origin));
             m_scene.appearances.emplace_back();
-            m_restOffsets.emplace_back(glm::vec3(solid.offset), 0.0f);
+            m_restOffsets.emplace_back(glm::vec3(solid.offset), up);
             m_scene.picks.push_back({model.asset.id, instance, solid.fragment});
         }
     }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
+#include <functional>
 #include <variant>
 
 namespace rubble {
@@ -43,19 +43,18 @@ Vec3 axisVector(int axis) {
     return vector;
 }
 
-/// The frame of an asset of a size that is placed in an orientation. As a roof, it is a plate whose courses run along
-/// the more horizontal side and rise along the other; of two horizontal sides, along the longer one.
-FinishFrame frameOf(const BrickCourseFrame& courses, Vec3 size, const Quat& orientation) {
-    constexpr double kLevel = 1e-6;  // of the sine of a slope
-    const int thin = size.z <= size.x && size.z <= size.y ? 2 : size.y <= size.x ? 1 : 0;
-    int along = (thin + 1) % 3, across = (thin + 2) % 3;
+constexpr double kLevel = 1e-6;          // of the sine of a slope
+constexpr double kPlateThickness = 0.5;  // of the next longer side, at most
+
+/// The axis that rises most where an asset of a size is placed in an orientation, as in FinishFrame. That of a sloping
+/// plate, as of a roof, lies in it.
+int upOf(Vec3 size, const Quat& orientation) {
+    std::array<int, 3> axes{1, 0, 2};  // of equal ones the first
     const auto rise = [&](int axis) { return (orientation * axisVector(axis)).y; };
-    const double difference = std::abs(rise(along)) - std::abs(rise(across));
-    if (difference > kLevel || (difference > -kLevel && size[across] > size[along])) std::swap(along, across);
-    return {.courseOrigin = Vec2(courses.origin),
-            .grainAxis = longestAxisOf(size),
-            .roofAxis = along,
-            .isRoofUpsideDown = rise(across) < -kLevel};
+    std::ranges::stable_sort(axes, std::greater(), [&](int axis) { return std::round(std::abs(rise(axis)) / kLevel); });
+    const bool isPlate = size[axes[0]] < kPlateThickness * std::min(size[axes[1]], size[axes[2]]);
+    const int axis = isPlate && std::abs(rise(axes[1])) > kLevel ? axes[1] : axes[0];
+    return rise(axis) < 0.0 ? -(axis + 1) : axis + 1;
 }
 
 }  // namespace
@@ -65,12 +64,18 @@ Quat placedOrientation(const Project& project, Id asset) {
     return placed != project.instances.end() ? placed->pose.orientation : Quat(1.0, 0.0, 0.0, 0.0);
 }
 
+int courseUp(const Asset& asset, const Quat& orientation) {
+    return coursesOf(asset).isOn ? kUpright : upOf(sizeOf(asset), orientation);
+}
+
 AssetFinish assetFinish(const Asset& asset, const AssetMaterials& materials, const Quat& orientation) {
     const BrickCourseFrame courses = coursesOf(asset);
     return {.outside = asset.texture ? Finish::Plain : materials.own.finish,
             .inside = materials.inside.finish,
             .courses = courses,
-            .frame = frameOf(courses, sizeOf(asset), orientation)};
+            .frame = {.courseOrigin = Vec2(courses.origin),
+                      .grainAxis = longestAxisOf(sizeOf(asset)),
+                      .up = courseUp(asset, orientation)}};
 }
 
 SurfaceFinish surfaceFinish(const AssetFinish& finish, FinishSide side, Vec3 colour) {

@@ -14,9 +14,11 @@ struct AssetFinish {
     bool isPlain() const { return outside == Finish::Plain && inside == Finish::Plain; }
     bool operator==(const AssetFinish&) const = default;
 };
-/// `orientation`: of an instance, as which the asset may be a roof.
+/// `orientation`: of an instance. Courses rise where it does, but those of a layer of bricks along y of the asset.
 AssetFinish assetFinish(const Asset& asset, const AssetMaterials& materials,
                         const Quat& orientation = Quat(1.0, 0.0, 0.0, 0.0));
+/// The direction in which courses rise on an instance, as in FinishFrame.
+int courseUp(const Asset& asset, const Quat& orientation);
 /// That of the first instance of an asset in a project; without one, upright.
 Quat placedOrientation(const Project& project, Id asset);
 

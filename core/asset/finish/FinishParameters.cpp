@@ -192,8 +192,7 @@ Sides tiles() {
                         .jointHeight = -0.010f,
                         .joint = {0.05f, 0.04f, 0.035f, 0.0f},
                         .lap = 0.016f,
-                        .lapShade = 0.03f,
-                        .isOnRoof = true},
+                        .lapShade = 0.03f},
             .inside = clay.inside};
 }
 
@@ -234,7 +233,6 @@ FinishParameters withCourses(FinishParameters parameters, const BrickCourseFrame
     parameters.courses = courses.form;
     parameters.jointWidth = courses.jointWidth;
     if (courses.jointWidth == 0.0f) parameters.jointHeight = 0.0f;
-    parameters.isOnRoof = false;
     return parameters;
 }
 
@@ -250,7 +248,7 @@ std::array<glm::vec4, 12> packedFinish(const FinishParameters& parameters) {
             p.bandAxes,
             {p.courses.even[0], p.courses.height, p.jointWidth, p.jointHeight},
             p.joint,
-            {p.lap, p.lapShade, p.isOnRoof ? 1.0f : 0.0f, 0.0f},
+            {p.lap, p.lapShade, 0.0f, 0.0f},
             {p.courses.even[1], p.courses.odd[0], p.courses.odd[1], p.courses.oddStart}};
 }
 

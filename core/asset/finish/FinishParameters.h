@@ -43,7 +43,6 @@ struct FinishParameters {
     glm::vec4 joint{0.0f};                        // linear colour
     float lap = 0.0f;       // m: how far the lower edge of a course stands out above the course below, as of tiles
     float lapShade = 0.0f;  // m: as far down from that edge the course below is in its shade
-    bool isOnRoof = false;  // courses are horizontal where the asset is placed, instead of along x on the outline
 };
 
 enum class FinishSide { Outside, Inside };

@@ -29,11 +29,13 @@ double randomOf(int column, int row) {
     return static_cast<double>(((word >> 22u) ^ word) & 0xffffu) / 65536.0;
 }
 
-/// Along the courses and across them, m: the plane that a face is nearest to.
-Vec2 courseCoordinates(Vec3 point, Vec3 normal) {
+/// Along the courses and up, m: in the plane of two axes that a face is nearest to. On a face across `up`, along the two
+/// others.
+Vec2 courseCoordinates(Vec3 point, Vec3 normal, int up) {
     const Vec3 size = glm::abs(normal);
-    if (size.z >= size.x && size.z >= size.y) return {point.x, point.y};
-    return size.y >= size.x ? Vec2(point.x, point.z) : Vec2(point.z, point.y);
+    const int across = size.z >= size.x && size.z >= size.y ? 2 : size.y >= size.x ? 1 : 0, rising = std::abs(up) - 1;
+    if (across == rising) return {point[(rising + 2) % 3], point[(rising + 1) % 3]};
+    return {point[3 - across - rising], up < 0 ? -point[rising] : point[rising]};
 }
 
 /// A point or a direction with an axis as the first.
@@ -60,13 +62,6 @@ CoursePlace placeIn(const CourseForm& form, Vec2 offset) {
             .row = static_cast<int>(row),
             .part = {(isSecond ? rest - first : rest) / length, offset.y / height - row},
             .size = {length, height}};
-}
-
-/// From the origin of the courses, m.
-Vec2 courseOffset(const FinishParameters& parameters, Vec3 point, Vec3 normal, const FinishFrame& frame) {
-    if (!parameters.isOnRoof) return courseCoordinates(point, normal) - frame.courseOrigin;
-    const Vec2 offset = courseCoordinates(along(point, frame.roofAxis), along(normal, frame.roofAxis));
-    return frame.isRoofUpsideDown ? -offset : offset;
 }
 
 void addCourses(FinishedSurface& surface, const FinishParameters& p, const CoursePlace& place, double fine) {
@@ -108,7 +103,8 @@ FinishedSurface finishedSurface(const FinishParameters& parameters, Vec3 point, 
     surface.roughness = p.roughness + p.roughnessTone * (2.0 * fine[1] - 1.0);
     surface.metalness = p.bandAxes.w;
     if (p.courseTone != 0.0f)
-        addCourses(surface, p, placeIn(p.courses, courseOffset(p, point, normal, frame)), fine[0]);
+        addCourses(surface, p, placeIn(p.courses, courseCoordinates(point, normal, frame.up) - frame.courseOrigin),
+                   fine[0]);
     surface.albedo = glm::clamp(surface.albedo, Vec3(0.0), Vec3(1.0));
     surface.roughness = std::clamp(surface.roughness, 0.03, 1.0);
     return surface;

@@ -13,12 +13,13 @@ struct FinishedSurface {
     double height = 0.0;  // m, along the normal
 };
 
+inline constexpr int kUpright = 2;  // y
+
 /// The directions that finishes follow on an asset.
 struct FinishFrame {
-    Vec2 courseOrigin{0.0};         // m, see BrickCourseFrame
-    int grainAxis = 0;              // x, y or z
-    int roofAxis = 0;               // the axis along which courses are where they are those of a roof
-    bool isRoofUpsideDown = false;  // they rise against the other axis of its face
+    Vec2 courseOrigin{0.0};  // m, see BrickCourseFrame
+    int grainAxis = 0;       // x, y or z
+    int up = kUpright;       // in which courses rise: 1, 2 or 3 for x, y or z; negative: against it
     bool operator==(const FinishFrame&) const = default;
 };
 

@@ -1,5 +1,6 @@
 #include "viewport/scene/play/SessionSceneBuilder.h"
 
+#include "core/asset/finish/AssetFinish.h"
 #include "core/base/Assert.h"
 #include "core/geometry/hull/MassProperties.h"
 #include "core/play/scene/Projectile.h"
@@ -11,6 +12,7 @@
 #include <atomic>
 #include <cmath>
 #include <iterator>
+#include <unordered_map>
 
 namespace rubble {
 namespace {
@@ -29,15 +31,24 @@ AssetModel projectileModel(const Polytope& hull, const SceneOptions& options) {
     return model;
 }
 
-/// The origins of all bodies' frames in those of their assets.
-std::shared_ptr<const std::vector<glm::vec4>> restOffsets(const RenderScene& scene,
+/// The origins of all bodies' frames in those of their assets, and where courses rise on them at the start.
+std::shared_ptr<const std::vector<glm::vec4>> restOffsets(const RenderScene& scene, const Project& project,
                                                           std::span<const AssetModel* const> models) {
+    std::unordered_map<Id, Quat> placed;
+    for (const Instance& instance : project.instances) placed.emplace(instance.id, instance.pose.orientation);
+    const auto upOf = [&](const AssetModel& model, Id instance) {
+        const auto found = placed.find(instance);
+        const Quat upright(1.0, 0.0, 0.0, 0.0);
+        return static_cast<float>(courseUp(model.asset, found != placed.end() ? found->second : upright));
+    };
     std::vector<glm::vec4> offsets(scene.picks.size(), glm::vec4(0.0f));
     for (std::size_t k = 0; k < models.size(); ++k) {
         const std::vector<ModelSolid>& solids = models[k]->solids;
-        for (const std::uint32_t first : scene.batches[k].firstBodies)
+        for (const std::uint32_t first : scene.batches[k].firstBodies) {
+            const float up = upOf(*models[k], scene.picks[first].instance);
             for (std::size_t solid = 0; solid < solids.size(); ++solid)
-                offsets[first + solid] = glm::vec4(glm::vec3(solids[solid].offset), 0.0f);
+                offsets[first + solid] = glm::vec4(glm::vec3(solids[solid].offset), up);
+        }
     }
     return std::make_shared<const std::vector<glm::vec4>>(std::move(offsets));
 }
@@ -352,7 +363,7 @@ void SessionSceneBuilder::applyColours() {
     std::vector<const AssetModel*> models;
     for (const Model& model : m_models) models.push_back(&model.drawn);
     colourBodies(m_layout, models, m_scene->project, m_options.colouring);
-    m_layout.restOffsets = restOffsets(m_layout, models);
+    m_layout.restOffsets = restOffsets(m_layout, m_scene->project, models);
 }
 
 /// An unreferenced scene of the pool, up to date but for what writePoses() writes.

@@ -156,7 +156,7 @@ private slots:
                 const Quat placed = lying * glm::angleAxis(turn, Vec3(0.0, 0.0, 1.0));
                 const SurfaceFinish finish =
                     surfaceFinish(assetFinish(roof, material, placed), FinishSide::Outside, Vec3(0.3));
-                QCOMPARE(finish.frame.roofAxis, isAlongX ? 0 : 1);
+                QCOMPARE(std::abs(finish.frame.up), isAlongX ? 2 : 1);
                 // Just above the lower edge of a course it stands out most.
                 const auto heightAt = [&](double up) {
                     const Vec3 world = lying * Vec3(0.03, up, 0.1);
@@ -166,6 +166,21 @@ private slots:
                 QVERIFY(heightAt((2.0 + 0.2) * course) > heightAt((2.0 + 0.9) * course) + 0.005);
             }
         }
+    }
+    /// Courses are level on a block that lies on its side, but follow the layer that cuts its bricks.
+    void coursesAreLevel() {
+        const Material material{.id = 1, .name = "brick", .finish = Finish::Brick};
+        Asset block{.id = 2, .name = "block", .material = 1};
+        block.shape = Prism{{rectangle({-0.5, -0.4}, {0.5, 0.4}), {}}, 0.6};
+        const auto upIn = [&](const Quat& placed) { return assetFinish(block, material, placed).frame.up; };
+        QCOMPARE(upIn(Quat(1.0, 0.0, 0.0, 0.0)), kUpright);
+        QCOMPARE(upIn(Quat(0.5, 0.5, 0.5, 0.5)), 1);
+        QCOMPARE(upIn(Quat(0.0, 1.0, 0.0, 0.0)), -kUpright);
+        const double half = std::sqrt(0.5);
+        QCOMPARE(upIn(Quat(half, half, 0.0, 0.0)), -3);
+        QCOMPARE(upIn(Quat(half, 0.0, half, 0.0)), kUpright);
+        block.pattern.layers = {{.id = 1, .parameters = BrickBond{}}};
+        QCOMPARE(upIn(Quat(0.5, 0.5, 0.5, 0.5)), kUpright);
     }
     /// Bands and noise are turned with the grain, courses are not.
     void grainIsAlongTheLongestSide() {
