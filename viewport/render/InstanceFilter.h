@@ -14,6 +14,7 @@ struct InstanceView {
     glm::vec4 eye{0.0f};             // m, in the scene; w: 1 in perspective, 0 in parallel projection
     float pixelsOfMetre = 0.0f;      // at distance 1; in parallel projection anywhere
     float minFragmentPixels = 0.0f;  // instances whose fragments are smaller on average are drawn as a whole
+    bool areCracksHidden = false;    // so are all that have no mortar between their fragments
     bool operator==(const InstanceView&) const = default;
 };
 

@@ -88,7 +88,8 @@ void RenderPasses::setShadows(const RenderView& view, const LightSample& sample,
     scene.setView({.clipFromScene = frame.clipFromScene,
                    .eye = frame.eye,
                    .pixelsOfMetre = frame.viewport.z,
-                   .minFragmentPixels = static_cast<float>(view.minFragmentPixels * view.resolution)});
+                   .minFragmentPixels = static_cast<float>(view.minFragmentPixels * view.resolution),
+                   .areCracksHidden = !view.settings.hasOverlays});
     if (!hasShadows) return;
     key = isSingle && view.resolution == 1.0 ? &singleKey : &smallKey;
     sky = isSingle ? &singleSky : &sampledSky;

@@ -106,6 +106,8 @@ SceneBuffers::Batch SceneBuffers::batchOf(const SceneBatch& batch) {
     Batch made{.firstBodies = bufferOf(GL_ARRAY_BUFFER, batch.firstBodies), .bodies = GlVertexArray::create()};
     const Geometry& geometry = uploaded(batch.geometry);
     made.meanPartSize = batch.geometry->meanPartSize();
+    made.hasMortar = std::ranges::find(batch.geometry->vertices, VertexSide::Mortar, &SceneVertex::side) !=
+                     batch.geometry->vertices.end();
     glBindVertexArray(made.bodies.id());
     describeVertices(geometry.vertices, geometry.indices, made.firstBodies);
     if (batch.hulls) {
@@ -193,7 +195,9 @@ void SceneBuffers::sortInstances(const SceneBatch& source, const InstanceFilter&
         if (batch.wholes[k] != Whole::Never) {
             const InstanceFilter::Sphere sphere = filter.sphereOf(first, source.geometry->wholeBox);
             const bool isSmall = filter.pixelsOf(batch.meanPartSize, sphere) < m_view.minFragmentPixels;
-            group = !filter.isSeen(sphere) ? kUnseen : batch.wholes[k] == Whole::Always || isSmall ? kWhole : kEqual;
+            const bool isWhole =
+                batch.wholes[k] == Whole::Always || isSmall || (m_view.areCracksHidden && !batch.hasMortar);
+            group = !filter.isSeen(sphere) ? kUnseen : isWhole ? kWhole : kEqual;
         }
         groups[group].push_back(first);
     }

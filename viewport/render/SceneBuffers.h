@@ -68,6 +68,7 @@ private:
         GlVertexArray hulls;
         GlBuffer finishes;          // none without
         double meanPartSize = 0.0;  // m
+        bool hasMortar = false;     // between its fragments
         std::vector<Whole> wholes;  // of the instances, in the order of the scene
         // The first bodies as uploaded: of instances in parts, then
         std::vector<std::uint32_t> order;

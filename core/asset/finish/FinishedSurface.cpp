@@ -29,8 +29,8 @@ double randomOf(int column, int row) {
     return static_cast<double>(((word >> 22u) ^ word) & 0xffffu) / 65536.0;
 }
 
-/// Along the courses and up, m: in the plane of two axes that a face is nearest to. On a face across `up`, along the two
-/// others.
+/// Along the courses and up, m: in the plane of two axes that a face is nearest to. On a face across `up`, along the
+/// two others.
 Vec2 courseCoordinates(Vec3 point, Vec3 normal, int up) {
     const Vec3 size = glm::abs(normal);
     const int across = size.z >= size.x && size.z >= size.y ? 2 : size.y >= size.x ? 1 : 0, rising = std::abs(up) - 1;

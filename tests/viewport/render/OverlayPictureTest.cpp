@@ -2,6 +2,7 @@
 #include "core/asset/library/StarterProject.h"
 #include "core/asset/project/FragmentColours.h"
 #include "tests/support/TestProgram.h"
+#include "tests/support/asset/Projects.h"
 #include "tests/support/viewport/Pictures.h"
 #include "viewport/render/OffscreenRenderer.h"
 #include "viewport/scene/SceneBuilder.h"
@@ -69,6 +70,24 @@ private slots:
         const QImage seen = picture(scene);
         QVERIFY(!isRed(seen, 100, 100));
         QVERIFY(seen.pixelColor(100, 100).green() < wall.green() - 20);
+    }
+    /// What has not broken is drawn as a whole, without its cracks.
+    void theSceneAloneHasNoCracks() {
+        const Project project = starterProject();
+        const auto alone = [&](bool isWhole, bool isAlone) {
+            const AssetBakes bakes = isWhole ? AssetBakes() : bakesOf(project).value();
+            const auto scene = std::make_shared<RenderScene>(sceneOf(project, bakes, {.isWhole = isWhole}));
+            RenderView view{.size = kPictureSize};
+            view.camera = framing(view.camera, boundsOf(*scene), kPictureSize);
+            view.settings.hasShadows = view.settings.hasAxes = view.settings.hasGrid = false;
+            view.settings.hasOverlays = !isAlone;
+            const Image image = renderImage(scene, view, 0).value();
+            return QImage(image.pixels.data(), image.width, image.height, 3 * image.width, QImage::Format_RGB888)
+                .copy(60, 60, 80, 80);
+        };
+        const QImage whole = alone(true, true);
+        QVERIFY(test::meanDifference(alone(false, true), whole) < 0.2);
+        QVERIFY(test::meanDifference(alone(false, false), whole) > 1.0);
     }
     void boxIsDrawnAsItsEdges() {
         RenderScene scene = centredWall();
