@@ -10,6 +10,7 @@
 #include "core/asset/project/Ranges.h"
 #include "core/io/formats/ExportFormat.h"
 #include "core/io/formats/ExportTarget.h"
+#include "core/io/formats/TextureBaking.h"
 #include "core/io/output/ExportIndex.h"
 #include "core/io/pack/OutputFolder.h"
 #include "core/io/pack/PackExport.h"
@@ -155,6 +156,14 @@ Result<ExportOutcome> exportOrPlan(const ExportArguments& arguments, const Proje
                          .finished = std::move(exported->finished)};
 }
 
+/// Refuses textures that no file would hold.
+Status checkTextures(const MeshOptions& meshes) {
+    if (meshes.textures == SurfaceTextures::None || bakingBytes(meshes) > 0.0) return success();
+    return Error{ErrorCode::BadInput,
+                 "--textures baked: none of the files would have textures. Nothing was written; add --format glb or "
+                 "--usd, without --glb compact."};
+}
+
 Status exportAssets(ExportArguments arguments, VerbReport& report, const CliContext& context) {
     FormatSet& formats = arguments.pack.meshes.formats;
     if (arguments.partFormats) {
@@ -166,6 +175,7 @@ Status exportAssets(ExportArguments arguments, VerbReport& report, const CliCont
     for (const auto& [word, isAdded] : arguments.addedFormats) {
         if (isAdded) formats.insert(word);
     }
+    if (const Status checked = checkTextures(arguments.pack.meshes); !checked) return checked.error();
     const Result<Project> project = openProject(arguments.project, context);
     if (!project) return project.error();
     const Result<std::vector<Id>> selected = selectedAssets(*project, arguments.assets);

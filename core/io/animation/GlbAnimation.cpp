@@ -141,7 +141,7 @@ private:
             for (const GlbPrimitive& primitive : m_primitives[mesh]) {
                 const bool isInside = primitive.material == GlbBuffer::kInside;
                 const std::uint32_t material = isInside ? materials.back() : materials[primitive.material];
-                writeGlbPrimitive(m_json, m_accessorCount, material, m_buffer);
+                writeGlbPrimitive(m_json, m_accessorCount, material, m_buffer, false);
                 m_accessorCount += 4;
             }
             m_json.close();

@@ -118,13 +118,14 @@ void writeGlbTextures(JsonWriter& json, std::span<const GlbImage> images, std::u
     json.close();
 }
 
-void writeGlbPrimitive(JsonWriter& json, std::uint64_t accessor, std::uint64_t material, const GlbBuffer& buffer) {
+void writeGlbPrimitive(JsonWriter& json, std::uint64_t accessor, std::uint64_t material, const GlbBuffer& buffer,
+                       bool isBaked) {
     json.openObject();
     json.openObject("attributes");
     json.wholeNumber("POSITION", accessor);
     json.wholeNumber("NORMAL", accessor + 1);
     json.wholeNumber("TEXCOORD_0", accessor + 2);
-    if (buffer.hasTangents()) json.wholeNumber("TANGENT", accessor + 3);
+    if (buffer.hasTangents() && isBaked) json.wholeNumber("TANGENT", accessor + 3);
     json.close();
     json.wholeNumber("indices", accessor + buffer.arrayCount() - 1);
     json.wholeNumber("material", material);

@@ -35,8 +35,10 @@ std::vector<GlbImage> glbImages(const MeshMaterials& materials);
 /// parts of the file follow each other from `firstView` on. Without images, writes nothing.
 void writeGlbTextures(JsonWriter& json, std::span<const GlbImage> images, std::uint64_t firstView);
 
-/// Writes a primitive, whose accessors, as many as the buffer has arrays, start at `accessor`.
-void writeGlbPrimitive(JsonWriter& json, std::uint64_t accessor, std::uint64_t material, const GlbBuffer& buffer);
+/// Writes a primitive, whose accessors, as many as the buffer has arrays, start at `accessor`. `isBaked`: its tangents
+/// are those of its texture coordinates.
+void writeGlbPrimitive(JsonWriter& json, std::uint64_t accessor, std::uint64_t material, const GlbBuffer& buffer,
+                       bool isBaked);
 /// Writes the accessors of a primitive, in the order of the buffer's arrays.
 void writeGlbAccessors(JsonWriter& json, const GlbPrimitive& primitive, const GlbBuffer& buffer);
 /// Writes the accessor of positions or indices of a primitive in a view.

@@ -35,7 +35,9 @@ void writeMeshes(JsonWriter& json, std::span<const MeshPart> parts,
         json.openArray("primitives");
         for (const GlbPrimitive& primitive : primitives[k]) {
             const bool isInside = primitive.material == GlbBuffer::kInside;
-            writeGlbPrimitive(json, accessor, isInside ? materials.outside.size() : primitive.material, buffer);
+            const MeshMaterial& material = isInside ? materials.inside : materials.outside[primitive.material];
+            writeGlbPrimitive(json, accessor, isInside ? materials.outside.size() : primitive.material, buffer,
+                              material.isBaked);
             accessor += buffer.arrayCount();
         }
         json.close();

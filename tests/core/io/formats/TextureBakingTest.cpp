@@ -164,6 +164,11 @@ private slots:
         QCOMPARE(glb.json["images"].size(), std::size_t{4});
         QVERIFY(glb.json["materials"][0] == old.json["materials"][0]);
         QVERIFY(glb.json["materials"][1]["pbrMetallicRoughness"]["baseColorTexture"]["index"] == 1);
+        // Tangents are those of baked images.
+        for (const nlohmann::json& mesh : glb.json["meshes"]) {
+            for (const nlohmann::json& primitive : mesh["primitives"])
+                QCOMPARE(primitive["attributes"].contains("TANGENT"), primitive["material"] == 1);
+        }
         QVERIFY(numbersOf<float>(glb, glb.json["accessors"][2]) == numbersOf<float>(old, old.json["accessors"][2]));
     }
     void fragmentsThatDoNotFitAreRefused() {
