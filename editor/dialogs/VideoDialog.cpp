@@ -193,7 +193,7 @@ VideoOptions VideoDialog::options() const {
     VideoOptions options{.path = QDir::fromNativeSeparators(m_path->text()),
                          .isVideo = m_kind->currentIndex() == kVideoOutput,
                          .size = {static_cast<int>(m_width->value()), static_cast<int>(m_height->value())},
-                         .samples = samplesOf(static_cast<RenderQuality>(m_quality->currentIndex())),
+                         .samples = videoSamplesOf(static_cast<RenderQuality>(m_quality->currentIndex())),
                          .frameRate = m_frameRate->value(),
                          .speed = m_speed->value(),
                          .first = stepAt(*m_first),

@@ -13,6 +13,8 @@ layout(location = 4) in vec2 across;
 layout(location = 5) in uint side;  // see VertexSide
 layout(location = 6) in uint firstBody;
 
+invariant gl_Position;  // the same in each pass
+
 const uint kInside = 1u, kTextured = 2u, kMortar = 3u;  // sides
 
 const uint kHidden = 1u;

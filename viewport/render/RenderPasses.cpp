@@ -126,9 +126,16 @@ const ShaderProgram& RenderPasses::lit(const LitPrograms& variants) const {
     return hasShadows ? variants.shadowed : variants.plain;
 }
 
-void RenderPasses::drawSolid() {
+/// Depths first, so that no pixel is shaded that another hides, where that costs less than it saves.
+void RenderPasses::drawSolid(ImageSize size) {
+    constexpr std::size_t kLeastPixels = 2;  // a triangle
     glEnable(GL_CULL_FACE);
     glDepthFunc(GL_LESS);
+    const auto pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    if (pixels > kLeastPixels * scene.bodyTriangles()) {
+        drawDepths(kOpaqueSurfaces);
+        glDepthFunc(GL_LEQUAL);
+    }
     const auto drawWith = [&](const ShaderProgram& program, SceneBuffers::Batches batches) {
         program.use();
         program.set("surfaces", kOpaqueSurfaces);
@@ -166,7 +173,7 @@ void RenderPasses::drawEdges(const EdgePass& pass) {
 
 void RenderPasses::drawWireframe(const RenderView& view) {
     const glm::vec4 colour = environmentOf(view.settings.sky, view.settings.theme, skyLight).wires;
-    drawDepths();
+    drawDepths(kAllSurfaces);
     drawEdges({.line = withOpacity(colour, 0.16f), .width = 0.6f, .depthFunction = GL_ALWAYS});
     drawEdges({.line = withOpacity(colour, 0.85f), .fill = withOpacity(colour, 0.03f), .width = 0.7f});
 }
@@ -283,8 +290,8 @@ void RenderPasses::drawOutlines(const RenderView& view) {
     outlines.draw(scene, view, {.outlined = summary.selected, .depths = bound, .image = bound});
 }
 
-/// The depths of all bodies alone.
-void RenderPasses::drawDepths() {
+/// The depths of bodies alone; `surfaces`: see bodies.glsl.
+void RenderPasses::drawDepths(std::uint32_t surfaces) {
     glDepthMask(GL_TRUE);
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
@@ -292,7 +299,7 @@ void RenderPasses::drawDepths() {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     programs.depth.use();
     programs.depth.set("clipFromSceneOfLight", frame.clipFromScene);
-    programs.depth.set("surfaces", kAllSurfaces);
+    programs.depth.set("surfaces", surfaces);
     programs.depth.set("pattern", 0u);
     glDepthFunc(GL_LESS);
     scene.draw(SceneBuffers::Part::Bodies);
@@ -335,7 +342,7 @@ void RenderPasses::drawImage(const RenderView& view) {
     glDisable(GL_BLEND);
     glClear(GL_DEPTH_BUFFER_BIT);
     const bool isSolid = view.settings.shading == Shading::Faces;
-    if (isSolid) drawSolid();
+    if (isSolid) drawSolid(view.size);
     drawGround(view);
     if (!isSolid) drawWireframe(view);
     if (isSolid) drawMarks();

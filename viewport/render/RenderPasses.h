@@ -38,9 +38,9 @@ struct RenderPasses {
     void setLight(const RenderView& view);
     void drawImage(const RenderView& view);
     const ShaderProgram& lit(const LitPrograms& variants) const;
-    void drawSolid();
+    void drawSolid(ImageSize size);
     void drawTransparent(const RenderView& view);
-    void drawDepths();
+    void drawDepths(std::uint32_t surfaces);
     void drawWireframe(const RenderView& view);
     void drawHulls(const RenderView& view);
     void drawEdges(const EdgePass& pass);

@@ -22,6 +22,8 @@ constexpr int samplesOf(RenderQuality quality) {
     }
     return 0;
 }
+/// Those of a video need fewer: nobody looks at one for long.
+constexpr int videoSamplesOf(RenderQuality quality) { return samplesOf(quality) / 8; }
 
 /// The settings for drawing a scene.
 struct RenderSettings {

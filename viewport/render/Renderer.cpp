@@ -144,7 +144,7 @@ void Renderer::State::drawHovered(const RenderView& view, std::uint32_t framebuf
     same.hovered.reset();
     if (depthsView != same) {
         target(depths, view.size, PixelFormat::Colour, 1).bind();
-        drawDepths();
+        drawDepths(kAllSurfaces);
         depthsView = same;
     }
     outlines.draw(scene, view,

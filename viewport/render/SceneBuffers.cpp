@@ -275,6 +275,17 @@ void SceneBuffers::draw(Part part, Batches batches) const {
     glBindVertexArray(0);
 }
 
+std::size_t SceneBuffers::bodyTriangles() const {
+    std::size_t indices = 0;
+    for (std::size_t k = 0; k < m_batches.size(); ++k) {
+        const SceneGeometry& geometry = *m_scene->batches[k].geometry;
+        const Batch& batch = m_batches[k];
+        indices += geometry.partIndices().size() * batch.wholeBegin +
+                   geometry.wholeIndices.size() * (batch.unseenBegin - batch.wholeBegin);
+    }
+    return indices / 3;
+}
+
 void SceneBuffers::drawBody(std::uint32_t body) const {
     bindTexels();
     for (std::size_t k = 0; k < m_batches.size(); ++k) {

@@ -43,6 +43,8 @@ public:
     /// Draws all triangles with the current program: one call per batch, or two where some of its instances are whole
     /// and others are not, and one more for every few hundred thousand triangles.
     void draw(Part part, Batches batches = Batches::All) const;
+    /// How many triangles draw(Part::Bodies) draws.
+    std::size_t bodyTriangles() const;
     /// Draws one body.
     void drawBody(std::uint32_t body) const;
     bool hasFinishes() const { return m_hasFinishes; }

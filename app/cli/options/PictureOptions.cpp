@@ -58,6 +58,13 @@ void addParsed(Command& command, const char* name, std::string& text, const char
     command.option(name, text, help).check(check).valueName(label);
 }
 
+int samplesBy(const PictureOptions& options, int (*samplesOfQuality)(RenderQuality)) {
+    for (const auto& [word, quality] : kQualities) {
+        if (options.quality == word) return samplesOfQuality(quality);
+    }
+    return options.samples;
+}
+
 }  // namespace
 
 void addViewOptions(Command& command, PictureOptions& options) {
@@ -121,18 +128,14 @@ void addSamplesOption(Command& command, PictureOptions& options) {
         .valueName("N");
     std::vector<std::string> words;
     for (const auto& [word, quality] : kQualities) words.emplace_back(word);
-    command.option("--quality", options.quality, "draft, good or best: 0, 32 or 128 samples per picture")
+    command.option("--quality", options.quality, "draft, good or best: 0, 32 or 128 samples per picture; of a video 0, 4 or 16")
         .oneOf(words)
         .excludes(command["--samples"])
         .valueName("WORD");
 }
 
-int samplesOf(const PictureOptions& options) {
-    for (const auto& [word, quality] : kQualities) {
-        if (options.quality == word) return samplesOf(quality);
-    }
-    return options.samples;
-}
+int samplesOf(const PictureOptions& options) { return samplesBy(options, &samplesOf); }
+int videoSamplesOf(const PictureOptions& options) { return samplesBy(options, &videoSamplesOf); }
 
 SceneOptions sceneOptions(const PictureOptions& options) {
     SceneOptions scene{.hasHulls = options.hasHulls, .hasBonds = options.hasBonds};

@@ -127,7 +127,7 @@ Status renderTurntable(const Subject& subject, const RenderOptions& options, con
                      "A video needs ffmpeg, which is not installed; give a folder instead to write its pictures."};
     }
     const FrameSource frames = turntable(subject.scene, pictureView(options.picture, subject.framed),
-                                         *options.turntableFrames, samplesOf(options.picture));
+                                         *options.turntableFrames, videoSamplesOf(options.picture));
     const Status made = isVideoPath(options.out) ? renderVideo(frames, kTurntableRate, options.out, {}, task)
                                                  : renderFrames(frames, options.out, Unfinished::Kept, task);
     if (made)

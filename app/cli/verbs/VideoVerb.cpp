@@ -76,7 +76,7 @@ Result<VideoPlan> planOf(const VideoOptions& options) {
                                               ". Use --every to render fewer."};
     }
     const double asPlayed = 1.0 / (options.play.stepLength * options.every);
-    return VideoPlan{.samples = samplesOf(options.picture),
+    return VideoPlan{.samples = videoSamplesOf(options.picture),
                      .first = static_cast<double>(options.first),
                      .stepsPerFrame = static_cast<double>(options.every),
                      .frames = pictures,

@@ -39,7 +39,7 @@ private slots:
         auto& quality = *dialog.findChild<QComboBox*>("video-quality");
         for (const RenderQuality selected : {RenderQuality::Draft, RenderQuality::Best, RenderQuality::Good}) {
             quality.setCurrentIndex(static_cast<int>(selected));
-            QCOMPARE(dialog.options().samples, samplesOf(selected));
+            QCOMPARE(dialog.options().samples, videoSamplesOf(selected));
         }
         QCOMPARE(needed.size(), 4);
         dialog.setFrameCost({}, false);  // nothing can be rendered

@@ -14,8 +14,9 @@ using namespace rubble;
 namespace {
 
 constexpr ImageSize kViewSize{200, 200};
-/// Of an image of moving bodies of one asset: shadow maps of the key light and the sky, the light buffer, the picture.
-constexpr std::uint64_t kDrawCalls = 1 + kSkyDirections + 1 + 1;
+/// Of an image of moving bodies of one asset: shadow maps of the key light and the sky, the light buffer,
+/// depths, the picture.
+constexpr std::uint64_t kDrawCalls = 1 + kSkyDirections + 1 + 1 + 1;
 
 /// The wall from the front.
 RenderView frontView(const RenderScene& scene) {
