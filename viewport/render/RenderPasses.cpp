@@ -128,11 +128,11 @@ const ShaderProgram& RenderPasses::lit(const LitPrograms& variants) const {
 
 /// Depths first, so that no pixel is shaded that another hides, where that costs less than it saves.
 void RenderPasses::drawSolid(ImageSize size) {
-    constexpr std::size_t kLeastPixels = 2;  // a triangle
+    constexpr std::size_t kMinPixels = 2;  // a triangle
     glEnable(GL_CULL_FACE);
     glDepthFunc(GL_LESS);
     const auto pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-    if (pixels > kLeastPixels * scene.bodyTriangles()) {
+    if (pixels > kMinPixels * scene.bodyTriangles()) {
         drawDepths(kOpaqueSurfaces);
         glDepthFunc(GL_LEQUAL);
     }

@@ -128,7 +128,9 @@ void addSamplesOption(Command& command, PictureOptions& options) {
         .valueName("N");
     std::vector<std::string> words;
     for (const auto& [word, quality] : kQualities) words.emplace_back(word);
-    command.option("--quality", options.quality, "draft, good or best: 0, 32 or 128 samples per picture; of a video 0, 4 or 16")
+    command
+        .option("--quality", options.quality,
+                "draft, good or best: 0, 32 or 128 samples per picture; of a video 0, 4 or 16")
         .oneOf(words)
         .excludes(command["--samples"])
         .valueName("WORD");
