@@ -273,7 +273,9 @@ void ExportDialog::refresh() {
         const auto hasOption = [&](const ExportFormat* format) {
             return std::ranges::find(format->options, option) != format->options.end();
         };
-        box->setEnabled(std::ranges::any_of(formats, hasOption));
+        const bool isWithoutUse =
+            option == &kTextureSizeOption && options.pack.meshes.textures == SurfaceTextures::None;
+        box->setEnabled(!isWithoutUse && std::ranges::any_of(formats, hasOption));
     }
     const QString problem = selectedAssets().empty()   ? tr("No asset is selected.")
                             : options.folder.isEmpty() ? tr("No folder is set.")

@@ -5,14 +5,22 @@
 #include <QActionGroup>
 #include <QDir>
 #include <QFileInfo>
+#include <QLocale>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rubble {
 
 namespace {
 
 constexpr double kExposureStep = 0.5;  // stops
+
+/// With its sign.
+QString stops(double exposure) {
+    const QString text = QLocale().toString(std::abs(exposure), 'f', 1);
+    return (exposure < 0.0 ? "\u2212" : "+") + text;
+}
 
 }  // namespace
 
@@ -70,9 +78,9 @@ void LightMenu::setRecentFiles(const QStringList& paths) {
 void LightMenu::addExposure() {
     addStop(tr("&Brighter"), tr("Raise the exposure by half a stop"), kExposureStep);
     addStop(tr("&Darker"), tr("Lower the exposure by half a stop"), -kExposureStep);
-    QAction* reset = addAction(tr("&Reset Exposure"));
-    reset->setStatusTip(tr("Set the exposure to its default"));
-    connect(reset, &QAction::triggered, this, [this] { emit lightSelected(m_sky, m_file, 0.0); });
+    m_resetAction = addAction(QString());
+    m_resetAction->setStatusTip(tr("Set the exposure to its default"));
+    connect(m_resetAction, &QAction::triggered, this, [this] { emit lightSelected(m_sky, m_file, 0.0); });
 }
 
 void LightMenu::addStop(const QString& text, const QString& tip, double change) {
@@ -88,6 +96,9 @@ void LightMenu::setLight(SkyPreset sky, const QString& file, double exposure, co
     m_sky = sky;
     m_file = file;
     m_exposure = exposure;
+    m_resetAction->setText(exposure == 0.0 ? tr("&Reset Exposure")
+                                           : tr("&Reset Exposure of %1 Stops").arg(stops(exposure)));
+    m_resetAction->setEnabled(exposure != 0.0);
     setRecentFiles(recent);
     for (qsizetype k = 0; k < m_presetActions.size(); ++k)
         m_presetActions[k]->setChecked(file.isEmpty() && static_cast<qsizetype>(sky) == k);

@@ -32,6 +32,7 @@ private:
     QActionGroup* m_skies;
     QList<QAction*> m_presetActions;  // in the order of SkyPreset
     QAction* m_fileAction = nullptr;
+    QAction* m_resetAction = nullptr;
     QList<QAction*> m_fileActions;  // of recent files
     QStringList m_recentFiles;
     SkyPreset m_sky = SkyPreset::Studio;

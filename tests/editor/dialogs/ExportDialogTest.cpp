@@ -165,6 +165,10 @@ private slots:
         QCOMPARE(kind.currentText(), "Plain");
         boxWith(dialog, "Godot").setCurrentText("Godot");
         QCOMPARE(kind.currentText(), "With rigid bodies");
+        QVERIFY(!boxWith(dialog, "2048 × 2048").isEnabled());
+        boxWith(dialog, "Of finishes").setCurrentText("Of finishes");
+        QVERIFY(boxWith(dialog, "2048 × 2048").isEnabled());
+        boxWith(dialog, "Of finishes").setCurrentText("None");
         kind.setCurrentText("Compact");
         exportProject(*m_workspace, dialog.options(), m_messages, nullptr);
         const QByteArray glb = bytesOfFile(m_folder->filePath("packs/wall/wall-fragments.glb"));

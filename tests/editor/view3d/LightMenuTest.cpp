@@ -64,10 +64,13 @@ private slots:
         QSignalSpy selected(&menu, &LightMenu::lightSelected);
         actionNamed(menu, "Brighter")->trigger();
         QCOMPARE(selected.last()[2].toDouble(), 0.5);
+        QVERIFY(actionNamed(menu, "Reset Exposure of +0.5 Stops")->isEnabled());
         for (int k = 0; k < 40; ++k) actionNamed(menu, "Darker")->trigger();
         QCOMPARE(selected.last()[2].toDouble(), rangeOf(ProjectNumber::Exposure).min);
-        actionNamed(menu, "Reset Exposure")->trigger();
+        for (QAction* action : menu.actions())
+            if (action->text().contains("Reset")) action->trigger();
         QCOMPARE(selected.last()[2].toDouble(), 0.0);
+        QVERIFY(!actionNamed(menu, "Reset Exposure")->isEnabled());
     }
 };
 
