@@ -133,8 +133,10 @@ void RenderPasses::drawSolid(ImageSize size) {
     glDepthFunc(GL_LESS);
     const auto pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     if (pixels > kMinPixels * scene.bodyTriangles()) {
+        glEnable(GL_POLYGON_OFFSET_FILL);
+        glPolygonOffset(0.0f, 4.0f);  // behind: the first of equal depths is seen, and rounding may differ
         drawDepths(kOpaqueSurfaces);
-        glDepthFunc(GL_LEQUAL);
+        glDisable(GL_POLYGON_OFFSET_FILL);
     }
     const auto drawWith = [&](const ShaderProgram& program, SceneBuffers::Batches batches) {
         program.use();
