@@ -273,9 +273,7 @@ void ExportDialog::refresh() {
         const auto hasOption = [&](const ExportFormat* format) {
             return std::ranges::find(format->options, option) != format->options.end();
         };
-        const bool isWithoutUse =
-            option == &kTextureSizeOption && options.pack.meshes.textures == SurfaceTextures::None;
-        box->setEnabled(!isWithoutUse && std::ranges::any_of(formats, hasOption));
+        box->setEnabled(option->isUsed(options.pack) && std::ranges::any_of(formats, hasOption));
     }
     const QString problem = selectedAssets().empty()   ? tr("No asset is selected.")
                             : options.folder.isEmpty() ? tr("No folder is set.")

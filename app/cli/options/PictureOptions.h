@@ -39,7 +39,7 @@ void addOverlayOption(Command& command, PictureOptions& options);
 void addSamplesOption(Command& command, PictureOptions& options);
 /// Returns the number of samples that either asks for.
 int samplesOf(const PictureOptions& options);
-/// The same for each picture of a video or of a turntable.
+/// The same for each picture of a video.
 int videoSamplesOf(const PictureOptions& options);
 
 /// Returns the options for the contents of a scene: colouring, hulls and bonds.

@@ -122,14 +122,16 @@ constexpr double kTurntableRate = 30.0;  // pictures per second
 /// Writes the pictures of a turntable, or a video of them.
 Status renderTurntable(const Subject& subject, const RenderOptions& options, const CliContext& context,
                        const TaskContext& task) {
-    if (isVideoPath(options.out) && !findFfmpeg()) {
+    const bool isVideo = isVideoPath(options.out);
+    if (isVideo && !findFfmpeg()) {
         return Error{ErrorCode::NotFound,
                      "A video needs ffmpeg, which is not installed; give a folder instead to write its pictures."};
     }
-    const FrameSource frames = turntable(subject.scene, pictureView(options.picture, subject.framed),
-                                         *options.turntableFrames, videoSamplesOf(options.picture));
-    const Status made = isVideoPath(options.out) ? renderVideo(frames, kTurntableRate, options.out, {}, task)
-                                                 : renderFrames(frames, options.out, Unfinished::Kept, task);
+    const FrameSource frames =
+        turntable(subject.scene, pictureView(options.picture, subject.framed), *options.turntableFrames,
+                  isVideo ? videoSamplesOf(options.picture) : samplesOf(options.picture));
+    const Status made = isVideo ? renderVideo(frames, kTurntableRate, options.out, {}, task)
+                                : renderFrames(frames, options.out, Unfinished::Kept, task);
     if (made)
         context.err << countText(static_cast<std::size_t>(frames.frames), "picture", "pictures") << " written to "
                     << options.out << "\n";

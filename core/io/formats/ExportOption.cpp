@@ -46,6 +46,12 @@ constexpr ExportOption formerly(std::string_view word, ExportOption option) {
     return option;
 }
 
+/// An option of the baked textures.
+constexpr ExportOption ofTextures(ExportOption option) {
+    option.isUsed = [](const PackOptions& options) { return options.meshes.textures != SurfaceTextures::None; };
+    return option;
+}
+
 }  // namespace
 
 constinit const ExportOption kGlbKindOption = row(
@@ -77,10 +83,10 @@ constinit const ExportOption kTexturesOption = row(
     "textures", "Images of the finishes of materials in GLB and USD files (default: none)",
     "&Baked textures:", "Select whether the finishes of materials are baked into textures of GLB and USD files",
     kTextures, [](auto& options) -> auto& { return options.meshes.textures; });
-constinit const ExportOption kTextureSizeOption = row(
+constinit const ExportOption kTextureSizeOption = ofTextures(row(
     "texture-size", "The side of these images in texels (default: 2048)",
     "Texture si&ze:", "Select the size of the images that finishes are baked into", kTextureSizes,
-    [](auto& options) -> auto& { return options.meshes.textureSize; });
+    [](auto& options) -> auto& { return options.meshes.textureSize; }));
 constinit const ExportOption kPackFilesOption = row(
     "pack", "The files that describe the bodies (default: both)", {}, {}, kPackFiles,
     [](auto& options) -> auto& { return options.files; });

@@ -24,6 +24,7 @@ struct ExportOption {
     std::size_t (*get)(const PackOptions&);  // an index of `values`
     void (*set)(PackOptions&, std::size_t);
     std::string_view formerWord = {};  // that the command line reads, too; empty: none
+    bool (*isUsed)(const PackOptions&) = [](const PackOptions&) { return true; };  // by the formats that have it
 };
 
 extern const ExportOption kGlbKindOption, kSplitOption, kPlaceOption, kFacesOption, kUpAxisOption, kUnitOption,
